@@ -142,7 +142,8 @@ class Settings:
     ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration, world_acceleration: caps [m/s2] on
     the TCP, None for none. override, v_max [m/s]: VelSet, already in every Speed. load: what the gripper holds
     (GripLoad), None for nothing. eax_offset: what EOffs adds to the external axes, already in every extax; mm or deg.
-    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT.
+    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT. synchronised: whether
+    moves go together with other robots' (SyncMoveOn).
     """
 
     conf_j: bool = True
@@ -158,17 +159,20 @@ class Settings:
     load: Load | None = None
     eax_offset: tuple[float, float, float, float, float, float] = (0.0,) * 6
     displaced: bool = False
+    synchronised: bool = False
 
 
 DEFAULT_SETTINGS = Settings()
 
 
 class Hold(Enum):
-    """Who says that the rail stands still during a motion: a comment, the cell file, or an output set just before."""
+    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, or
+    SyncMoveOn, behind which no wait has room for a move."""
 
     PROGRAM = "program"
     CELL = "cell"
     GRIPPER = "gripper"
+    SYNCHRONISED = "synchronised"
 
 
 class Happens(Enum):
@@ -247,6 +251,8 @@ class _Move:
     None where it may move. constant_speed: a line or an arc that should keep its programmed speed from end to end.
     units: positioners that turn meanwhile. detour: of a point that the plan adds on a way around bodies, their names.
     marked: the same of one that an export has added, as its comment says; it is a point of the program like any other.
+    identity: the \ID under which other robots move together with it (MultiMove), None for a move of this robot alone.
+    partner: what those take for it at least [s], None where nothing says it; as_written: it is what this robot takes.
     """
 
     source: Source
@@ -265,11 +271,21 @@ class _Move:
     units: tuple[UnitMove, ...] = ()
     detour: tuple[str, ...] = ()
     marked: tuple[str, ...] = ()
+    identity: int | None = None
+    partner: float | None = None
+    as_written: bool = False
 
     @property
     def least(self) -> float:
-        """Least time [s] that positioners leave the move."""
-        return max((unit.least for unit in self.units), default=0.0)
+        """Least time [s] that positioners and other robots leave the move."""
+        return max(self.partner or 0.0, *(unit.least for unit in self.units), 0.0)
+
+    @property
+    def waits_for(self) -> str:
+        """Whose time is the least one."""
+        if self.partner is None or self.partner < self.least:
+            return "positioner"
+        return "time as written" if self.as_written else "partner"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -77,7 +77,7 @@ class PositionerAxis:
 
 @dataclass(frozen=True)
 class Scenario:
-    """Everything by name; names are in lower case, blanks left out of conditions.
+    r"""Everything by name; names are in lower case, blanks left out of conditions.
 
     signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
     for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
@@ -90,7 +90,8 @@ class Scenario:
     mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
     taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
     the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
-    the floor on; the last one carries the user frame.
+    the floor on; the last one carries the user frame. partner: what the other robots take [s] for the moves that they
+    make together with this one (MultiMove), by \ID.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -106,6 +107,7 @@ class Scenario:
     hold_rail: HoldRail = HoldRail()
     constant_speed: ConstantSpeed = ConstantSpeed()
     positioners: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
+    partner: Mapping[int, float] = field(default_factory=dict)
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

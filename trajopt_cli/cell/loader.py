@@ -129,6 +129,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
             frozenset(part for part in document.constant_speed if not isinstance(part, str)),
         ),
         positioners=by("positioners", {name: _axes(axes) for name, axes in document.positioners.items()}),
+        partner=dict(document.partner),
     )
 
 

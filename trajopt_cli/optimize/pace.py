@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from trajopt_cli.optimize.tuning import (
     START,
     STEEP,
     TOOL_DIRECTIONS,
+    WAITED,
 )
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
@@ -49,18 +50,21 @@ class Unresolved(Exception):
 @dataclass
 class Shares:
     """Of each limit, what an interval (N,) of a course may use: axes' and tool's speed, axes' and tool's
-    acceleration, axes' torque."""
+    acceleration, axes' torque; and at what rate of sigma it goes by at most, because its leg has a least time."""
 
     speed: Array
     tool_speed: Array
     acceleration: Array
     tool_acceleration: Array
     torque: Array
+    rate: Array
 
     @classmethod
     def full(cls, N: int) -> Shares:
         """All but a hair."""
-        return cls(*(np.full(N, START) for _ in fields(cls)))
+        out = cls(*(np.full(N, START) for _ in fields(cls)))
+        out.rate[:] = np.inf
+        return out
 
     def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array, torque: Array) -> BoolArray:
         """Less for the intervals whose worst ratios (N,), (N,), (N, 3), (N,) exceed what is safe: which.
@@ -79,6 +83,22 @@ class Shares:
             felt = np.clip(use, share * LEAST_FELT, share)
             share[over] = felt[over] * (SAFE - BEYOND) / ratio[over]
             changed |= over
+        return changed
+
+    def wait(self, problem: Problem, course: Course, law: TimeLaw) -> BoolArray:
+        """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time:
+        which. Each round comes nearer to it from below, for ramps get shorter with the rate."""
+        edges = {0, *course.rests, len(course.part)}
+        starts = sorted(edges | {*np.flatnonzero(np.diff(course.leg, prepend=-1)).tolist()})
+        changed = np.zeros(len(course.part), dtype=bool)
+        for a, b in pairwise(starts):
+            least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
+            if least == 0.0 or {a, b} <= edges or not np.all(rates[1:] + rates[:-1] > 0):
+                continue
+            T = float(np.sum(2 * np.diff(course.sigma[a : b + 1]) / (rates[1:] + rates[:-1])))
+            if least > T:
+                self.rate[a:b] = min(float(self.rate[a:b].min()), float(rates.max())) * T / (least * WAITED)
+                changed[a:b] = True
         return changed
 
     def at(self, intervals: BoolArray) -> Shares:
@@ -138,6 +158,7 @@ def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Share
         acceleration[:, : axes.n].max(axis=1),
         acceleration[:, axes.n :].max(axis=1),
         _torque_used(axes, problem, course, u, x),
+        np.zeros(len(u)),
     )
 
 
@@ -170,8 +191,8 @@ def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tu
     a, b = course.first, course.first + 1
     allowed = np.column_stack([shares.speed, shares.tool_speed])
     top = np.full(N + 1, np.inf)
-    top[:-1] = np.min(tops[a] * allowed, axis=1)
-    top[1:] = np.minimum(top[1:], np.min(tops[b] * allowed, axis=1))
+    top[:-1] = np.minimum(np.min(tops[a] * allowed, axis=1), shares.rate)
+    top[1:] = np.minimum(top[1:], np.minimum(np.min(tops[b] * allowed, axis=1), shares.rate))
     top[[*course.rests]] = 0.0
     torque = torque_columns(axes, problem, course)
     most, still = shares.torque[:, None], np.zeros((N, slopes.shape[1]))
@@ -264,7 +285,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) 
         if len(new):
             seen.put(new, looked_at(axes, problem, every, law, new))
         worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
-        over = shares.tighten(used_by(axes, problem, every, law), *worst)
+        over = shares.tighten(used_by(axes, problem, every, law), *worst) | shares.wait(problem, every, law)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE
             if outside or not over[at].any():

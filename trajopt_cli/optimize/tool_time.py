@@ -53,7 +53,7 @@ def tool_time(problem: Problem, first: int, last: int) -> float:
     legs = problem.legs[first:last]
     parts = [part for part in course(problem, first, last) if isinstance(part, Part)]
     duration = legs[0].duration if len(legs) == 1 else None
-    return max(duration or 0.0, *(leg.least for leg in legs), parts_time(parts, max(leg.a_tcp for leg in legs)))
+    return max(duration or 0.0, sum(leg.least for leg in legs), parts_time(parts, max(leg.a_tcp for leg in legs)))
 
 
 def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:

@@ -97,6 +97,7 @@ ROWS_AT_ONCE = 8192  # rows of a trajectory held against the limits at once: 10 
 MOST_LOOKS = 1000  # within one interval. Not measured.
 LEAST_FELT = 0.5  # of a share is left at least in one round. Not measured; shares tightened from what they allow, not
 # from what is used, left a line of 3 mm at v100 under 20 m/s2 alone without a law after 25 rounds, else 3 suffice.
+WAITED = 1 + 1e-5  # of a least time, at which a leg between corners aims. Not measured.
 PACE_ROUNDS = 25  # of checking and tightening. Not measured.
 
 # ---- incumbent: a legal motion before any nonlinear program

@@ -107,7 +107,8 @@ class Leg:
 
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
     the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
-    of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns.
+    of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns or
+    other robots move together with it; waits_for: which of them.
     load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
     work object under a line or an arc, in step with it; chord and speeds are then those over the work object.
     """
@@ -127,6 +128,7 @@ class Leg:
     least: float = 0.0
     load: ToolLoad | None = None
     units: tuple[UnitMove, ...] = ()
+    waits_for: str = ""
 
     @property
     def chord(self) -> float:
@@ -334,7 +336,7 @@ class _Build:
             case _:
                 before, end = self.waypoints[-1], self._at_pose(index, motion)
                 there = before.q is None and np.allclose(before.X_WF, end.X_WF, rtol=0, atol=_POINT)
-                if motion.units and there and not _apart(before.rail, end.rail):
+                if motion.least and there and not _apart(before.rail, end.rail):
                     self._stand(motion, end, self._target is not Target.RAPID and motion.hold is None)
                 else:
                     self._to(end, motion, _caps(motion, self._plant))
@@ -369,10 +371,11 @@ class _Build:
             self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
 
     def _stand(self, motion: Move, end: Waypoint, moves: bool) -> None:
-        """The tool stands while positioners turn; moves: the rail may move meanwhile."""
+        """The tool stands while positioners turn or other robots move; moves: the rail may move meanwhile."""
         moves = moves and self._has_rail and self._freedom.dwells
         leg = Leg(end.motion, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
-                  duration=motion.duration or motion.least, rail_moves=moves, least=motion.least)  # fmt: skip
+                  duration=max(motion.duration or 0.0, motion.least), rail_moves=moves, least=motion.least,
+                  waits_for=motion.waits_for)  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end)
         if not moves:
@@ -382,7 +385,7 @@ class _Build:
         """The arm's joints hold, so the waypoint before is as the program writes it. Where positioners alone turn, all
         axes stand for as long as that takes, wherever they are."""
         if self._plant.rail_value(motion.extax) is None:
-            if not motion.units:  # every axis is where it should be
+            if not motion.least:  # every axis is where it should be
                 self.waypoints[-1] = replace(self.waypoints[-1], rest=True)
                 return
             self._stand(motion, replace(self.waypoints[-1], motion=index, written=self._written, rest=True), False)
@@ -411,6 +414,9 @@ class _Build:
         still = way.length < _POINT and way.angle < _POINT and not units
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
+        if still and motion.least and not _apart(start.rail, end.rail):
+            self._stand(motion, end, moves)
+            return
         self._to(end, motion, _caps(motion, self._plant))
         kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
         self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment, units=units)
@@ -421,10 +427,11 @@ class _Build:
         v_tcp, v_ori, v_rail = caps
         tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
         v_tcp, a_tcp = min(v_tcp, tcp.speed), tcp_acceleration(motion, tcp)
+        duration = None if motion.duration is None else max(motion.duration, motion.least)
         leg = Leg(
-            end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
+            end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=duration,
             rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
-            least=motion.least,
+            least=motion.least, waits_for=motion.waits_for,
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))

@@ -16,6 +16,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     Motion,
+    Move,
     MoveAbsJ,
     MoveC,
     MoveExtJ,
@@ -107,6 +108,11 @@ class Run:
 
     legs: tuple[Leg, ...]
     course: Course | None = None
+
+    @property
+    def partner(self) -> float:
+        r"""What other robots take for its moves [s] (\ID)."""
+        return sum(leg.motion.partner or 0.0 for leg in self.legs if isinstance(leg.motion, Move))
 
     @property
     def key(self) -> bytes:
@@ -217,7 +223,7 @@ def _leg(
     if isinstance(motion, Wait | SignalEvent):
         duration = motion.duration if isinstance(motion, Wait) else None
     else:
-        duration = motion.duration
+        duration = None if motion.duration is None else max(motion.duration, motion.least)
         moves = bool(np.abs(q_1 - q_0).max() > 0)
         kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL | MoveC) else LegKind.JOINT
         a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)

@@ -41,6 +41,12 @@ def _fastest(run: Run, node: Call) -> Value:
     return Value(NUM, VMAX)
 
 
+def _synchronised(run: Run, node: Call) -> Value:
+    """Whether moves go together with other robots'."""
+    bind(run, node, ())
+    return Value(BOOL, run.settings.synchronised)
+
+
 _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("OpMode", NUM, _AUTOMATIC),
     _taken("RunMode", NUM, _CONTINUOUS),
@@ -52,7 +58,6 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("TaskIsActive", BOOL, True),
     _taken("TaskIsExecuting", BOOL, True),
     _taken("TaskInSync", BOOL, False),
-    _taken("IsSyncMoveOn", BOOL, False),
     _taken("IsStopMoveAct", BOOL, False),
     _taken("IsMechUnitActive", BOOL, True),
     _taken("NonMotionMode", BOOL, False),
@@ -67,5 +72,6 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
 
 FUNCTIONS: dict[str, Function] = {
     **dict(_TAKEN),
+    "IsSyncMoveOn": _synchronised,
     "MaxRobSpeed": _fastest,
 }

@@ -36,6 +36,7 @@ from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.manner import manner
+from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.execution.positioners import moved
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
@@ -119,6 +120,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
     at = external(run, extax, offset="noeoffs" not in args.optional)
+    number, partner = together(run, node, args)
     motion = MoveAbsJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
@@ -131,6 +133,8 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
         units=moved(run, point, at, caps, None),
+        identity=number,
+        partner=partner,
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
@@ -146,6 +150,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
     target = evaluate(run, point, JOINTTARGET)
     at = external(run, target.data[1], offset="useeoffs" in args.optional)
     caps = pace.speed(run, speed, args, external=True)
+    number, partner = together(run, node, args)
     motion = MoveExtJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
@@ -158,6 +163,8 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
         units=moved(run, point, at, caps, None),
+        identity=number,
+        partner=partner,
     )
     run.motions.append(motion)
     run.position.to_extax(motion.extax)
@@ -183,6 +190,7 @@ def to_pose(
     if target is None:
         target = robtarget(run, point)
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
+    number, partner = together(run, node, args)
     place, conf, extax, value = target
     units: tuple[UnitMove, ...] = ()
     before = setup
@@ -213,6 +221,9 @@ def to_pose(
         "hold": None,
         "constant_speed": False,
         "units": units,
+        "identity": number,
+        "partner": partner,
+        "as_written": False,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,

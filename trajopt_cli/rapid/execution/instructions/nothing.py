@@ -33,7 +33,7 @@ _NAMES = """
     CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
     PathResol SoftAct SoftDeact
     DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
-    SyncMoveOff SyncMoveOn SyncMoveResume SyncMoveSuspend SyncMoveUndo WaitSyncTask MotionPlannerSet
+    WaitSyncTask MotionPlannerSet
 
     WZBoxDef WZCylDef WZDisable WZDOSet WZEnable WZFree WZHomeJointDef WZLimJointDef WZLimSup WZSphDef
     EGMActJoint EGMActMove EGMActPose EGMGetId EGMReset EGMSetupAI EGMSetupAO EGMSetupGI EGMSetupLTAPP EGMSetupUC

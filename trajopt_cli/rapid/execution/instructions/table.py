@@ -8,6 +8,7 @@ from trajopt_cli.rapid.execution.instructions import (
     files,
     flow,
     moves,
+    multimove,
     nothing,
     operator,
     processes,
@@ -36,5 +37,6 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **operator.INSTRUCTIONS,
     **sockets.INSTRUCTIONS,
     **symbols.INSTRUCTIONS,
+    **multimove.INSTRUCTIONS,
     **nothing.INSTRUCTIONS,
 }

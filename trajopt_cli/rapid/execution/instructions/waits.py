@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import Wait, Written
+from trajopt_cli.motion import Hold, Wait, Written
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
@@ -45,8 +45,9 @@ def record(
     """Stand still; see motion.Wait."""
     written = Written(statement=run.places().span(node.start, node.end))
     made = Wait(
-        source=run.source(node), written=written, duration=duration, condition=condition, in_position=in_position
-    )
+        source=run.source(node), written=written, duration=duration, condition=condition, in_position=in_position,
+        hold=Hold.SYNCHRONISED if run.settings.synchronised else None,
+    )  # fmt: skip
     run.motions.append(made)
 
 
