@@ -118,10 +118,11 @@ def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
     return joints, tool
 
 
-def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
-    """Slopes and bends (m, c) of what is limited at places: |slope u + bend x| <= 1 with u the second derivative of
-    sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half circle; its limit
-    is a circle, around which they are drawn; last the positioners', where any turns."""
+def columns(caps: Caps, along: Along) -> tuple[Array, Array, Array]:
+    """Slopes, bends and rests (m, c) of what is limited at places: |slope u + bend x + rest| <= 1 with u the second
+    derivative of sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half
+    circle; its limit is a circle, around which they are drawn; then the positioners', where any turns; last the tool's
+    speeding up and slowing down along its path, where these are limited by themselves: the only one with a rest."""
     size = np.linalg.norm(along.v, axis=-1, keepdims=True)
     ahead = along.v / np.maximum(size, 1e-12)
     forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
@@ -132,11 +133,16 @@ def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
     if along.table.any():
         table = along.table[..., 1:]
         slopes, bends = np.concatenate([slopes, table], axis=-1), np.concatenate([bends, 0 * table], axis=-1)
-    return slopes, bends
+    rests = np.zeros_like(slopes)
+    if caps.along:
+        half, tilt = np.sum(caps.ramps, axis=1, keepdims=True) / 2, -np.diff(caps.ramps, axis=1) / 2
+        slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
+        rests = np.hstack([rests, -tilt / half])
+    return slopes, bends, rests
 
 
-def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
-    """top_rate and columns at all nodes of a course: (rows, 2), (rows, c), (rows, c)."""
+def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array, Array]:
+    """top_rate and columns at all nodes of a course: (rows, 2), then (rows, c) each."""
     legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
     caps = axes.caps([problem.legs[k] for k in legs]).at(np.repeat(of, course.counts + 1))
     return np.column_stack(top_rate(caps, course.along)), *columns(caps, course.along)
@@ -144,13 +150,13 @@ def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, 
 
 def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Shares:
     """What a law uses of each limit at the ends of every interval."""
-    tops, slopes, bends = limits(axes, problem, course)
+    tops, slopes, bends, rests = limits(axes, problem, course)
     x = law.rates**2
     u = np.diff(x) / (2 * np.diff(course.sigma))
     most = [np.zeros((len(u), 2)), np.zeros((len(u), slopes.shape[1]))]
     for row, rate in ((course.first, law.rates[:-1]), (course.first + 1, law.rates[1:])):
         most[0] = np.maximum(most[0], rate[:, None] / tops[row])
-        most[1] = np.maximum(most[1], np.abs(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2))
+        most[1] = np.maximum(most[1], of_room(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2, rests[row]))
     speed, acceleration = most
     return Shares(
         speed[:, 0],
@@ -185,7 +191,7 @@ def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tu
     """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
     each interval begins and where it ends."""
     N = len(course.part)
-    tops, slopes, bends = limits(axes, problem, course)
+    tops, slopes, bends, rests = limits(axes, problem, course)
     give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
                             np.repeat(shares.tool_acceleration[:, None], slopes.shape[1] - axes.n, 1)])  # fmt: skip
     a, b = course.first, course.first + 1
@@ -195,12 +201,12 @@ def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tu
     top[1:] = np.minimum(top[1:], np.minimum(np.min(tops[b] * allowed, axis=1), shares.rate))
     top[[*course.rests]] = 0.0
     torque = torque_columns(axes, problem, course)
-    most, still = shares.torque[:, None], np.zeros((N, slopes.shape[1]))
+    most = shares.torque[:, None]
     begins, ends = (
         (
             np.hstack([slopes[i] / give, torque.slopes[i] / most]),
             np.hstack([bends[i] / give, torque.bends[i] / most]),
-            np.hstack([still, torque.rest[i]]),
+            np.hstack([rests[i], torque.rest[i]]),
         )
         for i in (a, b)
     )
@@ -253,7 +259,7 @@ def least_times(axes: Axes, problem: Problem, courses: Sequence[Course]) -> Arra
 def _fastest(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw:
     """The fastest law of courses one after the other; it stands still on those that have none."""
     top, *rows = in_force(axes, problem, course, shares)
-    begins, ends = (tuple(x[None] for x in (one if axes.torque is not None else one[:2])) for one in rows)
+    begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
     return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
 

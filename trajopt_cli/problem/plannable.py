@@ -115,8 +115,6 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         lines.append(
             f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which the cell file alone limits"
         )
-    if caps := sum(bool(move.settings.path_acceleration or move.settings.path_deceleration) for move in moves):
-        lines.append(f"PathAccLim ({caps}) caps the whole acceleration of the TCP, in bends too")
     if timed := sum(move.duration is not None and not move.zone.stop for move in moves):
         lines.append(f"programmed times (\\T, {timed}) of moves with a fly-by zone are planned as the speeds they make")
     if open_ := [move for move in moves if move.identity is not None and move.partner is None]:

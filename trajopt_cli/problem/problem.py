@@ -43,7 +43,7 @@ from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.corners import corners_of
-from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
+from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
@@ -110,7 +110,8 @@ class Leg:
     of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns or
     other robots move together with it; waits_for: which of them.
     load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
-    work object under a line or an arc, in step with it; chord and speeds are then those over the work object.
+    work object under a line or an arc, in step with it; chord and speeds are then those over the work object. along:
+    the tool's speeding up and slowing down along its path at most [m/s2], None where a_tcp alone limits both.
     """
 
     motion: int
@@ -129,6 +130,7 @@ class Leg:
     load: ToolLoad | None = None
     units: tuple[UnitMove, ...] = ()
     waits_for: str = ""
+    along: tuple[float, float] | None = None
 
     @property
     def chord(self) -> float:
@@ -139,6 +141,11 @@ class Leg:
     def angle(self) -> float:
         """Reorientation on a line or an arc [rad]."""
         return 0.0 if self.segment is None else self.segment.angle
+
+    @property
+    def ramps(self) -> tuple[float, float]:
+        """Speeding up and slowing down of the tool along its path at most [m/s2]."""
+        return self.along or (self.a_tcp, self.a_tcp)
 
     @property
     def table(self) -> tuple[float, float]:
@@ -431,7 +438,7 @@ class _Build:
         leg = Leg(
             end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=duration,
             rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
-            least=motion.least, waits_for=motion.waits_for,
+            least=motion.least, waits_for=motion.waits_for, along=path_acceleration(motion, tcp),
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))

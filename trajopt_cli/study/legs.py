@@ -34,7 +34,7 @@ from trajopt_cli.optimize.tuning import RUN_NODES
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.changes import everything
 from trajopt_cli.problem.corners import corners_of, passed_in
-from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
+from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -227,6 +227,7 @@ def _leg(
         moves = bool(np.abs(q_1 - q_0).max() > 0)
         kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL | MoveC) else LegKind.JOINT
         a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)
+        a_tcp = min(a_tcp, *(path_acceleration(motion, plant.tcp) or (a_tcp,)))  # these rows know no other cap
         free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
         if duration is None and not free:  # a programmed time replaces the speed
             v_rail = motion.speed.v_leax
