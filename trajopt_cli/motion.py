@@ -139,9 +139,10 @@ class Settings:
     r"""Modal state of a program, as it stands when a move is programmed.
 
     conf_j, conf_l: joint moves and lines must end in the programmed configuration (ConfJ, ConfL \On). acceleration,
-    ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration, world_acceleration: caps [m/s2] on
-    the TCP, None for none. override, v_max [m/s]: VelSet, already in every Speed. load: what the gripper holds
-    (GripLoad), None for nothing. eax_offset: what EOffs adds to the external axes, already in every extax; mm or deg.
+    ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration: caps [m/s2] on the TCP's speeding
+    up and slowing down along its path, world_acceleration on its whole acceleration, None for none. override, v_max
+    [m/s]: VelSet, already in every Speed. load: what the gripper holds (GripLoad), None for nothing. eax_offset: what
+    EOffs adds to the external axes, already in every extax; mm or deg.
     displaced: whether a program displacement (PDisp) is active; it is already in every X_WT. synchronised: whether
     moves go together with other robots' (SyncMoveOn).
     """

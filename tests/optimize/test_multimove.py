@@ -15,6 +15,7 @@ from trajopt_cli.optimize import lower_bound_of, optimize
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.stepwise import analyse
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.verify.judge import verify
 
@@ -130,3 +131,9 @@ def test_nothing_is_saved_in_moves_of_which_nobody_knows_the_other_robots_time(t
     assert before[10] == pytest.approx(1.0, abs=2e-5)
     assert [name for name in before if after[name] < before[name] - 2e-5] == []
     assert free.duration < written.duration - 0.01, "the other moves get faster"
+
+
+def test_steps_of_speed_wait_for_the_other_robots_too() -> None:
+    program = program_of(STOPS, _10=1.5, _20=0.3)
+    taken = {program.motions[one.index].identity: one.duration for one in analyse(program, plant_without_rail()).moves}
+    assert (taken[10], taken[20], taken[30]) == (1.5, 0.3, 0.5)
