@@ -198,21 +198,22 @@ def _with_partners(program: Program, plant: Plant) -> Program:
         return program
     from trajopt_cli.optimize import NoCleanPlan, optimize
     from trajopt_cli.problem.freedom import AS_WRITTEN
-    from trajopt_cli.problem.plan import Infeasible, Target
+    from trajopt_cli.problem.plan import Infeasible, Plan, Target
     from trajopt_cli.problem.plannable import unpartnered
 
     try:
-        plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
+        plan: Plan | Infeasible | None = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
     except NoCleanPlan:
-        return program  # `unpartnered` is said of it by planned_otherwise
-    if isinstance(plan, Infeasible):
-        return program
+        plan = None
+    known = {one.index: one.t_1 - one.t_0 for one in plan.motions} if isinstance(plan, Plan) else {}
     motions = list(program.motions)
-    for one in plan.motions:
-        if one.index in moves:
-            time = floor((one.t_1 - one.t_0) / _WHOLE) * _WHOLE
-            motions[one.index] = replace(moves[one.index], partner=time, as_written=True)
-    told = Notice(NoticeKind.ASSUMED, unpartnered(list(moves.values())))
+    for index, move in moves.items():
+        time = floor(known.get(index, 0.0) / _WHOLE) * _WHOLE
+        motions[index] = replace(move, partner=time, as_written=True)
+    so = "they keep at least the time as written, so nothing is saved in them, and they may take longer"
+    if not known:
+        so = "they may take longer, and no time as written is kept, because the program cannot be driven as written"
+    told = Notice(NoticeKind.ASSUMED, unpartnered(list(moves.values()), so))
     return replace(program, motions=tuple(motions), warnings=(*program.warnings, told))
 
 

@@ -13,6 +13,7 @@ from trajopt_cli.job import read_job
 from trajopt_cli.motion import Move, Program
 from trajopt_cli.optimize import lower_bound_of, optimize
 from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import analyse
@@ -137,3 +138,12 @@ def test_steps_of_speed_wait_for_the_other_robots_too() -> None:
     program = program_of(STOPS, _10=1.5, _20=0.3)
     taken = {program.motions[one.index].identity: one.duration for one in analyse(program, plant_without_rail()).moves}
     assert (taken[10], taken[20], taken[30]) == (1.5, 0.3, 0.5)
+
+
+def test_a_plan_of_least_effort_takes_no_time_from_the_other_robots() -> None:
+    program, plant, plan = plan_of(STOPS, Target.RAPID, _10=1.5, _30=0.8)
+    gentle = optimize(program, plant, Target.RAPID, bounded=False, objective=LeastEffort(plan.duration + 0.5))
+    assert isinstance(gentle, Plan)
+    assert gentle.duration == pytest.approx(plan.duration + 0.5, abs=1e-6)
+    report = verify(program, plant, gentle.trajectory, target=Target.RAPID, advice=False)
+    assert report.legal, [one.message for one in report.findings if not one.passed]

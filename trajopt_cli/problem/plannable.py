@@ -132,8 +132,9 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
     return tuple(lines)
 
 
-def unpartnered(moves: Sequence[Move]) -> str:
-    r"""A sentence on synchronised moves of which nobody says how long the other robots take for them."""
+def unpartnered(moves: Sequence[Move], so: str = "they may take longer") -> str:
+    r"""A sentence on synchronised moves of which nobody says how long the other robots take for them. so: what that
+    makes of their times."""
     where: dict[str, list[int]] = {}
     for move in moves:
         where.setdefault(move.source.file, []).append(move.source.line)
@@ -141,9 +142,8 @@ def unpartnered(moves: Sequence[Move]) -> str:
     numbers = list(dict.fromkeys(move.identity for move in moves))
     keys = ", ".join(f"{one}: SECONDS" for one in numbers[:_SHOWN_IDS]) + (", ..." if len(numbers) > _SHOWN_IDS else "")
     return (
-        f"{places}: nothing says how long the other robots take for the synchronised moves (\\ID, {len(moves)}), which "
-        "keep at least the time as written: nothing is saved in them, and they may take longer; say it in the cell "
-        f"file: 'partner: {{{keys}}}'"
+        f"{places}: nothing says how long the other robots take for the synchronised moves (\\ID, {len(moves)}): "
+        f"{so}; say it in the cell file: 'partner: {{{keys}}}'"
     )
 
 
