@@ -147,3 +147,11 @@ def test_a_plan_of_least_effort_takes_no_time_from_the_other_robots() -> None:
     assert gentle.duration == pytest.approx(plan.duration + 0.5, abs=1e-6)
     report = verify(program, plant, gentle.trajectory, target=Target.RAPID, advice=False)
     assert report.legal, [one.message for one in report.findings if not one.passed]
+
+
+@pytest.mark.parametrize("share", [1.001, 1.02])
+def test_a_little_later_than_alone_is_found_as_well(share: float) -> None:
+    program, _, alone = plan_of(CORNERS, Target.RAPID)
+    others = {name: share * time for name, time in times_of(program, alone).items()}
+    program, _, plan = plan_of(CORNERS, Target.RAPID, **{f"_{name}": time for name, time in others.items()})
+    assert times_of(program, plan) == pytest.approx(others, rel=5e-3)

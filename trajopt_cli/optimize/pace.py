@@ -17,9 +17,12 @@ from trajopt_cli.optimize.looks import looked_at
 from trajopt_cli.optimize.torque import Columns, of_room
 from trajopt_cli.optimize.tuning import (
     BEYOND,
+    HALVINGS,
     LEAST_FELT,
     LED,
     LOST,
+    MOST_LEFT,
+    NEARLY,
     NODES_AT_ONCE,
     PACE_ROUNDS,
     RESOLVED,
@@ -85,25 +88,34 @@ class Shares:
             changed |= over
         return changed
 
-    def wait(self, problem: Problem, course: Course, law: TimeLaw) -> BoolArray:
-        """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time:
-        which. Each round comes nearer to it from below, for ramps get shorter with the rate."""
-        edges = {0, *course.rests, len(course.part)}
-        starts = sorted(edges | {*np.flatnonzero(np.diff(course.leg, prepend=-1)).tolist()})
-        changed = np.zeros(len(course.part), dtype=bool)
-        for a, b in pairwise(starts):
-            least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
-            if least == 0.0 or {a, b} <= edges or not np.all(rates[1:] + rates[:-1] > 0):
-                continue
-            T = float(np.sum(2 * np.diff(course.sigma[a : b + 1]) / (rates[1:] + rates[:-1])))
-            if least > T:
-                self.rate[a:b] = min(float(self.rate[a:b].min()), float(rates.max())) * T / (least * WAITED)
-                changed[a:b] = True
-        return changed
+    def wait(self, problem: Problem, course: Course, law: TimeLaw, over: BoolArray) -> BoolArray:
+        """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
+        and these too. A run that passes a limit, as over says, comes when it no longer does."""
+        edges = [0, *course.rests, len(course.part)]
+        out = over.copy()
+        for first, last in pairwise(edges):
+            legs = [first, *(first + 1 + np.flatnonzero(np.diff(course.leg[first:last]))).tolist(), last]
+            for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
+                least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
+                if 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
+                    left = least * WAITED - T  # legs beside it get slower as well: not all of it at once
+                    aim, low, high = T + left * (1.0 if left < NEARLY * T else MOST_LEFT), 0.0, float(rates.max())
+                    for _ in range(HALVINGS):
+                        middle = (low + high) / 2
+                        late = _time(course.sigma[a : b + 1], np.minimum(rates, middle)) > aim
+                        low, high = (middle, high) if late else (low, middle)
+                    self.rate[a:b], out[a:b] = low, True
+        return out
 
     def at(self, intervals: BoolArray) -> Shares:
         """Those of some of the intervals."""
         return Shares(*(getattr(self, one.name)[intervals] for one in fields(self)))
+
+
+def _time(sigma: Array, rates: Array) -> float:
+    """How long a way takes whose nodes are passed at these rates; 0 where it stands still."""
+    sums = rates[1:] + rates[:-1]
+    return float(np.sum(2 * np.diff(sigma) / sums)) if np.all(sums > 0) else 0.0
 
 
 def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
@@ -291,7 +303,8 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) 
         if len(new):
             seen.put(new, looked_at(axes, problem, every, law, new))
         worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
-        over = shares.tighten(used_by(axes, problem, every, law), *worst) | shares.wait(problem, every, law)
+        over = shares.tighten(used_by(axes, problem, every, law), *worst)
+        over = shares.wait(problem, every, law, over)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE
             if outside or not over[at].any():

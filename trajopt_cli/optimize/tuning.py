@@ -99,6 +99,10 @@ ALONG_LOOKS = 9  # times as many where the tool's acceleration along its path is
 MOST_LOOKS = 1000  # within one interval. Not measured.
 LEAST_FELT = 0.5  # of a share is left at least in one round. Not measured; shares tightened from what they allow, not
 # from what is used, left a line of 3 mm at v100 under 20 m/s2 alone without a law after 25 rounds, else 3 suffice.
+HALVINGS = 50  # of a rate at which a leg lasts long enough. Not measured.
+MOST_LEFT = 0.9  # of what is left to wait is waited for in a round. Measured on four legs in corners that wait for 1 s
+# each: all at once 1.006 s, so 1.000 s.
+NEARLY = 1e-3  # of a leg's time is left to wait: all of it is waited for then. Not measured.
 WAITED = 1 + 1e-5  # of a least time, at which a leg between corners aims. Not measured.
 PACE_ROUNDS = 25  # of checking and tightening. Not measured.
 
