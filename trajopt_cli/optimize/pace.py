@@ -97,7 +97,7 @@ class Shares:
             legs = [first, *(first + 1 + np.flatnonzero(np.diff(course.leg[first:last]))).tolist(), last]
             for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
                 least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
-                if 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
+                if least > 0.0 and 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
                     left = least * WAITED - T  # legs beside it get slower as well: not all of it at once
                     aim, low, high = T + left * (1.0 if left < NEARLY * T else MOST_LEFT), 0.0, float(rates.max())
                     for _ in range(HALVINGS):
