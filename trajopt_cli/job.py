@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from math import floor
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from trajopt_cli.scenario import Scenario
 
 MAIN = "main"
+_WHOLE = 1e-6  # s: times as written are cut to whole ones
 _INSIDE = "cell.yaml"  # a cell file in the program's folder
 
 
@@ -173,6 +175,7 @@ def read_job(
             message = f"nothing happens at {cue}; give the line of a move, a wait or an output, or an output's value"
             raise loaded.error(f"attach.{i}.{which}", message)
         bodies_on(plant, flat, -1)
+    flat = _with_partners(flat, plant)
     doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
     return Job(
         program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),
@@ -184,6 +187,34 @@ def read_job(
         assume_identity=tuple(sorted({name.strip().lower() for name in assume_identity})),
         read_seconds=perf_counter() - start,
     )
+
+
+def _with_partners(program: Program, plant: Plant) -> Program:
+    r"""The program in which each synchronised move (\ID) lasts at least what the program as written takes for it, where
+    the cell file does not say what the other robots take: whether they need less, nobody knows here."""
+    moves = {i: one for i, one in enumerate(program.motions) if isinstance(one, Move) and one.identity is not None}
+    moves = {i: one for i, one in moves.items() if one.partner is None}
+    if not moves:
+        return program
+    from trajopt_cli.optimize import NoCleanPlan, optimize
+    from trajopt_cli.problem.freedom import AS_WRITTEN
+    from trajopt_cli.problem.plan import Infeasible, Plan, Target
+    from trajopt_cli.problem.plannable import unpartnered
+
+    try:
+        plan: Plan | Infeasible | None = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
+    except NoCleanPlan:
+        plan = None
+    known = {one.index: one.t_1 - one.t_0 for one in plan.motions} if isinstance(plan, Plan) else {}
+    motions = list(program.motions)
+    for index, move in moves.items():
+        time = floor(known.get(index, 0.0) / _WHOLE) * _WHOLE
+        motions[index] = replace(move, partner=time, as_written=True)
+    so = "they keep at least the time as written, so nothing is saved in them, and they may take longer"
+    if not known:
+        so = "they may take longer, and no time as written is kept, because the program cannot be driven as written"
+    told = Notice(NoticeKind.ASSUMED, unpartnered(list(moves.values()), so))
+    return replace(program, motions=tuple(motions), warnings=(*program.warnings, told))
 
 
 def read_results_job(folder: Path, judged: bool = False) -> Job:

@@ -172,11 +172,12 @@ class Settings:
     r"""Modal state of a program, as it stands when a move is programmed.
 
     conf_j, conf_l: joint moves and lines must end in the programmed configuration (ConfJ, ConfL \On). acceleration,
-    ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration, world_acceleration: caps [m/s2] on
-    the TCP, None for none. override, v_max [m/s]: VelSet, already in every Speed. load: what the gripper holds
-    (GripLoad), None for nothing. eax_offset: what EOffs adds to the external axes, already in every extax; mm or deg.
-    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT. circle: how arcs turn the
-    tool (CirPathMode).
+    ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration: caps [m/s2] on the TCP's speeding
+    up and slowing down along its path, world_acceleration on its whole acceleration, None for none. override, v_max
+    [m/s]: VelSet, already in every Speed. load: what the gripper holds (GripLoad), None for nothing. eax_offset: what
+    EOffs adds to the external axes, already in every extax; mm or deg. displaced: whether a program displacement
+    (PDisp) is active; it is already in every X_WT. circle: how arcs turn the tool (CirPathMode). synchronised: whether
+    moves go together with other robots' (SyncMoveOn).
     """
 
     conf_j: bool = True
@@ -193,19 +194,21 @@ class Settings:
     eax_offset: tuple[float, float, float, float, float, float] = (0.0,) * 6
     displaced: bool = False
     circle: CirPathMode = CirPathMode.PATH_FRAME
+    synchronised: bool = False
 
 
 DEFAULT_SETTINGS = Settings()
 
 
 class Hold(Enum):
-    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, or the
-    program, whose instructions have deactivated its unit."""
+    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, the
+    program, whose instructions have deactivated its unit, or SyncMoveOn, behind which no wait has room for a move."""
 
     PROGRAM = "program"
     CELL = "cell"
     GRIPPER = "gripper"
     UNIT = "unit"
+    SYNCHRONISED = "synchronised"
 
 
 class Happens(Enum):
@@ -287,6 +290,8 @@ class _Move:
     units: positioners that turn meanwhile. detour: of a point that the plan adds on a way around bodies, their names.
     marked: the same of one that an export has added, as its comment says; it is a point of the program like any other.
     beside [s]: how long waits last that run beside it (\Conc), where the move from stop to stop may be shorter.
+    identity: the \ID under which other robots move together with it (MultiMove), None for a move of this robot alone.
+    partner: what those take for it at least [s], None where nothing says it; as_written: it is what this robot takes.
     """
 
     source: Source
@@ -306,11 +311,21 @@ class _Move:
     detour: tuple[str, ...] = ()
     marked: tuple[str, ...] = ()
     beside: float = 0.0
+    identity: int | None = None
+    partner: float | None = None
+    as_written: bool = False
 
     @property
     def least(self) -> float:
-        """Least time [s] that positioners and waits beside it leave the move."""
-        return max([self.beside, *(unit.least for unit in self.units)])
+        """Least time [s] that positioners, waits beside it and other robots leave the move."""
+        return max([self.beside, self.partner or 0.0, *(unit.least for unit in self.units)])
+
+    @property
+    def waits_for(self) -> str:
+        """Whose time is the least one."""
+        if self.partner is not None and self.partner >= self.least:
+            return "time as written" if self.as_written else "partner"
+        return "wait beside it" if self.beside and self.beside >= self.least else "positioner"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

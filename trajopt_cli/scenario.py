@@ -84,7 +84,7 @@ class RailUnit(NamedTuple):
 
 @dataclass(frozen=True)
 class Scenario:
-    """Everything by name; names are in lower case, blanks left out of conditions.
+    r"""Everything by name; names are in lower case, blanks left out of conditions.
 
     signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
     for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
@@ -99,7 +99,8 @@ class Scenario:
     the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
     the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant. rail: None
     where there is none. active_units: the mechanical units that are active when the program starts, names in lower
-    case; None for all that share no axis.
+    case; None for all that share no axis. partner: what the
+    other robots take [s] for the moves that they make together with this one (MultiMove), by \ID.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -119,6 +120,7 @@ class Scenario:
     droppable: frozenset[str] = frozenset()
     rail: RailUnit | None = None
     active_units: frozenset[str] | None = None
+    partner: Mapping[int, float] = field(default_factory=dict)
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -306,7 +306,8 @@ class _Reader:
         self._tally(node, 1)
         if not isinstance(node, ScalarNode):
             self._refuse(node, path, "a key is a list or a section; keys are text")
-        if node.tag not in _TEXTS:
+        number = bool(path) and node.value[:9].isdecimal() and node.value == str(int(node.value[:9]))  # \ID of a move
+        if node.tag not in _TEXTS and not number:
             said = spelled(node.value)
             inner = f"{path}.{said}" if path else said
             raise InputError(f"key {inner} is not text; put it in quotes", file=self.file, line=_line(node))

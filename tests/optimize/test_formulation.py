@@ -244,6 +244,24 @@ def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> No
     assert row.block.shape.upper.tolist() == [1.0]
 
 
+@pytest.mark.parametrize("name", ["turned", "no rail"])
+def test_rows_along_the_tools_path_are_shares_of_speeding_up_and_slowing_down(name: str) -> None:
+    """With s of the squared speed over itself and 1 mm/s squared, which is nearly 1: both rows are below 0 as long as
+    v a / |v| is within its caps."""
+    axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
+    rng, n, row = np.random.default_rng(15), axes.n, Formulation(axes, Maps()).tool_along()
+    for arm in safe_arm(rng, axes, 10):
+        q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
+        T, ramps = rng.uniform(0.3, 2), rng.uniform(0.5, 5, 2)
+        V = forward_velocity(axes.robot, q, v / T, X_FT)[:3]
+        A = forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)[:3]
+        along, s = V @ A / np.linalg.norm(V), V @ V / (V @ V + 1e-6)
+        got = row.value({"q": q, "v": v, "a": a, "T": T}, {"tcp": X_FT[:3, 3], "ramps": ramps})
+        wanted = [np.sqrt(s) * along / ramps[0] - s, -np.sqrt(s) * along / ramps[1] - s]
+        assert got == pytest.approx(wanted, rel=1e-9)
+    assert row.block.shape.upper.tolist() == [0.0, 0.0]
+
+
 def test_small_relations_say_what_their_names_say(formulation: Formulation) -> None:
     rng = np.random.default_rng(15)
     x, v, a, h = rng.normal(size=4)

@@ -29,7 +29,7 @@ SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
 KINDS: dict[str, list[tuple[object, ...]]] = {
     "path_node": [(track, sides) for track in (TRACKS[0], TRACKS[-1]) for sides in SIDES]
-    + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True)],
+    + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True), (TRACKS[1], "lr", False, False, True)],
     "dwell_node": [(sides,) for sides in SIDES] + [("lr", True)],
     "law_interval": [(10,)],
     "axis_node": [(sides,) for sides in SIDES],
@@ -38,7 +38,7 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
-    "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes",
+    "tool_chord", "tool_along", "axes_effort", "elapsed", "acceleration_link", "clear_axes",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited

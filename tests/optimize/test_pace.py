@@ -91,6 +91,31 @@ def test_an_arc_is_as_fast_as_the_acceleration_towards_its_centre_allows() -> No
     assert speed.max() > np.sqrt(a * r) * 0.998
 
 
+def ramp_time(way: float, v: float, up: float, down: float) -> float:
+    """From rest to rest, speeding up at one acceleration and slowing down at another."""
+    top = min(v, np.sqrt(2 * way * up * down / (up + down)))
+    ramps = top / up + top / down
+    return float(ramps + (way - ramps * top / 2) / top)
+
+
+@pytest.mark.parametrize(("up", "down"), [(20.0, 1.0), (1.5, 20.0), (4.0, 0.5), (2.0, 2.0)])
+@pytest.mark.parametrize("speed", [150, 2500])
+def test_speeding_up_and_slowing_down_are_limited_apart(up: float, down: float, speed: float) -> None:
+    said = [f"{on}{name}" for on, name in ((f"TRUE\\AccMax:={up}" if up < 20 else "FALSE", ""),
+                                           (f"TRUE\\DecelMax:={down}" if down < 20 else "FALSE", ""))]  # fmt: skip
+    body = f"PathAccLim {said[0]}, {said[1]};\nMoveL Offs(p_a,0,0,-80), v{speed}, fine, tool0;"
+    wanted = ramp_time(0.08, speed * 1e-3, up, down)
+    assert wanted <= time_of(body, strong(2.5, 20.0)) <= wanted * 1.002
+
+
+def test_bends_are_free_of_what_limits_the_acceleration_along_the_path() -> None:
+    """Half a circle of 40 mm at 0.5 m/s: 6.25 m/s2 towards its centre, 1 m/s2 along it."""
+    body = "PathAccLim TRUE\\AccMax:=4, TRUE\\DecelMax:=1;\n"
+    body += "MoveC Offs(p_a,40,0,-40), Offs(p_a,0,0,-80), v500, fine, tool0;"
+    wanted = ramp_time(0.04 * np.pi, 0.5, 4.0, 1.0)
+    assert wanted <= time_of(body, strong(2.5, 20.0)) <= wanted * 1.005
+
+
 def ratios(axes: Axes, problem: Problem, k: int, motion: Pieces) -> Array:
     """Worst ratios to the limits of the axes' velocity and acceleration and the tool's speed, acceleration and turning,
     from positions alone: central differences at 20 places of every interval."""

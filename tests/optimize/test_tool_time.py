@@ -236,5 +236,5 @@ def test_turns_in_place_are_passed_by_the_degrees_of_their_zones() -> None:
 def test_another_tool_need_not_run_up() -> None:
     """A metre at 1 m/s and 1 m/s2 and another one: with one tool a ramp at either end."""
     ways = [Part(1.0, 1.0), Part(0.0, 1.0), Part(1.0, 1.0)]
-    assert parts_time(ways, 1.0) == pytest.approx(3.0)
-    assert parts_time([replace(one, jump=one.length == 0) for one in ways], 1.0) == pytest.approx(2.0)
+    assert parts_time(ways, 1.0, 1.0) == pytest.approx(3.0)
+    assert parts_time([replace(one, jump=one.length == 0) for one in ways], 1.0, 1.0) == pytest.approx(2.0)

@@ -192,7 +192,6 @@ def test_settings_that_a_plan_keeps_its_own_way_are_said() -> None:
     assert planned_otherwise(many) == (
         "lines that may leave their orientation (SingArea \\Wrist, 2) are planned with the exact one",
         "AccSet's ramp (1) does not affect the plan: it shapes jerk, which the cell file alone limits",
-        "PathAccLim (3) caps the whole acceleration of the TCP, in bends too",
     )
     assert planned_otherwise(program(move_l(settings=Settings(acceleration=0.5, world_acceleration=2.0)))) == ()
 

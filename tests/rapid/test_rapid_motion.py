@@ -302,7 +302,8 @@ def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
         ("VelSet 0,400;", "4:8: VelSet takes an override of 0..100 %, found 0"),
         ("VelSet 50,0;", "4:11: VelSet takes a highest speed above 0 mm/s, found 0"),
         ("PathAccLim TRUE,FALSE;", "4:12: PathAccLim TRUE needs \\AccMax in m/s2"),
-        ("PathAccLim TRUE\\AccMax:=-1,FALSE;", "4:25: PathAccLim takes an acceleration above 0 m/s2, found -1"),
+        ("PathAccLim TRUE\\AccMax:=-1,FALSE;", "4:25: PathAccLim takes \\AccMax of at least 0.1 m/s2, found -1"),
+        ("PathAccLim TRUE\\AccMax:=1,TRUE\\DecelMax:=0.09;", "4:42: PathAccLim takes \\DecelMax of at least 0.1 m/s2"),
         ("WorldAccLim\\On;", "4:1: WorldAccLim \\On needs a value in m/s2, such as WorldAccLim \\On:=3.5"),
         ("ConfL\\On\\Off;", "4:1: ConfL takes only one of \\On and \\Off"),
         (

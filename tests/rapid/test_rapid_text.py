@@ -148,11 +148,11 @@ def test_blanks_of_all_kinds_headers_and_nul_bytes_stand_between_tokens() -> Non
         "MoveL p,v100,fine,tool0\\WObj:=wobj0;",
         "MoveL p,v100,fine,tool0 \\WObj := wobj0 ;",
         "MoveL p,v100,fine,tool0,\\WObj:=wobj0;",
-        "MOVEL\\Conc,p\\ID:=10,v100\\V:=100,fine\\Inpos:=inpos20,tool0\\wobj:=WOBJ0\\TLoad:=load0;",
+        "SyncMoveOn s1,t; MOVEL\\Conc,p\\ID:=10,v100\\V:=100,fine\\Inpos:=inpos20,tool0\\wobj:=WOBJ0\\TLoad:=load0;",
     ],
 )
 def test_optional_arguments_in_every_spelling(call: str) -> None:
-    (move,) = run_main(call).motions
+    *_, move = run_main(call).motions
     assert isinstance(move, MoveL)
     assert move.wobj.lower() == "wobj0"
 

@@ -61,3 +61,14 @@ def test_too_short_a_time_is_refused() -> None:
     answer: Answer = toppra(Case(replace(case.program, motions=motions), case.plant, lambda *_: plan))
     assert isinstance(answer, Infeasible)
     assert "t.mod:9:1: MoveAbsJ j_home cannot be made in 0.2 s: TOPP-RA needs " in str(answer)
+
+
+def test_other_robots_that_take_longer_are_waited_for() -> None:
+    case = case_of("everything_once")
+    plan = fixed_rail_plan(case)
+    first = replace(case.program.motions[0], identity=1, partner=2.5)  # type: ignore[call-arg]
+    together = replace(case.program, motions=(first, *case.program.motions[1:]))
+    before = attempt(toppra(case)).trajectory.duration
+    made = attempt(toppra(Case(together, case.plant, lambda *_: plan)))
+    own = plan.motions[0].t_1 - plan.motions[0].t_0
+    assert made.trajectory.duration - before == pytest.approx(2.5 - own, rel=2e-3)

@@ -213,6 +213,15 @@ def programmed_time_not_kept() -> Judged:
     return replace(case, program=replace(case.program, motions=tuple(motions))), case.rows(), None
 
 
+@spoiled("partner", "MoveJ p_a_in", 11)
+def done_before_the_other_robots() -> Judged:
+    case = rapid_case()
+    motions = list(case.program.motions)
+    late = case.pieces[0].T + OVER * tol.DURATION
+    motions[0] = move_j(11, "p_a_in", A_IN, 0.05, identity=10, partner=late)
+    return replace(case, program=replace(case.program, motions=tuple(motions))), case.rows(), None
+
+
 def _shorter_self_motion(case: Case) -> Trajectory:
     return case.swap(p4=faster(case.pieces[4], 1 / (1 - OVER * tol.DURATION / 0.3))).rows()
 

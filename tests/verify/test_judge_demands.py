@@ -105,8 +105,11 @@ def test_a_file_without_speeds_is_held_to_them_on_lines() -> None:
     both = {"path_acceleration": whole * 0.9, "path_deceleration": whole * 0.9}
     assert any("PathAccLim" in message for message in failures(asking(case, 1, **both), case, bare))
     more = {"path_acceleration": whole * 1.01, "path_deceleration": whole * 0.5}
-    assert failures(asking(case, 1, **more), case, bare) == []
-    assert any("PathAccLim" in message for message in failures(asking(case, 1, **more), case))
+    for rows in (bare, case.rows()):
+        assert any("PathAccLim" in message for message in failures(asking(case, 1, **more), case, rows))
+    for name in both:  # up and down apart
+        assert failures(asking(case, 1, **{name: whole * 1.01}), case, bare) == []
+        assert any("PathAccLim" in message for message in failures(asking(case, 1, **{name: whole * 0.9}), case, bare))
 
 
 @pytest.mark.parametrize("asked", [{"world_acceleration": 1.2}, {"acceleration": 0.07}], ids=["world", "share"])

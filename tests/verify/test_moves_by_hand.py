@@ -66,7 +66,7 @@ def told(of: str, motions: Sequence[Motion], rows: Trajectory, marked: bool, ste
 @pytest.mark.parametrize("make", [move_j, move_l])
 def test_what_a_move_asks_for(make: object, marked: bool, speeds: bool, over: float) -> None:
     """2 m/s2 up and 1 m/s2 down of the rail are those of the tool, on one line: of an axis to a millionth, of the tool
-    to a ten thousandth. Without speeds only the whole acceleration of a line shows, against the higher of both."""
+    to a ten thousandth. Without speeds the way of a line alone shows what is along it."""
 
     def asked(**settings: float) -> list[Finding]:
         move = replace(make(11, "p_11", at(END)), settings=Settings(**settings))
@@ -91,21 +91,13 @@ def test_what_a_move_asks_for(make: object, marked: bool, speeds: bool, over: fl
     assert "WorldAccLim allows" in world.message or world.passed
     for name, value in (("path_acceleration", UP), ("path_deceleration", DOWN)):
         found = asked(**{name: value / (1 + over * tol.TCP)})
-        if not speeds:
+        if not speeds and make is not move_l:
             assert found == []
             continue
         (one,) = found
         assert one.check == "PathAccLim"
         assert (one.value, one.passed) == (pytest.approx(value, rel=1e-7), over < 1)
         assert (one.time < (5 + N_UP) * STEP) == (name == "path_acceleration")
-    if not speeds:
-        higher = UP / (1 + over * tol.TCP)
-        for caps in ((higher, DOWN), (DOWN, higher), (higher, higher)):
-            found = asked(path_acceleration=caps[0], path_deceleration=caps[1])
-            assert len(found) == (make is move_l)
-            for one in found:
-                assert (one.value, one.limit) == (pytest.approx(UP, rel=1e-7), pytest.approx(higher))
-                assert one.passed == (over < 1)
 
 
 def test_printed_digits_count_along_the_path() -> None:

@@ -89,6 +89,10 @@ def _least(value: Any) -> float | None:
         return None
     if _word(value):
         raise complain(f"needs seconds, or timeout, not {shown(value)}")
+    return _time(value)
+
+
+def _time(value: Any) -> float:
     seconds = from_zero(TIME)(value)
     if seconds > LONGEST_WAIT:
         raise complain(f"{seconds:g} s is more than {LONGEST_WAIT:,} s (11 days); check the value")
@@ -513,6 +517,9 @@ class CellDocument(_Section):
     waits: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_least, _or("timeout", TIME)))]] = Field(
         default_factory=dict
     )
+    partner: dict[
+        Annotated[int, Field(ge=0)], Annotated[float, BeforeValidator(Reader(_time, from_zero(TIME).takes))]
+    ] = Field(default_factory=dict)
     searches: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_share, _or("never", RATIO)))]] = Field(
         default_factory=dict
     )

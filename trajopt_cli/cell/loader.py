@@ -133,6 +133,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         droppable=frozenset(name.lower() for name in document.optional),
         rail=RailUnit(_EXTERNAL_AXES.index(document.rail.eax), document.rail.unit) if document.rail else None,
         active_units=None if document.start.units is None else frozenset(map(str.lower, document.start.units)),
+        partner=dict(document.partner),
     )
 
 

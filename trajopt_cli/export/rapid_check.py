@@ -145,6 +145,8 @@ def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = F
         yield "the programmed speed, and the edited program has another"
     if motion.duration != read.duration:
         yield "the programmed duration, and the edited program has another"
+    if motion.identity != read.identity:
+        yield "the programmed \\ID, and the edited program has another"
     if motion.zone != read.zone:
         yield "the programmed zone, and the edited program has another"
     tools = [one.tool.X_FT for one in (motion, read) if not isinstance(one, MoveExtJ)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -22,19 +22,23 @@ _FREE = Couplings(np.zeros((0, 0)), np.zeros(0), np.zeros(0))
 @dataclass(frozen=True, eq=False)
 class Caps:
     """Limits in force at m places: of the axes' velocity and acceleration (m, n), of the tool's speed [m/s],
-    acceleration [m/s2] and turning [rad/s] (m,)."""
+    acceleration [m/s2] and turning [rad/s] (m,), of its speeding up and slowing down along its path [m/s2] (m, 2)."""
 
     velocity: Array
     acceleration: Array
     v_tcp: Array
     a_tcp: Array
     v_ori: Array
+    ramps: Array
+
+    @property
+    def along(self) -> bool:
+        """Whether the acceleration along the path is limited by itself."""
+        return bool(np.any(self.ramps < np.reshape(self.a_tcp, (-1, 1))))
 
     def at(self, places: IndexArray) -> Caps:
         """Those of some of the places, in any order."""
-        return Caps(
-            self.velocity[places], self.acceleration[places], self.v_tcp[places], self.a_tcp[places], self.v_ori[places]
-        )
+        return Caps(*(getattr(self, one.name)[places] for one in fields(self)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,8 +104,9 @@ class Axes:
     def caps(self, legs: Sequence[Leg]) -> Caps:
         """The limits on each leg."""
         velocity, acceleration = ([of(leg) for leg in legs] for of in (self.velocity_on, self.acceleration_on))
-        tool = np.array([(leg.v_tcp, leg.a_tcp, leg.v_ori) for leg in legs])
-        return Caps(np.array(velocity), np.array(acceleration), *tool.T)
+        v_tcp, a_tcp, v_ori = np.array([(leg.v_tcp, leg.a_tcp, leg.v_ori) for leg in legs]).T
+        ramps = np.array([leg.ramps for leg in legs])
+        return Caps(np.array(velocity), np.array(acceleration), v_tcp, a_tcp, v_ori, ramps)
 
     def in_base(self, X_W: Array) -> Array:
         """A world pose seen from the arm's base with the rail at 0."""

@@ -19,8 +19,7 @@ from trajopt_cli.problem.problem import Leg
 def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[str]:
     """Of each motion the limit it stands at for the largest share of its time, as "joint_1 acceleration" or "programmed
     ..."; "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie below."""
-    least = ["wait beside it" if leg.beside else "positioner" for leg in legs]
-    out = [name if leg.least else "programmed duration" for name, leg in zip(least, legs, strict=True)]
+    out = [leg.waits_for if leg.least else "programmed duration" for leg in legs]
     asked = [i for i, leg in enumerate(legs) if leg.duration is None]
     counts = [int(np.clip(motions[i].T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)) for i in asked]
     behind = np.cumsum(counts)
@@ -29,7 +28,7 @@ def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Seque
         at = [asked[j] for j in some]
         found = _binding(axes, tcp, [legs[i] for i in at], [motions[i] for i in at], [counts[j] for j in some])
         for i, name in zip(at, found, strict=True):
-            out[i] = least[i] if legs[i].least and legs[i].least / AT_LIMIT >= motions[i].T else name
+            out[i] = legs[i].waits_for if legs[i].least and legs[i].least / AT_LIMIT >= motions[i].T else name
     return out
 
 

@@ -21,7 +21,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
-from trajopt_cli.optimize.tool_time import Gate, Part, course, parts_time, straight, tool_time
+from trajopt_cli.optimize.tool_time import Gate, Part, course, parts_time, ramps_of, straight, tool_time
 from trajopt_cli.optimize.tuning import (
     BOUND_AIM,
     BOUND_CHUNK,
@@ -314,9 +314,9 @@ def _between(axes: Axes, problem: Problem, parts: list[Part], a: _Place, b: _Pla
     legs = problem.legs[first : last + 1]
     stops = (a.gate is None) + (b.gate is None)
     X_a, X_b = (place.gate.X_WF if place.gate else problem.waypoints[place.k].X_WF for place in (a, b))
-    acceleration = max(leg.a_tcp for leg in legs)
+    ramps = ramps_of(legs)
     ways = parts, [straight(problem, legs, X_a, X_b)]
-    run = _asked(axes, problem, legs, max(parts_time(way, acceleration, stops) for way in ways))
+    run = _asked(axes, problem, legs, max(parts_time(way, *ramps, stops) for way in ways))
     given = any(place.gate is None and problem.waypoints[place.k].q is not None for place in (a, b))
     return replace(run, branch=run.branch and not given)
 

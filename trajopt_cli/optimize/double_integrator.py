@@ -88,6 +88,12 @@ def trapezoid_time(D: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:
         return np.where(D * A > V * V, D / V + V / A, 2 * np.sqrt(D / A))
 
 
+def mean_ramp(up: float, down: float) -> float:
+    """The acceleration that takes as long from rest to rest, over any way, as speeding up at one and slowing down at
+    the other."""
+    return up if up == down else 2 / (1 / up + 1 / down)
+
+
 def cruise_profile(D: float, v0: float, v1: float, T: float, A: float) -> tuple[Array, Array]:
     """Break times (4,) from 0 to T and accelerations (3,) of the profile that ramps at +-A to one cruise speed.
 

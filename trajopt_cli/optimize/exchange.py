@@ -17,6 +17,7 @@ from trajopt_cli.optimize.axes import Axes, Caps
 from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.legs import LegMotion, PathLeg, Sample, sampled
 from trajopt_cli.optimize.tuning import (
+    ALONG_LOOKS,
     AMPLE,
     BEYOND,
     BRIEF,
@@ -30,6 +31,7 @@ from trajopt_cli.optimize.tuning import (
     PUSHED,
     RANGE_ROUNDING,
     SAFE_JERK,
+    STILL_TOOL,
     UNREACHED,
 )
 from trajopt_cli.problem.problem import Leg
@@ -70,7 +72,7 @@ def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
 def check_legs(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[Ratios]:
     """The same for many legs."""
     out: list[Ratios] = []
-    looks = [_looks(motion) for motion in motions]
+    looks = [_looks(motion, ALONG_LOOKS if leg.along else 1) for leg, motion in zip(legs, motions, strict=True)]
     behind = np.cumsum([len(t) for t, _ in looks])
     for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // CHECKED):
         at = [*group]
@@ -78,12 +80,13 @@ def check_legs(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]) ->
     return out
 
 
-def _looks(motion: LegMotion) -> tuple[Array, IndexArray]:
-    """When a leg is looked at, and the number of its first look in each interval (N,)."""
+def _looks(motion: LegMotion, times: int) -> tuple[Array, IndexArray]:
+    """When a leg is looked at, so many times as often as others, and the number of its first look in each interval
+    (N,)."""
     breaks = motion.breaks()
     steps = np.diff(breaks)
     most = int(np.clip(np.max(steps) / LOOK, DENSE, MOST_LOOKS))
-    looks = np.clip(np.ceil(steps / NEAR_LOOK).astype(int), BRIEF, most)
+    looks = np.clip(np.ceil(steps / NEAR_LOOK).astype(int), BRIEF, most) * times
     starts = np.concatenate([[0], np.cumsum(looks + 2)])
     inside = np.arange(starts[-1]) - np.repeat(starts[:-1], looks + 2) - 0.5
     u = np.clip(inside / np.repeat(looks, looks + 2), 1e-9, 1 - 1e-9)
@@ -157,10 +160,14 @@ def tool_of(axes: Axes, X_FT: Sequence[Array], number: IndexArray, sample: Sampl
 
 
 def tool_ratios(caps: Caps, tool: Array) -> Array:
-    """TCP speed, acceleration and reorientation (m, 3) as shares of the caps, of the tool's twist and its rate
-    (m, 2, 6)."""
+    """TCP speed, acceleration (whole, or along the path where that is the larger share) and reorientation (m, 3) as
+    shares of the caps, of the tool's twist and its rate (m, 2, 6)."""
     speed, acceleration, turning = (np.linalg.norm(x, axis=1) for x in (tool[:, 0, :3], tool[:, 1, :3], tool[:, 0, 3:]))
-    return np.column_stack([speed / caps.v_tcp, acceleration / caps.a_tcp, turning / caps.v_ori])
+    used = acceleration / caps.a_tcp
+    if caps.along:
+        along = np.sum(tool[:, 0, :3] * tool[:, 1, :3], axis=1) / np.maximum(speed, STILL_TOOL)
+        used = np.maximum(used, np.max(along[:, None] * [1, -1] / caps.ramps, axis=1))
+    return np.column_stack([speed / caps.v_tcp, used, turning / caps.v_ori])
 
 
 def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: Array | None = None) -> bool:

@@ -27,7 +27,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.library import Library
 from trajopt_cli.optimize.library import library as users_library
 from trajopt_cli.optimize.relation import Relation, Rows, Shapes
-from trajopt_cli.optimize.tuning import ELBOW, PAIRS, WRIST
+from trajopt_cli.optimize.tuning import ELBOW, PAIRS, STILL_NODE, WRIST
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
@@ -163,12 +163,15 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(self, track: Track, sides: str, weighed: bool = False, tied: bool = False) -> Relation:
+    def path_node(
+        self, track: Track, sides: str, weighed: bool = False, tied: bool = False, along: bool = False
+    ) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
         track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
         weighed: with the node's effort, see _weight. tied: jerk is limited and the rail is in proportion to the share,
-        d = d_0 + s way.
+        d = d_0 + s way. along: speeding up and slowing down of the tool are limited by themselves, from -1 to 1 what is
+        left of a / T^2 times p.along[0] less p.along[1].
         """
         weight = self._weight(sides) if weighed else {}
         z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}
@@ -196,6 +199,7 @@ class Formulation:
             out += [self._rail_velocity(z.w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
                 out += [self._tool_acceleration(track, a, z, p), self._rail_acceleration(b, z, p)]
+                out += [(p.along[0] * a / (z.T * z.T) - p.along[1], -1.0, 1.0)] if along else []
             if isinstance(track, TurningSymbols):  # positioners keep step with the share
                 rates = ca.vertcat(p.table[0] * z.v / z.T, *(p.table[1] * a / (z.T * z.T) for a in acc))
                 out += [(rates, -1.0, 1.0)]
@@ -204,8 +208,11 @@ class Formulation:
         p = {**self._at_node, "path": (track.size,), **weight}
         if isinstance(track, TurningSymbols):
             p["table"] = (2,)
+        if along:
+            p["along"] = (2,)
         z = {**z, "e": ()} if weighed else z
-        return self._relation(("path", track, len(sides), weighed, tied), z, p, rows)
+        key = "path", track, len(sides), weighed, tied, *(("along",) if along else ())
+        return self._relation(key, z, p, rows)
 
     def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
         """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
@@ -449,6 +456,20 @@ class Formulation:
 
         return self._relation(("tool", cap.name), z, {"tcp": (3,), "cap": ()}, rows)
 
+    def tool_along(self) -> Relation:
+        """-p.ramps[1] <= v a / |v| <= p.ramps[0] of the tool at a node of a joint move: its speeding up and slowing
+        down along its path. Below STILL_NODE [m/s] it fades, so that it is smooth where the tool comes to rest."""
+        z: Shapes = {"q": self._all, "v": self._all, "a": self._all, "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            rate, acc = self._tool_motion(p.tcp, z.q, z.v, z.a)
+            squared = ca.sumsqr(rate) / z.T**2
+            size = squared + STILL_NODE**2
+            along, share = ca.dot(rate, acc) / z.T**3 / ca.sqrt(size), squared / size
+            return [(along / p.ramps[0] - share, -INF, 0.0), (-along / p.ramps[1] - share, -INF, 0.0)]
+
+        return self._relation(("ramps",), z, {"tcp": (3,), "ramps": (2,)}, rows)
+
     def tool_chord(self) -> Relation:
         """The tool's straight way between two nodes of a joint move <= cap h T, squared: with a limit at the nodes
         alone it might be fast between them. way: cap h. tcp: the tool centre point in the flange's frame."""
@@ -465,20 +486,27 @@ class Formulation:
         return pos + R @ p_FT
 
     def _tool(self, p_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
-        Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
-        pos, R = self.axes.robot.expressions.flange(Q)
         if cap is ToolCap.REORIENTATION:
+            Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
+            _, R = self.axes.robot.expressions.flange(Q)
             spin = R.T @ ca.reshape(ca.jtimes(ca.vec(R), Q, dQ), 3, 3)
             omega = ca.substitute(ca.vertcat(spin[2, 1], spin[0, 2], spin[1, 0]), ca.vertcat(Q, dQ), ca.vertcat(q, v))
             return ca.sumsqr(omega) / (limit * T) ** 2, -INF, 1.0
-        tcp = pos + R @ p_FT
-        rate = ca.jtimes(tcp, Q, dQ)
+        rate, acc = self._tool_motion(p_FT, q, v, a)
         if cap is ToolCap.SPEED:
-            rate = ca.substitute(rate, ca.vertcat(Q, dQ), ca.vertcat(q, v))
             return ca.sumsqr(rate) / (limit * T) ** 2, -INF, 1.0
-        acc = ca.jtimes(rate, Q, dQ) + ca.jtimes(tcp, Q, a)
-        acc = ca.substitute(acc, ca.vertcat(Q, dQ), ca.vertcat(q, v))
         return ca.sumsqr(acc) / (limit * T * T) ** 2, -INF, 1.0
+
+    def _tool_motion(self, p_FT, q, v, a):  # type: ignore[no-untyped-def]
+        """The tool centre point's first derivative by tau and, where a is given, its second."""
+        Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
+        at, here = ca.vertcat(Q, dQ), ca.vertcat(q, v)
+        tcp = self._tcp(p_FT, Q)
+        rate = ca.jtimes(tcp, Q, dQ)
+        if a is None:
+            return ca.substitute(rate, at, here), None
+        acc = ca.jtimes(rate, Q, dQ) + ca.jtimes(tcp, Q, a)
+        return ca.substitute(rate, at, here), ca.substitute(acc, at, here)
 
     # ---- boundary: waypoints, and legs that begin and end there
 

@@ -100,7 +100,8 @@ def _spans(axes: Axes, problem: Problem, draft: Draft) -> list[_Span]:
             rates = [max(r.velocity.max(), r.tool[:, 0].max(), r.tool[:, 2].max()) for r in ratios]
             bends = [max(r.acceleration.max(), r.tool[:, 1].max(), r.torque.max()) for r in ratios]
             jerk = max(r.jerk.max() for r in ratios)
-            least = min(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, 1.0)
+            waits = max(leg.least / motion.T if leg.least else 0.0 for leg, motion in there)
+            least = min(max(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, waits), 1.0)
         rests = stiff or not time or least <= 0
         out.append(
             _Span(first, last, time, float(each[first:last].sum()), 1.0 if rests else least, 1.0 if rests else np.inf)

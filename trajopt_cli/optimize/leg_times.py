@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Along, rates, spaced
-from trajopt_cli.optimize.double_integrator import trapezoid_time
+from trajopt_cli.optimize.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.optimize.pace import columns, top_rate
 from trajopt_cli.optimize.smooth import rest_time
 from trajopt_cli.optimize.tuning import (
@@ -152,7 +152,7 @@ def _own_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
     T = np.max(trapezoid_time(np.abs(q_1 - q_0), axes.velocity_on(leg), axes.acceleration_on(leg)), axis=-1)
     tool_0, tool_1 = ((axes.forward(q) @ leg.X_FT)[:, :3, 3] for q in (q_0, q_1))
     chord = np.linalg.norm(tool_1 - tool_0, axis=1)
-    return np.asarray(np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp)))
+    return np.asarray(np.maximum(T, trapezoid_time(chord, leg.v_tcp, mean_ramp(*leg.ramps))))
 
 
 def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Array]:
@@ -184,9 +184,9 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
         np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
     )
     joints, tool = top_rate(caps, along)
-    slopes, bends = columns(caps, along)
+    slopes, bends, rests = columns(caps, along)
     top = np.minimum(joints, tool).reshape(B, -1)
-    slopes, bends = (x.reshape(B, len(s), -1) for x in (slopes, bends))
+    slopes, bends, rests = (x.reshape(B, len(s), -1) for x in (slopes, bends, rests))
     ok = np.asarray(ok & np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(bends).all(axis=(1, 2)))
     T = np.full(B, np.inf)
     if short(problem, pairs[0].k):  # what it takes to change speed on it is not looked at
@@ -197,7 +197,8 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
             np.repeat([np.inf if problem.passes(one.k + end) else 0.0 for one in pairs], counts)[ok] for end in (0, 1)
         ]
         slopes, bends = slopes[ok], bends[ok]
-        begins, ends = (slopes[:, :-1], bends[:, :-1]), (slopes[:, 1:], bends[:, 1:])
+        rows = (slopes, bends, rests[ok]) if rests.any() else (slopes, bends)
+        begins, ends = tuple(x[:, :-1] for x in rows), tuple(x[:, 1:] for x in rows)
         T[ok] = fastest_laws(s, top[ok], begins, ends, *rates).durations
     return T
 

@@ -16,7 +16,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course
 from trajopt_cli.optimize.exchange import Ratios, ratios_of
 from trajopt_cli.optimize.legs import Sample, on_ways
-from trajopt_cli.optimize.tuning import CHECKED, COURSE_LOOKS
+from trajopt_cli.optimize.tuning import ALONG_LOOKS, CHECKED, COURSE_LOOKS
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.timing.law import TimeLaw
@@ -32,7 +32,8 @@ def looked_at(axes: Axes, problem: Problem, course: Course, law: TimeLaw, interv
 
 def _worst(axes: Axes, problem: Problem, course: Course, law: TimeLaw, intervals: IndexArray) -> Ratios:
     """The same of so many that the memory takes them at once; both ends are looked at from inside."""
-    inside = np.clip((np.arange(COURSE_LOOKS + 2) - 0.5) / COURSE_LOOKS, 1e-9, 1 - 1e-9)
+    looks = COURSE_LOOKS * (ALONG_LOOKS if any(problem.legs[k].along for k in course.leg[intervals]) else 1)
+    inside = np.clip((np.arange(looks + 2) - 0.5) / looks, 1e-9, 1 - 1e-9)
     first = np.arange(0, len(intervals) * len(inside), len(inside))
     number, u = np.repeat(np.arange(len(intervals)), len(inside)), np.tile(inside, len(intervals))
     rate_0, rate_1 = law.rates[intervals], law.rates[intervals + 1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
 
@@ -17,9 +17,12 @@ from trajopt_cli.optimize.looks import looked_at
 from trajopt_cli.optimize.torque import Columns, of_room
 from trajopt_cli.optimize.tuning import (
     BEYOND,
+    HALVINGS,
     LEAST_FELT,
     LED,
     LOST,
+    MOST_LEFT,
+    NEARLY,
     NODES_AT_ONCE,
     PACE_ROUNDS,
     RESOLVED,
@@ -27,6 +30,7 @@ from trajopt_cli.optimize.tuning import (
     START,
     STEEP,
     TOOL_DIRECTIONS,
+    WAITED,
 )
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
@@ -49,18 +53,21 @@ class Unresolved(Exception):
 @dataclass
 class Shares:
     """Of each limit, what an interval (N,) of a course may use: axes' and tool's speed, axes' and tool's
-    acceleration, axes' torque."""
+    acceleration, axes' torque; and at what rate of sigma it goes by at most, because its leg has a least time."""
 
     speed: Array
     tool_speed: Array
     acceleration: Array
     tool_acceleration: Array
     torque: Array
+    rate: Array
 
     @classmethod
     def full(cls, N: int) -> Shares:
         """All but a hair."""
-        return cls(*(np.full(N, START) for _ in fields(cls)))
+        out = cls(*(np.full(N, START) for _ in fields(cls)))
+        out.rate[:] = np.inf
+        return out
 
     def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array, torque: Array) -> BoolArray:
         """Less for the intervals whose worst ratios (N,), (N,), (N, 3), (N,) exceed what is safe: which.
@@ -81,9 +88,34 @@ class Shares:
             changed |= over
         return changed
 
+    def wait(self, problem: Problem, course: Course, law: TimeLaw, over: BoolArray) -> BoolArray:
+        """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
+        and these too. A run that passes a limit, as over says, comes when it no longer does."""
+        edges = [0, *course.rests, len(course.part)]
+        out = over.copy()
+        for first, last in pairwise(edges):
+            legs = [first, *(first + 1 + np.flatnonzero(np.diff(course.leg[first:last]))).tolist(), last]
+            for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
+                least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
+                if least > 0.0 and 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
+                    left = least * WAITED - T  # legs beside it get slower as well: not all of it at once
+                    aim, low, high = T + left * (1.0 if left < NEARLY * T else MOST_LEFT), 0.0, float(rates.max())
+                    for _ in range(HALVINGS):
+                        middle = (low + high) / 2
+                        late = _time(course.sigma[a : b + 1], np.minimum(rates, middle)) > aim
+                        low, high = (middle, high) if late else (low, middle)
+                    self.rate[a:b], out[a:b] = low, True
+        return out
+
     def at(self, intervals: BoolArray) -> Shares:
         """Those of some of the intervals."""
         return Shares(*(getattr(self, one.name)[intervals] for one in fields(self)))
+
+
+def _time(sigma: Array, rates: Array) -> float:
+    """How long a way takes whose nodes are passed at these rates; 0 where it stands still."""
+    sums = rates[1:] + rates[:-1]
+    return float(np.sum(2 * np.diff(sigma) / sums)) if np.all(sums > 0) else 0.0
 
 
 def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
@@ -98,10 +130,11 @@ def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
     return joints, tool
 
 
-def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
-    """Slopes and bends (m, c) of what is limited at places: |slope u + bend x| <= 1 with u the second derivative of
-    sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half circle; its limit
-    is a circle, around which they are drawn; last the positioners', where any turns."""
+def columns(caps: Caps, along: Along) -> tuple[Array, Array, Array]:
+    """Slopes, bends and rests (m, c) of what is limited at places: |slope u + bend x + rest| <= 1 with u the second
+    derivative of sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half
+    circle; its limit is a circle, around which they are drawn; then the positioners', where any turns; last the tool's
+    speeding up and slowing down along its path, where these are limited by themselves: the only one with a rest."""
     size = np.linalg.norm(along.v, axis=-1, keepdims=True)
     ahead = along.v / np.maximum(size, 1e-12)
     forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
@@ -112,11 +145,16 @@ def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
     if along.table.any():
         table = along.table[..., 1:]
         slopes, bends = np.concatenate([slopes, table], axis=-1), np.concatenate([bends, 0 * table], axis=-1)
-    return slopes, bends
+    rests = np.zeros_like(slopes)
+    if caps.along:
+        half, tilt = np.sum(caps.ramps, axis=1, keepdims=True) / 2, -np.diff(caps.ramps, axis=1) / 2
+        slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
+        rests = np.hstack([rests, -tilt / half])
+    return slopes, bends, rests
 
 
-def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
-    """top_rate and columns at all nodes of a course: (rows, 2), (rows, c), (rows, c)."""
+def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array, Array]:
+    """top_rate and columns at all nodes of a course: (rows, 2), then (rows, c) each."""
     legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
     caps = axes.caps([problem.legs[k] for k in legs]).at(np.repeat(of, course.counts + 1))
     return np.column_stack(top_rate(caps, course.along)), *columns(caps, course.along)
@@ -124,13 +162,13 @@ def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, 
 
 def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Shares:
     """What a law uses of each limit at the ends of every interval."""
-    tops, slopes, bends = limits(axes, problem, course)
+    tops, slopes, bends, rests = limits(axes, problem, course)
     x = law.rates**2
     u = np.diff(x) / (2 * np.diff(course.sigma))
     most = [np.zeros((len(u), 2)), np.zeros((len(u), slopes.shape[1]))]
     for row, rate in ((course.first, law.rates[:-1]), (course.first + 1, law.rates[1:])):
         most[0] = np.maximum(most[0], rate[:, None] / tops[row])
-        most[1] = np.maximum(most[1], np.abs(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2))
+        most[1] = np.maximum(most[1], of_room(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2, rests[row]))
     speed, acceleration = most
     return Shares(
         speed[:, 0],
@@ -138,6 +176,7 @@ def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Share
         acceleration[:, : axes.n].max(axis=1),
         acceleration[:, axes.n :].max(axis=1),
         _torque_used(axes, problem, course, u, x),
+        np.zeros(len(u)),
     )
 
 
@@ -164,22 +203,22 @@ def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tu
     """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
     each interval begins and where it ends."""
     N = len(course.part)
-    tops, slopes, bends = limits(axes, problem, course)
+    tops, slopes, bends, rests = limits(axes, problem, course)
     give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
                             np.repeat(shares.tool_acceleration[:, None], slopes.shape[1] - axes.n, 1)])  # fmt: skip
     a, b = course.first, course.first + 1
     allowed = np.column_stack([shares.speed, shares.tool_speed])
     top = np.full(N + 1, np.inf)
-    top[:-1] = np.min(tops[a] * allowed, axis=1)
-    top[1:] = np.minimum(top[1:], np.min(tops[b] * allowed, axis=1))
+    top[:-1] = np.minimum(np.min(tops[a] * allowed, axis=1), shares.rate)
+    top[1:] = np.minimum(top[1:], np.minimum(np.min(tops[b] * allowed, axis=1), shares.rate))
     top[[*course.rests]] = 0.0
     torque = torque_columns(axes, problem, course)
-    most, still = shares.torque[:, None], np.zeros((N, slopes.shape[1]))
+    most = shares.torque[:, None]
     begins, ends = (
         (
             np.hstack([slopes[i] / give, torque.slopes[i] / most]),
             np.hstack([bends[i] / give, torque.bends[i] / most]),
-            np.hstack([still, torque.rest[i]]),
+            np.hstack([rests[i], torque.rest[i]]),
         )
         for i in (a, b)
     )
@@ -232,7 +271,7 @@ def least_times(axes: Axes, problem: Problem, courses: Sequence[Course]) -> Arra
 def _fastest(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw:
     """The fastest law of courses one after the other; it stands still on those that have none."""
     top, *rows = in_force(axes, problem, course, shares)
-    begins, ends = (tuple(x[None] for x in (one if axes.torque is not None else one[:2])) for one in rows)
+    begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
     return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
 
@@ -265,6 +304,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) 
             seen.put(new, looked_at(axes, problem, every, law, new))
         worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
         over = shares.tighten(used_by(axes, problem, every, law), *worst)
+        over = shares.wait(problem, every, law, over)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE
             if outside or not over[at].any():

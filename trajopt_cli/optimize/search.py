@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.avoid import Avoid, States
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.double_integrator import alone, reach, shortest_time, trapezoid_time
+from trajopt_cli.optimize.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.optimize.reach import Label, StationTable, back_along, grid_in_reach, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
@@ -185,7 +185,7 @@ def _chord_time(leg: Leg, p_a: Array, p_b: Array) -> Array:
     chord = np.zeros((len(p_a), len(p_b)))
     for j in range(3):
         chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
-    return trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp)
+    return trapezoid_time(np.sqrt(chord), leg.v_tcp, mean_ramp(*leg.ramps))
 
 
 def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array, shares: Array) -> Array:
@@ -197,7 +197,7 @@ def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array
         tool = _tool(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
         steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
         out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
-    return trapezoid_time(out, leg.v_tcp, leg.a_tcp)
+    return trapezoid_time(out, leg.v_tcp, mean_ramp(*leg.ramps))
 
 
 def _farthest(axes: Axes, problem: Problem, k: int, far: bool) -> float:
@@ -280,7 +280,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     hard = np.max(dq, axis=(0, 1))
     for limit in A[layout.rail]:
         hard = np.maximum(hard, rail / limit)
-    hard = np.maximum(hard, max(leg.chord / leg.a_tcp, leg.table[1], _LEAST))
+    hard = np.maximum(hard, max(leg.chord / mean_ramp(*leg.ramps), leg.table[1], _LEAST))
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 
@@ -306,7 +306,7 @@ def _goes_back(problem: Problem, first: int, k: int) -> int | None:
     if j is None:
         return None
     caps, its = (
-        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration, x.least)
+        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration, x.least, x.along)
         for x in (problem.legs[k], problem.legs[j])
     )
     passed, its_passed = (problem.passes(i) and problem.passes(i + 1) for i in (k, j))

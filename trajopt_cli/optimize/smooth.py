@@ -79,7 +79,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
     course = course_of(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
     if course is None:
         return None
-    tops, slopes, _ = limits(axes, problem, course)
+    tops, slopes, *_ = limits(axes, problem, course)
     L, dq = float(course.sigma[-1]), np.abs(course.along.dq).max(axis=0)
     assert axes.jerk is not None
     with np.errstate(divide="ignore"):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.optimize.double_integrator import trapezoid_time
+from trajopt_cli.optimize.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.segment import POINT, Segment
 from trajopt_cli.path.turning import Turning
@@ -55,11 +55,17 @@ def tool_time(problem: Problem, first: int, last: int) -> float:
     legs = problem.legs[first:last]
     parts = [part for part in course(problem, first, last) if isinstance(part, Part)]
     duration = legs[0].duration if len(legs) == 1 else None
-    return max(duration or 0.0, *(leg.least for leg in legs), parts_time(parts, max(leg.a_tcp for leg in legs)))
+    return max(duration or 0.0, sum(leg.least for leg in legs), parts_time(parts, *ramps_of(legs)))
 
 
-def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:
-    """Least time [s] over parts, in whatever order, with the tool's acceleration a [m/s2] and at rest at so many ends.
+def ramps_of(legs: Sequence[Leg]) -> tuple[float, float]:
+    """What the tool may speed up and slow down at most on any of some legs [m/s2]."""
+    return max(leg.ramps[0] for leg in legs), max(leg.ramps[1] for leg in legs)
+
+
+def parts_time(parts: Sequence[Part], up: float, down: float, rests: int = 2) -> float:
+    """Least time [s] over parts, in whatever order, the tool speeding up and slowing down at most so much [m/s2], at
+    rest at so many ends.
 
     Where no part's cap is below `top`, the share of its cap that the tool drives at is never above that of a run-up to
     `top`, so the parts take no less than that run-up over as much way as they would be at that speed. Slower parts are
@@ -67,6 +73,7 @@ def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:
     """
     rests = 0 if any(part.jump for part in parts) else rests
     least = sum(part.turn for part in parts)
+    a = mean_ramp(up, down) if rests > 1 else max(up, down)
     for top in {part.speed for part in parts if part.length > 0}:
         way = sum(p.length * (1.0 if p.speed <= top else top / p.speed) for p in parts)
         # one run-up is half of the trapezoid over twice the way

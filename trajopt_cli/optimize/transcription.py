@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.clearances import Tangents
-from trajopt_cli.optimize.double_integrator import trapezoid_time
+from trajopt_cli.optimize.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.effort import efforts
 from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, ToolCap, Track
@@ -268,7 +268,7 @@ class Transcription:
             return shortest
         points = self.problem.waypoints[leg.start : leg.start + 2]
         p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
-        return max(shortest, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, leg.a_tcp)))
+        return max(shortest, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, mean_ramp(*leg.ramps))))
 
     def _elapse(self, seconds: float) -> None:
         """The legs take so long in all."""
@@ -328,6 +328,7 @@ class Transcription:
             "at_turning": caps[:, 2],
             "room": m.position[:, self.axes.layout.arm],
             **({} if self.axes.jerk is None else {"jerk": self.axes.jerk * m.jerk}),
+            **({} if leg.along is None else {"along": _along(leg, leg.along, m.tool[:, ToolCap.ACCELERATION])}),
             **({"table": np.tile(np.array(leg.table) / START, (len(caps), 1))} if leg.units else {}),
         }
 
@@ -448,7 +449,7 @@ class Transcription:
                 widths = [half[i] for i in nodes.beside.values()]
                 here |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
             relation = (
-                self.formulation.path_node(track, nodes.sides, self._weighed, tied)
+                self.formulation.path_node(track, nodes.sides, self._weighed, tied, leg.along is not None)
                 if line
                 else self.formulation.dwell_node(nodes.sides, self._weighed)
             )
@@ -569,7 +570,7 @@ class Transcription:
         for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
             if not np.isfinite(limit):
                 continue
-            at = np.arange(N + 1)
+            at = i = np.arange(N + 1)
             beside: dict[str, ArrayLike] = {}
             if cap is ToolCap.ACCELERATION and self._smooth:
                 beside = {"a": out.qa}
@@ -579,8 +580,19 @@ class Transcription:
             z: Parts = {"q": out.q[at], "v": out.qv[at], **beside, "T": out.T}
             p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
             self._hold(self.formulation.tool_cap(cap), z, p)
+            if cap is ToolCap.ACCELERATION and leg.along is not None:
+                moves = (at > 0) & (at < N)  # at rest nothing is along a path
+                z = {"q": out.q[at[moves]], "v": out.qv[at[moves]], "a": out.qa[i[moves]], "T": out.T}
+                ramps = np.outer(margins.tool[at[moves], cap], leg.along)
+                self._hold(self.formulation.tool_along(), z, {"tcp": leg.X_FT[:3, 3], "ramps": ramps})
         if np.isfinite(leg.v_tcp):
             share = np.minimum(margins.tool[:-1, ToolCap.SPEED], margins.tool[1:, ToolCap.SPEED])
             z = {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}
             p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)}
             self._hold(self.formulation.tool_chord(), z, p)
+
+
+def _along(leg: Leg, ramps: tuple[float, float], share: Array) -> Array:
+    """Parameters (N+1, 2) of the tool's speeding up and slowing down along a path, of which a share may be used."""
+    half, middle = (ramps[0] + ramps[1]) / 2, (ramps[0] - ramps[1]) / 2
+    return np.column_stack([leg.chord / half / share, np.full(len(share), middle / half)])

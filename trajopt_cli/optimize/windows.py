@@ -100,6 +100,7 @@ class Window:
                 leg.rail_moves,
                 leg.acceleration,
                 leg.least,
+                leg.along,
             )
             parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
             if leg.load is not None:

@@ -13,7 +13,7 @@ from trajopt_cli.problem.problem import Leg, Problem, Waypoint
 def leg_name(leg: Leg) -> bytes:
     """Of a leg with its way and its caps, wherever it stands in a program."""
     numbers = leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves, leg.acceleration, leg.least
-    parts = [leg.kind.value.encode(), repr(numbers).encode(), _digits(leg.X_FT)]
+    parts = [leg.kind.value.encode(), repr((*numbers, leg.along)).encode(), _digits(leg.X_FT)]
     if leg.load is not None:
         parts.append(repr(leg.load.numbers).encode())
     way = leg.segment

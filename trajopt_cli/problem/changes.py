@@ -55,6 +55,8 @@ def why_straight(motion: Motion) -> str | None:
         return "it is no joint move"
     if motion.units:
         return "a positioner turns on the way"
+    if motion.identity is not None:
+        return r"other robots move together with it (\ID)"
     if motion.duration is not None:
         return r"its time is programmed (\T)"
     if any(event.from_start or event.distance or event.time for event in motion.events):
@@ -66,7 +68,8 @@ def why_straight(motion: Motion) -> str | None:
 
 def may_go(motion: Motion, plant: Plant) -> bool:
     """Whether the user lets a motion be left out, in the program or in the cell file."""
-    return isinstance(motion, Move) and (motion.optional or motion.target.lower() in plant.droppable)
+    asked = isinstance(motion, Move) and (motion.optional or motion.target.lower() in plant.droppable)
+    return asked and getattr(motion, "identity", None) is None  # other robots wait for it
 
 
 def droppable(program: Program, plant: Plant) -> frozenset[int]:

@@ -17,13 +17,15 @@ def acceleration_share(motion: Move) -> float:
 
 
 def tcp_acceleration(motion: Move, tcp: TcpCaps) -> float:
-    """Cap [m/s2] on the acceleration of a move's tool centre point.
+    """Cap [m/s2] on the whole acceleration of a move's tool centre point; MoveExtJ moves no tool: only the share."""
+    cap, world = acceleration_share(motion) * tcp.acceleration, motion.settings.world_acceleration
+    return cap if world is None or isinstance(motion, MoveExtJ) else min(cap, world)
 
-    PathAccLim limits speeding up and slowing down along the path alone; here it caps the whole acceleration, in bends
-    too, and the smaller of its two values counts for both. MoveExtJ moves no tool: only the share.
-    """
-    settings, cap = motion.settings, acceleration_share(motion) * tcp.acceleration
-    given = settings.path_acceleration, settings.path_deceleration, settings.world_acceleration
-    if isinstance(motion, MoveExtJ):
-        return cap
-    return min([cap, *(value for value in given if value is not None)])
+
+def path_acceleration(motion: Move, tcp: TcpCaps) -> tuple[float, float] | None:
+    """Caps [m/s2] on speeding up and slowing down along the path of a move's tool centre point, each at most that on
+    the whole acceleration; None where nothing asks for less. Bends are free of them (RAPID reference, PathAccLim)."""
+    whole, settings = tcp_acceleration(motion, tcp), motion.settings
+    given = settings.path_acceleration, settings.path_deceleration
+    up, down = (whole if one is None else min(one, whole) for one in given)
+    return None if isinstance(motion, MoveExtJ) or min(up, down) == whole else (up, down)

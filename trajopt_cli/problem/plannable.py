@@ -6,7 +6,7 @@ Programs are read whole (arcs, stationary tools, AccSet, ...); this is where pla
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees
 
 from trajopt_cli.errors import InputError, InputErrorGroup
@@ -32,8 +32,10 @@ from trajopt_cli.problem.circles import WRIST_MODES, Starts
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
+from trajopt_cli.scenario import Lines
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
+_SHOWN_IDS = 3
 STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 _STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time of their own
 
@@ -111,12 +113,12 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         lines.append(
             f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which the cell file alone limits"
         )
-    if caps := sum(bool(move.settings.path_acceleration or move.settings.path_deceleration) for move in moves):
-        lines.append(f"PathAccLim ({caps}) caps the whole acceleration of the TCP, in bends too")
     if timed := sum(move.duration is not None and not move.zone.stop for move in moves):
         lines.append(f"programmed times (\\T, {timed}) of moves with a fly-by zone are planned as the speeds they make")
     if beside := [one.beside for one in program.motions if isinstance(one, Wait) and one.beside]:
         lines.append(f"waits behind \\Conc ({len(beside)}, {sum(beside):g} s) run beside their moves")
+    if open_ := [move for move in moves if move.identity is not None and move.partner is None]:
+        lines.append(unpartnered(open_))
     if events := sum(len(move.events) for move in moves):
         lines.append(f"path events ({events}) take no time and do not affect the plan")
     if written := Counter(move.process.instruction for move in moves if move.process is not None):
@@ -128,6 +130,21 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
             f"loads ({', '.join(loads)}) do not affect the plan: the cell's acceleration limits apply to any load"
         )
     return tuple(lines)
+
+
+def unpartnered(moves: Sequence[Move], so: str = "they may take longer") -> str:
+    r"""A sentence on synchronised moves of which nobody says how long the other robots take for them. so: what that
+    makes of their times."""
+    where: dict[str, list[int]] = {}
+    for move in moves:
+        where.setdefault(move.source.file, []).append(move.source.line)
+    places = ", ".join(str(Lines(file, min(at), max(at))) for file, at in where.items())
+    numbers = list(dict.fromkeys(move.identity for move in moves))
+    keys = ", ".join(f"{one}: SECONDS" for one in numbers[:_SHOWN_IDS]) + (", ..." if len(numbers) > _SHOWN_IDS else "")
+    return (
+        f"{places}: nothing says how long the other robots take for the synchronised moves (\\ID, {len(moves)}): "
+        f"{so}; say it in the cell file: 'partner: {{{keys}}}'"
+    )
 
 
 def demands_configuration(motion: Move, robot: RobotModel) -> bool:

@@ -43,7 +43,7 @@ from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.corners import corners_of
-from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
+from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
@@ -109,9 +109,10 @@ class Leg:
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
     the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
     of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns,
-    or as waits run beside it.
+    waits run beside it or other robots move together with it; waits_for: which of them.
     load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
-    work object under a line or an arc, in step with it; chord and speeds are then those over the work object.
+    work object under a line or an arc, in step with it; chord and speeds are then those over the work object. along:
+    the tool's speeding up and slowing down along its path at most [m/s2], None where a_tcp alone limits both.
     """
 
     motion: int
@@ -129,7 +130,8 @@ class Leg:
     least: float = 0.0
     load: ToolLoad | None = None
     units: tuple[UnitMove, ...] = ()
-    beside: bool = False
+    waits_for: str = ""
+    along: tuple[float, float] | None = None
 
     @property
     def chord(self) -> float:
@@ -145,6 +147,11 @@ class Leg:
     def fastest_turn(self) -> float:
         """The highest rate of turning on a line or an arc per unit of its share [rad]."""
         return 0.0 if self.segment is None else self.segment.fastest_turn
+
+    @property
+    def ramps(self) -> tuple[float, float]:
+        """Speeding up and slowing down of the tool along its path at most [m/s2]."""
+        return self.along or (self.a_tcp, self.a_tcp)
 
     @property
     def table(self) -> tuple[float, float]:
@@ -344,7 +351,7 @@ class _Build:
             case _:
                 before, end = self.waypoints[-1], self._at_pose(index, motion)
                 there = before.q is None and np.allclose(before.X_WF, end.X_WF, rtol=0, atol=_POINT)
-                if motion.units and there and not _apart(before.rail, end.rail):
+                if motion.least and there and not _apart(before.rail, end.rail):
                     self._stand(motion, end, self._target is not Target.RAPID and motion.hold is None)
                 else:
                     self._to(end, motion, _caps(motion, self._plant))
@@ -379,11 +386,12 @@ class _Build:
             self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
 
     def _stand(self, motion: Move, end: Waypoint, moves: bool) -> None:
-        """The tool stands while positioners turn; moves: the rail may move meanwhile."""
+        """The tool stands while positioners turn or other robots move; moves: the rail may move meanwhile."""
         v_rail = np.inf if isinstance(motion, MoveExtJ) else _caps(motion, self._plant)[2]
         moves = moves and self._has_rail and self._freedom.dwells and v_rail > 0
         leg = Leg(end.motion, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, v_rail or np.inf,
-                  duration=motion.duration or motion.least, rail_moves=moves, least=motion.least)  # fmt: skip
+                  duration=max(motion.duration or 0.0, motion.least), rail_moves=moves, least=motion.least,
+                  waits_for=motion.waits_for)  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end)
         if not moves:
@@ -393,7 +401,7 @@ class _Build:
         """The arm's joints hold, so the waypoint before is as the program writes it. Where positioners alone turn, all
         axes stand for as long as that takes, wherever they are."""
         if self._plant.rail_value(motion.extax) is None:
-            if not motion.units:  # every axis is where it should be
+            if not motion.least:  # every axis is where it should be
                 self.waypoints[-1] = replace(self.waypoints[-1], rest=True)
                 return
             self._stand(motion, replace(self.waypoints[-1], motion=index, written=self._written, rest=True), False)
@@ -416,6 +424,9 @@ class _Build:
         still = way.length < _POINT and way.angle < _POINT and not units
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
+        if still and motion.least and not _apart(start.rail, end.rail):
+            self._stand(motion, end, moves)
+            return
         self._to(end, motion, _caps(motion, self._plant))
         kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
         moves = moves and self.legs[-1].rail_moves
@@ -428,10 +439,11 @@ class _Build:
         moves, v_rail = motion.hold is None and v_rail > 0, v_rail or np.inf
         tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
         v_tcp, a_tcp = min(v_tcp, tcp.speed), tcp_acceleration(motion, tcp)
+        duration = None if motion.duration is None else max(motion.duration, motion.least)
         leg = Leg(
-            end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
+            end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=duration,
             rail_moves=moves or not self._has_rail, acceleration=acceleration_share(motion),
-            least=motion.least, beside=motion.beside > 0,
+            least=motion.least, waits_for=motion.waits_for, along=path_acceleration(motion, tcp),
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))

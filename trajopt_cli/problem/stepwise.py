@@ -195,6 +195,8 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
         t_arm = max(
             _time(motion, length, v_tcp, "TCP speed"), _time(motion, angle, motion.speed.v_ori, "reorientation speed")
         )
+    if motion.partner is not None and motion.partner > t_arm:
+        t_arm, v_tcp = motion.partner, length / motion.partner
     if way <= _STANDS:
         t_rail = 0.0
     elif motion.duration is not None:

@@ -142,6 +142,8 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
             known = settings.get(id(motion.settings))
             if known is None:
                 known = settings[id(motion.settings)] = differing(motion.settings)
+            if motion.identity is not None:
+                known = known | {"ID": motion.identity}
             row = _move_row(index, motion, quaternions.get(index), lengths[index], radii[index], known)
             if motion.events:
                 row = replace(row, events=tuple(spelled.event(event, motion) for event in motion.events))

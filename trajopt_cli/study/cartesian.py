@@ -35,7 +35,7 @@ from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.bang_bang import AxisMotion, bang_bang, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
 from trajopt_cli.study.legs import Caps, JointsOnLine, Leg, LegKind, fixed_rail
-from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
+from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
 _POINT = 1e-9  # m, rad: no way at all
@@ -50,7 +50,8 @@ def bang_bang_row(case: Case) -> Answer:
     if isinstance(given, Infeasible):
         return given
     pieces = []
-    for on_courses, group in groupby(given.runs, key=lambda run: run.course is not None):
+    for on_courses, some in groupby(given.runs, key=lambda run: run.course is not None):
+        group = [*some]
         if on_courses:
             found = [
                 ridden(case.plant, run, [_caps(case.plant, leg) for leg in run.legs], None, _drive, "the generator")
@@ -60,10 +61,10 @@ def bang_bang_row(case: Case) -> Answer:
             moves = [_move(case.plant, run.legs[0]) for run in group]
             speeds = _speeds(moves)
             found = [_piece(case.plant, *one) for one in zip(moves, speeds, speeds[1:], strict=False)]
-        for piece in found:
+        for run, piece in zip(group, found, strict=True):
             if isinstance(piece, Infeasible):
                 return piece
-            pieces.append(piece)
+            pieces.append(lasting(piece, run.least))
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     caps = case.plant.tcp
@@ -158,7 +159,7 @@ def _speeds(moves: Sequence[_Move]) -> list[tuple[Array, Array]]:
 def _through(before: _Move, after: _Move) -> tuple[Array, Array]:
     """Speeds at the point between two moves, in the axes of the one and of the other."""
     rest = np.zeros(len(before.way)), np.zeros(len(after.way))
-    timed = before.leg.duration is not None or after.leg.duration is not None
+    timed = any(one.leg.duration is not None or getattr(one.leg.motion, "partner", None) for one in (before, after))
     if timed or not len(before.way) or not len(after.way) or not np.array_equal(before.leg.X_FT, after.leg.X_FT):
         return rest
     kinds = before.leg.kind, after.leg.kind

@@ -34,7 +34,7 @@ from trajopt_cli.optimize.tuning import RUN_NODES
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.changes import everything
 from trajopt_cli.problem.corners import corners_of, passed_in
-from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
+from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -42,7 +42,6 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.case import Case
-from trajopt_cli.study.rows import Piece, hold
 
 _NODES = 401  # of a line's table: at 0.5 m 1.2 mm apart
 _ON_BRANCH = 1e-6  # rad: axes are what a branch says
@@ -111,6 +110,12 @@ class Run:
     course: Course | None = None
 
     @property
+    def least(self) -> float:
+        """What positioners, waits beside its moves and other robots leave it at least [s]."""
+        moves = [leg.motion for leg in self.legs if isinstance(leg.motion, Move)]
+        return moves[0].least if len(self.legs) == 1 == len(moves) else sum(move.partner or 0.0 for move in moves)
+
+    @property
     def key(self) -> bytes:
         """Equal for runs that ask for the same motion."""
         led = () if self.course is None else (self.course.sigma, self.course.along.q)
@@ -120,12 +125,6 @@ class Run:
     def span(self) -> tuple[float, float]:
         """When the fixed-rail plan makes it [s]."""
         return self.legs[0].span[0], self.legs[-1].span[1]
-
-    def lasting(self, piece: Piece) -> list[Piece]:
-        """A piece that drives it, and the rest behind that where its one motion has to last longer."""
-        leg = self.legs[0]
-        least = leg.motion.least if isinstance(leg.motion, Move) and len(self.legs) == 1 else 0.0
-        return [piece, hold(leg.q_1, least - piece.duration)] if least > piece.duration else [piece]
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,10 +225,11 @@ def _leg(
     if isinstance(motion, Wait | SignalEvent):
         duration = motion.duration if isinstance(motion, Wait) else None
     else:
-        duration = motion.duration
+        duration = None if motion.duration is None else max(motion.duration, motion.least)
         moves = bool(np.abs(q_1 - q_0).max() > 0)
         kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL | MoveC) else LegKind.JOINT
         a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)
+        a_tcp = min(a_tcp, *(path_acceleration(motion, plant.tcp) or (a_tcp,)))  # these rows know no other cap
         free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
         if duration is None and not free:  # a programmed time replaces the speed
             v_rail = motion.speed.v_leax or np.inf

@@ -52,6 +52,11 @@ def apart(switches: Array) -> bool:
     return not np.any((gaps > SAME) & (gaps < LEAST))
 
 
+def lasting(piece: Piece, least: float) -> Piece:
+    """The piece, slowed where it is over before the least time [s]."""
+    return piece.slowed(least / piece.duration) if 0 < piece.duration < least else piece
+
+
 def rows_of(names: tuple[str, ...], pieces: Sequence[Piece], end: Array) -> Trajectory:
     """The trajectory of all pieces in order, from time 0. end (k,): axes at the end, at rest, written as they are."""
     bounds = np.concatenate([[0.0], np.cumsum([piece.duration for piece in pieces])])

@@ -20,7 +20,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
 from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Use, caps_of, fixed_rail, use_of
-from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
+from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
 SAFE = 1 - 1e-4  # share of limits used: between two samples, and between rows of a line, there is a little more
@@ -66,7 +66,7 @@ def _row(case: Case, jerk: Array | None) -> Answer:
         piece = known[key]
         if isinstance(piece, Infeasible):
             return piece
-        pieces += run.lasting(piece)
+        pieces.append(lasting(piece, run.least))
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     jerk_told = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []

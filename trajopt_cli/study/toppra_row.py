@@ -20,7 +20,7 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Attempt, Case
 from trajopt_cli.study.legs import Caps, LegKind, Run, caps_in, fixed_rail, tool_rates, use_of
-from trajopt_cli.study.rows import Piece, apart, hold, rows_of
+from trajopt_cli.study.rows import Piece, apart, hold, lasting, rows_of
 from trajopt_cli.timing.law import TimeLaw, fastest_law
 from trajopt_cli.trajectory import Trajectory, hermite
 
@@ -49,7 +49,7 @@ def toppra(case: Case) -> Answer:
         found = known[key]
         if isinstance(found, Infeasible):
             return found
-        pieces += run.lasting(found[0])
+        pieces.append(lasting(found[0], run.least))
         kept += not found[1]
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)

@@ -51,7 +51,7 @@ def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Find
         first, last = before.depart, visit.arrive
         if visit.point.duration is not None or last - first < 3 or visit.point.move is None:
             continue
-        if visit.point.move.units:  # the libraries know nothing of a table that turns meanwhile
+        if visit.point.least:  # the libraries know nothing of a table that turns meanwhile, nor of another robot
             continue
         if isinstance(visit.point.move, MoveL):
             found = _line(rows, before, visit, frame)

@@ -62,13 +62,17 @@ class Point:
 
     @property
     def duration(self) -> float | None:
-        """The programmed time of the move, s."""
-        return None if self.move is None else self.move.duration
+        """The programmed time of the move, or what other robots take that make it too, s."""
+        if self.move is None or self.move.duration is None:
+            return None
+        return max(self.move.duration, self.least)
 
     @property
     def least(self) -> float:
-        """What the positioners that turn during the move take at least, s."""
-        return 0.0 if self.move is None else max((unit.least for unit in self.move.units), default=0.0)
+        """What the positioners that turn during the move, and other robots that make it too, take at least, s."""
+        if self.move is None:
+            return 0.0
+        return max([self.move.partner or 0.0, *(unit.least for unit in self.move.units)])
 
     @property
     def beside(self) -> float:
@@ -89,7 +93,7 @@ def may_drop(program: Program, plant: Machine, index: int) -> bool:
     motion = program.motions[index]
     if isinstance(motion, Wait | SignalEvent):
         return False
-    return motion.optional or motion.target.lower() in plant.droppable
+    return motion.identity is None and (motion.optional or motion.target.lower() in plant.droppable)
 
 
 def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), optional: bool = False) -> list[Point]:
@@ -114,8 +118,8 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
             alone |= {len(points) - 1, len(points)}
             if _rail(plant, motion.extax) is None:
                 alone -= {len(points)}
-                if motion.units:  # it moves no axis that this robot has, which waits for the positioner
-                    time = motion.duration or motion.least
+                if motion.least:  # it moves no axis that this robot has, which waits for the positioner
+                    time = max(motion.duration or 0.0, motion.least)
                     holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=time)))
                 continue
         points.append(_point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))

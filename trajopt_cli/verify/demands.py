@@ -13,14 +13,14 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import Move, MoveExtJ, MoveL, Settings
+from trajopt_cli.motion import MoveExtJ, MoveL, Settings
 from trajopt_cli.verify.caps import Inner
 from trajopt_cli.verify.caps import accelerations as tcp_accelerations
 from trajopt_cli.verify.findings import Columns, Worst, axis_unit, finding, worse
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.joints import accelerations as axis_accelerations
-from trajopt_cli.verify.rows import LAGS
+from trajopt_cli.verify.rows import LAGS, second_differences
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.verify.tolerances import JOINT, TCP
 
@@ -44,21 +44,21 @@ def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[
         if after is not None and after.event is not None and after.point.move is not None:
             then = frames[np.asarray(after.point.X_FT).tobytes()]
             both = _looser(move.settings, after.point.move.settings)
-            corner = last, outside_zones(then, visit, after, "radius")[0]
+            part = last, outside_zones(then, visit, after, "radius")[0]
             if then is frame:
-                out.extend(_demands(line, frame, visit, corner, both))
-            elif corner[1] > corner[0]:  # no tool is in force where it changes
-                out.extend(_axes(line, visit, *corner, both))
+                out.extend(_demands(line, frame, visit, part, both, corner=True))
+            elif part[1] > part[0]:  # no tool is in force where it changes
+                out.extend(_axes(line, visit, *part, both))
         yield visit.arrive, out
 
 
 def _demands(
-    line: Timeline, frame: Frame, visit: Visit, part: tuple[int, int], settings: Settings
+    line: Timeline, frame: Frame, visit: Visit, part: tuple[int, int], settings: Settings, corner: bool = False
 ) -> Iterator[Finding]:
     first, last = part
     if last > first:
         yield from _axes(line, visit, first, last, settings)
-        yield from _tool(frame, visit, first, last, settings)
+        yield from _tool(frame, visit, first, last, settings, corner)
 
 
 def _looser(one: Settings, other: Settings) -> Settings:
@@ -91,11 +91,12 @@ def _axes(line: Timeline, visit: Visit, first: int, last: int, settings: Setting
                   source=visit.point.source, bound=f"AccSet {share * 100:g} allows", words="acceleration")  # fmt: skip
 
 
-def _tool(frame: Frame, visit: Visit, first: int, last: int, settings: Settings) -> Iterator[Finding]:
+def _tool(frame: Frame, visit: Visit, first: int, last: int, settings: Settings, corner: bool) -> Iterator[Finding]:
     rows, move = frame.rows, visit.point.move
     assert move is not None
     if isinstance(move, MoveExtJ):
         return
+    straight = isinstance(move, MoveL) and not corner
     checks: list[tuple[str, str, Iterable[Places], float]] = []
     inner = Inner(frame, first, last) if frame.exact else None
     if settings.acceleration < 1.0:
@@ -106,7 +107,7 @@ def _tool(frame: Frame, visit: Visit, first: int, last: int, settings: Settings)
         whole = tcp_accelerations(frame, first, last, inner)
         checks.append(("WorldAccLim", "WorldAccLim", whole, settings.world_acceleration))
     for sign, along in ((1, settings.path_acceleration), (-1, settings.path_deceleration)):
-        if along is not None and (found := _along(frame, move, settings, (first, last), sign, inner)) is not None:
+        if along is not None and (found := _along(frame, (first, last), sign, straight)) is not None:
             checks.append(("PathAccLim", "PathAccLim", found, along))
     for check, word, places, cap in checks:
         worst = _worst(places, cap)
@@ -114,17 +115,18 @@ def _tool(frame: Frame, visit: Visit, first: int, last: int, settings: Settings)
                       source=visit.point.source, bound=f"{word} allows", words="acceleration")  # fmt: skip
 
 
-def _along(
-    frame: Frame, move: Move, settings: Settings, part: tuple[int, int], sign: int, inner: Inner | None
-) -> Iterable[Places] | None:
+def _along(frame: Frame, part: tuple[int, int], sign: int, line: bool) -> Iterable[Places] | None:
     """Least speeding up (sign 1) or slowing down (-1) along the path: means between rows of a file with speeds. Of one
-    without, the whole acceleration of a line; None for other moves, whose bends hide it."""
+    without, what second differences have along a line; None for other moves and in corners, whose bends hide it."""
     rows, (first, last) = frame.rows, part
-    if rows.qd is None:
-        lower = (settings.path_acceleration or np.inf) <= (settings.path_deceleration or np.inf)
-        wanted = isinstance(move, MoveL) and None not in (settings.path_acceleration, settings.path_deceleration)
-        return tcp_accelerations(frame, first, last, inner) if wanted and lower == (sign < 0) else None
     t, here = rows.t[first : last + 1], slice(first, last + 1)
+    way = frame.p[last] - frame.p[first]
+    if rows.qd is None:
+        if not line or np.linalg.norm(way) == 0:
+            return None
+        ahead = sign * way / np.linalg.norm(way)
+        found = second_differences(t, frame.p[here], frame.doubt_p[here, None], rows.step_t[here], True)
+        return [(t[m : len(t) - m], value @ ahead - doubt[:, 0]) for m, value, doubt in found]
     off_t = rows.step_t[here]
     speed, doubt = lengths(frame.V[here, :3]), frame.doubt_V[0][here]
     return [

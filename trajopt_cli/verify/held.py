@@ -21,6 +21,7 @@ _WHY = {
     Hold.CELL: "hold_rail in the cell file holds the rail still",
     Hold.UNIT: "its mechanical unit is not active",
     Hold.GRIPPER: "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move",
+    Hold.SYNCHRONISED: "no move has room in a wait behind SyncMoveOn",
 }
 
 

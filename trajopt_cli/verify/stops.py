@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ, Source
-from trajopt_cli.verify.course import stands_for
+from trajopt_cli.verify.course import Point, stands_for
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import angle_between, lengths
 from trajopt_cli.verify.rail import rail_beside
 from trajopt_cli.verify.rows import Rows, unseen
-from trajopt_cli.verify.timeline import Timeline, Visit
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.verify.tolerances import (
     DURATION,
     DWELL,
@@ -65,8 +65,8 @@ def _point(line: Timeline, frame: Frame, i: int, rapid: bool) -> Iterator[Findin
     # in a run the moves beside a point share the time of its corner
     if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
         yield _duration(rows, before, visit, _rest_over(line, i))
-    elif i > 0 and visit.point.least > 0:
-        yield _turning(rows, before, visit, _rest_over(line, i))
+    elif i > 0:
+        yield from _least(line, frame, i)
     yield from _dwells(rows, visit)
     if visit.holds or visit.stay:
         yield from _drift(rows, visit, before, frame)
@@ -210,11 +210,39 @@ def _duration(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Fin
                    source=visit.point.source, bound="programmed")  # fmt: skip
 
 
-def _turning(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Finding:
-    """The time of a move, the longest it can have taken, against what the positioners take that turn meanwhile."""
-    wanted = visit.point.least
+def _least(line: Timeline, frame: Frame, i: int) -> Iterator[Finding]:
+    """The moves that end at stop i and at the points passed before it, against what positioners or other robots take
+    for them: all together, and each where corners share its time with the moves beside it."""
+    visits, first = line.visits, i - 1
+    while visits[first].point.fly_by is not None:
+        first -= 1
+    if (wanted := sum(visit.point.least for visit in visits[first + 1 : i + 1])) > 0:
+        yield _lasting(line.rows, visits[first], visits[i], _rest_over(line, i), wanted)
+    for k in range(first + 1, i + 1) if wanted > 0 and i > first + 1 else ():
+        begin, end, point = visits[k - 1].depart, visits[k].arrive, visits[k].point
+        if k > first + 1:  # from where the move before it has not reached the corner
+            out = outside_zones(frame, visits[k - 2], visits[k - 1], "radius", first=False)[1]
+            begin = max(out, visits[k - 2].depart)
+        if k < i:
+            end = min(outside_zones(frame, visits[k], visits[k + 1], "radius", last=False)[0], visits[k + 1].arrive)
+        lasts = float(line.rows.t[end] - line.rows.t[begin])
+        if point.least > 0:
+            yield finding(_whose(point), f"{point.name} with its corners", lasts, point.least, "s",
+                          lasts >= point.least - _unsure(line.rows, visits[first], visits[i]),
+                          time=float(line.rows.t[begin]), source=point.source, bound="at least",
+                          words="lasts")  # fmt: skip
+
+
+def _whose(point: Point) -> str:
+    """Who takes a move's least time."""
+    return "positioner" if point.move is None or point.move.identity is None else "partner"
+
+
+def _lasting(rows: Rows, before: Visit, visit: Visit, rest_after: float, wanted: float) -> Finding:
+    """The time of a move, the longest it can have taken, against what positioners or other robots take meanwhile."""
     taken = _taken(rows, before, visit, rest_after, wanted)
-    return finding("positioner", visit.point.name, taken, wanted, "s", taken >= wanted - _unsure(rows, before, visit),
+    passed = taken >= wanted - _unsure(rows, before, visit)
+    return finding(_whose(visit.point), visit.point.name, taken, wanted, "s", passed,
                    time=float(rows.t[visit.arrive]), source=visit.point.source, bound="at least",
                    words="lasts")  # fmt: skip
 

@@ -10,7 +10,7 @@ MODULE without_effect
         ISignalDI di1,1,i1;
         StopMove;
         StartMove;
-        SyncMoveOn s1,tasks;
+        SyncMoveUndo;
         WaitTime 1;
     ENDPROC
 ENDMODULE

@@ -109,6 +109,7 @@ class World:
             "data": self.scenario.data,
             "waits": self.scenario.waits,
             "searches": self.scenario.searches,
+            "partner": map(str, self.scenario.partner),
             "stubs": self.scenario.stubs,
         }
         sentences = []

@@ -42,6 +42,12 @@ def _fastest(run: Run, node: Call) -> Value:
     return Value(NUM, VMAX)
 
 
+def _synchronised(run: Run, node: Call) -> Value:
+    """Whether moves go together with other robots'."""
+    bind(run, node, ())
+    return Value(BOOL, run.settings.synchronised)
+
+
 _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("OpMode", NUM, _AUTOMATIC),
     _taken("RunMode", NUM, _CONTINUOUS),
@@ -53,7 +59,6 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("TaskIsActive", BOOL, True),
     _taken("TaskIsExecuting", BOOL, True),
     _taken("TaskInSync", BOOL, False),
-    _taken("IsSyncMoveOn", BOOL, False),
     _taken("IsStopMoveAct", BOOL, False),
     _taken("NonMotionMode", BOOL, False),
     _taken("MotionPlannerNo", NUM, 1.0),
@@ -78,5 +83,6 @@ def _is_active(run: Run, node: Call) -> Value:
 FUNCTIONS: dict[str, Function] = {
     **dict(_TAKEN),
     "IsMechUnitActive": _is_active,
+    "IsSyncMoveOn": _synchronised,
     "MaxRobSpeed": _fastest,
 }

@@ -37,6 +37,7 @@ from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.manner import manner
+from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.execution.positioners import moved
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
@@ -121,6 +122,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
     at = run.units.checked(run, point, external(run, extax, offset="noeoffs" not in args.optional))
+    number, partner = together(run, node, args)
     motion = MoveAbsJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
@@ -133,6 +135,8 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
         units=moved(run, point, at, caps, None, duration is not None),
+        identity=number,
+        partner=partner,
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
@@ -149,6 +153,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
     target = evaluate(run, point, JOINTTARGET)
     at = run.units.checked(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
     caps = pace.speed(run, speed, args, external=True)
+    number, partner = together(run, node, args)
     motion = MoveExtJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
@@ -161,6 +166,8 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
         units=moved(run, point, at, caps, None, "t" in args.optional),
+        identity=number,
+        partner=partner,
     )
     _succession(run, node, args)
     run.motions.append(motion)
@@ -187,6 +194,7 @@ def to_pose(
     if target is None:
         target = robtarget(run, point)
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
+    number, partner = together(run, node, args)
     place, conf, extax, value = target
     extax = run.units.checked(run, point, extax)
     _check_unit(run, node, setup)
@@ -220,6 +228,9 @@ def to_pose(
         "constant_speed": False,
         "beside": 0.0,
         "units": units,
+        "identity": number,
+        "partner": partner,
+        "as_written": False,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,

@@ -39,7 +39,7 @@ _NAMES = {
         CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
         PathResol SoftAct SoftDeact
         SupSyncSensorOff SupSyncSensorOn WaitSensorReset
-        SyncMoveResume SyncMoveSuspend SyncMoveUndo MotionPlannerSet
+        MotionPlannerSet
 
         WZBoxDef WZCylDef WZDisable WZDOSet WZEnable WZFree WZHomeJointDef WZLimJointDef WZLimSup WZSphDef
         EGMActJoint EGMActMove EGMActPose EGMGetId EGMReset EGMSetupAI EGMSetupAO EGMSetupGI EGMSetupLTAPP EGMSetupUC
@@ -52,7 +52,7 @@ _NAMES = {
         CheckProgRef EraseModule Save TextTabInstall
     """,
     Effect.STOPS: """
-        EGMWaitCond IODisable IOEnable RMQReadWait RMQSendWait SetLeadThrough StopMove StorePath SyncMoveOff SyncMoveOn
+        EGMWaitCond IODisable IOEnable RMQReadWait RMQSendWait SetLeadThrough StopMove StorePath
         SystemStopAction
     """,
     Effect.REFUSED: "EGMRunJoint EGMRunPose",

@@ -17,6 +17,7 @@ from trajopt_cli.units import MM
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
+_LEAST_PATH_LIMIT, _NUM = 0.1, 1e-8  # m/s2, and the rounding of a num
 _LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
 
 
@@ -145,7 +146,11 @@ def _limit(run: Run, node: ProcedureCall, switch: Expression, args: Arguments, n
     value = args.optional.get(name.lower())
     if value is None:
         raise run.error(switch, f"{node.name} TRUE needs \\{name} in m/s2")
-    return _positive(run, node, value)
+    limit = number(run, value)
+    if not limit >= _LEAST_PATH_LIMIT - _NUM:
+        message = f"{node.name} takes \\{name} of at least {_LEAST_PATH_LIMIT:g} m/s2, found {limit:.6g}; a controller "
+        raise run.fault(value, "ERR_ACC_TOO_LOW", f"{message}stops with ERR_ACC_TOO_LOW")
+    return limit
 
 
 def _positive(run: Run, node: ProcedureCall, value: Expression) -> float:

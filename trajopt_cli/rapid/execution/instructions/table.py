@@ -8,6 +8,7 @@ from trajopt_cli.rapid.execution.instructions import (
     files,
     flow,
     moves,
+    multimove,
     operator,
     plain,
     processes,
@@ -39,11 +40,12 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **operator.INSTRUCTIONS,
     **sockets.INSTRUCTIONS,
     **symbols.INSTRUCTIONS,
+    **multimove.INSTRUCTIONS,
     **plain.INSTRUCTIONS,
 }
 _TOPICS = (
     moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, files,
-    operator, sockets, symbols, plain,
+    operator, sockets, symbols, multimove, plain,
 )  # fmt: skip
 
 

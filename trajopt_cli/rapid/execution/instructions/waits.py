@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import Move, Wait, Written
+from trajopt_cli.motion import Hold, Move, Wait, Written
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
@@ -55,6 +55,7 @@ def record(
         duration=duration,
         condition=condition,
         in_position=in_position,
+        hold=Hold.SYNCHRONISED if run.settings.synchronised else None,
         beside=duration if run.concurrent else None,
     )
     run.motions.append(made)
