@@ -114,6 +114,34 @@ def test_the_verdict_says_what_a_bare_grid_leaves_open() -> None:
     assert {one.check: one.least for one in own.promises}["dwell length"] < 2e-9
 
 
+@pytest.mark.parametrize("lost", [(40,), (40, 90, 91)])
+def test_a_file_that_lost_rows_is_judged_by_its_gaps_and_says_where(lost: tuple[int, ...]) -> None:
+    """Times in steps of 4 ms stay exact: the gap is one of 8 or 12 ms, and nothing else is open."""
+    case = random_case(3)
+    lines = written(case.rows(step=0.004, grid_only=True), "%.17g", False, "%.4f").split("\n")
+    rows = len(lines) - 2
+    text = "\n".join(line for i, line in enumerate(lines) if i - 1 not in lost)
+    trajectory, resolution = read_csv_text(text, "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False, promises=True)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+    assert report.missing.startswith("rows missing between t = 0.156 and 0.164 s")
+    assert report.missing.endswith(f"; {len(lost)} of {rows}")
+    assert verdict("a.csv", report).endswith(report.missing)
+    dwell = {one.check: one.least for one in report.promises}["dwell length"]
+    assert dwell >= 0.008 + 0.004 * (len(lost) - 1) * (1 - 1e-9)
+
+
+def test_so_many_lost_rows_that_a_stop_may_hide_in_the_gap_are_too_coarse() -> None:
+    case = random_case(3)
+    lines = written(case.rows(step=0.004, grid_only=True), "%.17g", False, "%.4f").split("\n")
+    trajectory, resolution = read_csv_text("\n".join(lines[:41] + lines[47:]), "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False)
+    assert report.too_coarse
+    (failed,) = [f for f in report.findings if not f.passed]
+    assert (failed.check, failed.time, failed.value) == ("row spacing", pytest.approx(0.156), pytest.approx(0.028))
+    assert report.missing in failed.message
+
+
 def test_promises_are_in_the_table_and_in_json() -> None:
     report = judged(random_case(3), 0.004, "%.6g")
     record = json.loads(json.dumps(reports_record({"a.csv": report}, ())))["files"]["a.csv"]

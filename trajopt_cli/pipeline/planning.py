@@ -457,7 +457,8 @@ def judge(
 
     trajectory, resolution = read_csv_text(text, file)
     if trajectory.names == plant.limits.names:
-        check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
+        limits = plant.limits
+        check_reach(trajectory, limits.lower, limits.upper, limits.velocity, file, resolution.lines)
     try:
         return verify(
             program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises
