@@ -219,12 +219,13 @@ def _steps(decimals: list[Decimals], factors: Array) -> Array:
 
 def _off_grid(t: Array, decimals: Decimals) -> Array:
     """The steps (n,) of times with so many decimals (n,), 0 for rows on a grid: there the times between them are whole
-    multiples of one step, the shortest of them. That is told by its digits, so it is two printed units at least where
-    rows are missing: in steps of one unit, rows that were rounded look alike. The first and the last one may always be
-    off the grid, also where they are printed as if they were not: it may begin and end anywhere."""
+    multiples of the usual one. That is two printed units at least where rows are missing: in steps of one unit, rows
+    that were rounded look alike, and so do rows between those of a grid. The first and the last one may always be off
+    the grid, also where they are printed as if they were not: it may begin and end anywhere."""
     h = np.diff(np.rint(t * 10.0 ** int(decimals.max())))
     inner = h[1:-1] if len(h) > 2 else h
-    if len(h) > 1 and (np.ptp(inner) == 0 or (inner.min() >= 2 and not (inner % inner.min()).any())):
+    usual = np.median(inner) if len(inner) else 0.0
+    if len(h) > 1 and (np.ptp(inner) == 0 or (usual >= 2 and not (inner % usual).any())):
         ends = np.isin(np.arange(len(t)), (0, len(t) - 1))
         return np.where(ends, 10.0 ** -decimals.astype(np.float64), 0.0)
     return _steps([decimals], np.ones(1))[:, 0]

@@ -168,6 +168,9 @@ def test_times_that_are_multiples_of_one_step_are_exact_also_where_rows_are_miss
     # rows every 1.06 ms, rounded to 1 ms, look the same: so these are not
     rounded = "\n".join([head, *(f"{0.00106 * i:.3f},{i}" for i in range(30))])
     assert steps(rounded)[0] == [1e-3] * 30
+    # as is a row between those of a grid, wherever it stood
+    between = "\n".join([head, *lines[:9], "0.034,8.5", *lines[9:]])
+    assert steps(between)[0] == [1e-3] * 31
 
 
 def test_rows_that_an_even_file_lost_are_told_and_no_others() -> None:

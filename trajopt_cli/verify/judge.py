@@ -131,7 +131,7 @@ def _file(rows: Rows, frame: Frame, promises: Iterable[Promise]) -> list[Finding
     far, coarse = float(rows.gaps[i]), float(frame.doubt_p[k])
     note = ": rows this far apart do not show whether the TCP stops; sample the motion at 50 Hz or more"
     if lost := missing_rows(rows.t, rows.gaps):
-        note = f": {lost}; without them the file does not show whether the TCP stops: record all rows"
+        note = f"{note} and lose no row; {lost}"
     digits = f": printed digits leave the TCP this uncertain; {_finer(stop)}"
     return [
         finding("row spacing", "file", far, LARGEST_GAP, "s", far <= LARGEST_GAP * (1 + 1e-9) + rows.doubt_t,
