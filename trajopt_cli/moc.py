@@ -22,7 +22,8 @@ from trajopt_cli.notices import Notice, NoticeKind
 _SECTION = re.compile(r"([A-Z][A-Z0-9_]*):")
 _TOKEN = re.compile(r'"[^"]*"|[^\s"]+')
 _KEY = re.compile(r"-[A-Za-z_]\w*")
-_MOST_TURNED, _LONGEST = 4 * math.pi + 1e-3, 100.0  # rad, m: beyond, a bound is in degrees or mm, or is none
+# rad of a joint, rad of a table, m: beyond, a bound is in degrees or mm, or is none
+_MOST_TURNED, _MOST_ROUND, _LONGEST = 4 * math.pi + 1e-3, 1e4, 100.0
 _FIRST_EXTERNAL = 7  # the logical axis that is eax_a
 
 
@@ -191,7 +192,7 @@ class _Reader:
             q, norm = np.array([1.0, 0.0, 0.0, 0.0]), 1.0
         return pose(rotation_from_wxyz(q / norm), np.array(p, dtype=float))
 
-    def _range(self, arm: Entry | None, slides: bool) -> Range | None:
+    def _range(self, arm: Entry | None, most: float, unit: str) -> Range | None:
         """The working range of a joint; upper_joint_bound_max and the like are what it could be set to."""
         if arm is None:
             return None
@@ -199,10 +200,9 @@ class _Reader:
         if lower is None or upper is None:
             return None
         line = arm.values["lower_joint_bound"].line
-        most, unit, other = (_LONGEST, "m", "mm") if slides else (_MOST_TURNED, "rad", "deg")
         if max(-lower, upper) > most or not lower < upper:
-            what = f"{lower:g} to {upper:g} {unit} is no range of {arm.name}"
-            self._say(line, f"{what}: MOC.cfg has {unit}, not {other}; it is left out")
+            what = f"{lower:g} to {upper:g} {unit} is no range of {arm.name} (m and rad stand here, {most:.4g} at most)"
+            self._say(line, f"{what}; it is left out")
             return None
         return Range(lower, upper, line)
 
@@ -249,7 +249,7 @@ class _Reader:
             name=single.name if unit is None or "use_single_1" in said else unit.name,
             line=single.line,
             eax=eax,
-            range=self._range(arm, slides is not False),
+            range=self._range(arm, _MOST_ROUND, "rad") if slides is False else self._range(arm, _LONGEST, "m"),
             slides=slides,
             X=self._frame(single),
             velocity=abs(motor / ratio) if motor and ratio else None,
@@ -275,7 +275,7 @@ class _Reader:
         for robot in self.sections.get("ROBOT", ()):
             number = robot.name.upper().removeprefix("ROB").lstrip("_").lower()
             joints = [robot.text(f"use_joint_{i}") or f"rob{number}_{i + 1}" for i in range(6)]
-            ranges = tuple(self._range(self._arm_of(joint), slides=False) for joint in joints)
+            ranges = tuple(self._range(self._arm_of(joint), _MOST_TURNED, "rad") for joint in joints)
             mover = robot.text("base_frame_coordinated")
             carries = next((one for name, one in externals.items() if mover in (name, one.name) and mover), None)
             yield Arm(robot.name, robot.line, robot.text("use_robot_type"), self._frame(robot), ranges, mover, carries)

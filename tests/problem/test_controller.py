@@ -186,6 +186,17 @@ def test_a_file_that_is_none_or_cut_off_is_told(text: str) -> None:
     assert read_moc(text, "MOC.cfg").notices
 
 
+def test_a_table_may_go_round_and_round_and_a_joint_may_not() -> None:
+    moc = read_moc(MOC.replace("_bound 3 -lower_joint_bound -3\n", "_bound 700 -lower_joint_bound -700\n"), "MOC.cfg")
+    assert [one.range and one.range[:2] for one in moc.externals] == [(-0.001, 3.901), (-700, 700)]
+    assert not moc.notices
+
+
+def test_of_several_robots_is_told_which(backup: Path) -> None:
+    (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("#\nSINGLE", '\n      -name "ROB_2"\n#\nSINGLE'))
+    assert [one.kind for one in told(backup, SAME)] == [NoticeKind.NOT_READ]
+
+
 def test_robot_types_are_those_that_ship() -> None:
     found = [shipped_robot(kind) for kind in ("ROB1_4600_2.55_40", "ROB1_140_0.81_6", "ROB1_1200_0.9_5_TypeB")]
     assert found == ["irb4600_40_255", "irb140", "irb1200_5_90"]

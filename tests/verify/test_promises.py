@@ -13,6 +13,7 @@ from offences import OFFENCES, RATES
 from trajopt_cli.cli.tables import promises_table, reports_record, verdict
 from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify
 
@@ -140,6 +141,17 @@ def test_so_many_lost_rows_that_a_stop_may_hide_in_the_gap_are_too_coarse() -> N
     (failed,) = [f for f in report.findings if not f.passed]
     assert (failed.check, failed.time, failed.value) == ("row spacing", pytest.approx(0.156), pytest.approx(0.028))
     assert report.missing in failed.message
+
+
+def test_columns_in_another_order_are_the_same_motion() -> None:
+    case = random_case(3)
+    lines = written(case.rows(step=0.01, grid_only=True), "%.9g", True).splitlines()
+    n = len(case.plant.limits.names)
+    order = [*range(n, 0, -1), 0, *range(2 * n, n, -1)]  # the last axis first, and the time behind the positions
+    other = "\n".join(",".join(line.split(",")[i] for i in order) for line in lines)
+    plain, turned = (judge(case.plant, case.program, text, "a.csv", advice=False) for text in ("\n".join(lines), other))
+    assert plain.legal
+    assert turned.findings == plain.findings
 
 
 def test_promises_are_in_the_table_and_in_json() -> None:

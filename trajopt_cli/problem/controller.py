@@ -68,8 +68,8 @@ def differences(paths: Sequence[Path], cell: Cell, plant: Plant, places: str) ->
         return told
     out = [*told]
     if len(mechanics.robots) > 1:
-        others = ", ".join(one.name for one in mechanics.robots if one is not arm)
-        text = f"the cell is held against {arm.name}, not against {others}; a task T_{others.split(',')[0]} would be"
+        names = ", ".join(one.name for one in mechanics.robots)
+        text = f"of {names} the cell file is held against {arm.name}; the task's folder decides, T_ROB2 for ROB_2"
         out.append(Notice(NoticeKind.NOT_READ, text, mechanics.place(arm.line)))
     for key, text in (
         *_of_robot(mechanics, arm, cell, plant),
