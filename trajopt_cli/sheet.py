@@ -238,9 +238,9 @@ def missing_rows(t: Array, gaps: Array | None = None) -> str:
     long as their median, within a quarter of it, and but for the first and the last no other is shorter than that.
     """
     gaps = np.diff(t) if gaps is None else gaps
-    if len(gaps) < 3:
+    period = float(np.median(gaps)) if len(gaps) > 2 else 0.0
+    if not period > 0:
         return ""
-    period = float(np.median(gaps))
     times = gaps / period
     if np.mean(np.abs(times - 1) <= 0.25) < _USUAL or times[1:-1].min() < 0.75:
         return ""
