@@ -184,7 +184,7 @@ def read_job(
             raise loaded.error(f"attach.{i}.{which}", message)
         bodies_on(plant, flat, -1)
     doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
-    doubts += differences(paths, loaded, plant, " ".join(flat.files))
+    doubts += differences(paths, loaded, plant, flat.files)
     return Job(
         program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),
         cell=loaded,

@@ -115,7 +115,7 @@ def backup(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def told(backup: Path, cell: str) -> list[Notice]:
     Path("b.yaml").write_text(cell)
     loaded = load_cell("b.yaml")
-    return [*differences([backup], loaded, build_plant(loaded), str(backup))]
+    return [*differences([backup], loaded, build_plant(loaded), [str(backup)])]
 
 
 def test_units_ranges_and_frames_are_read() -> None:
@@ -195,6 +195,16 @@ def test_a_table_may_go_round_and_round_and_a_joint_may_not() -> None:
 def test_of_several_robots_is_told_which(backup: Path) -> None:
     (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("#\nSINGLE", '\n      -name "ROB_2"\n#\nSINGLE'))
     assert [one.kind for one in told(backup, SAME)] == [NoticeKind.NOT_READ]
+
+
+def test_the_task_is_told_by_the_folder_also_from_inside(backup: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("#\nSINGLE", '\n      -name "ROB_2"\n#\nSINGLE'))
+    (backup / "RAPID/TASK1").rename(backup / "RAPID/T_ROB2")
+    Path("b.yaml").write_text(SAME)
+    loaded = load_cell("b.yaml")
+    monkeypatch.chdir(backup / "RAPID/T_ROB2/PROGMOD")
+    found = differences([Path("m.mod")], loaded, build_plant(loaded), ["m.mod"])
+    assert "b.yaml:2" in [one.place for one in found]  # ROB_2 stands on no track
 
 
 def test_robot_types_are_those_that_ship() -> None:
@@ -283,6 +293,13 @@ def test_a_rail_that_the_robots_files_cannot_have_is_left_in_comments(backup: Pa
     assert cell.rail is not None
     assert np.array_equal(cell.rail.X_WR, np.eye(4))
     assert "OTHER WAY" in Path("b.yaml").read_text()
+
+
+def test_what_the_controller_does_not_say_of_its_track_is_asked_for(backup: Path) -> None:
+    (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace('-name "track1"', '-name "other"'))
+    assert run(["new", "b", "--from", "b"]) == 0
+    with pytest.raises(InputError, match=r"(?s)b.yaml:6: .*eax.*b.yaml:6: .*stroke"):
+        load_cell("b.yaml")
 
 
 def test_without_a_track_the_base_stands_where_the_controller_says(backup: Path) -> None:

@@ -79,11 +79,11 @@ def _rail(moc: Mechanics, arm: Arm, track: External, model: RobotModel) -> Itera
     switches = (["active from start-up"] if track.active else []) + (["cannot be deactivated"] if track.fixed else [])
     yield f"rail:  # {', '.join([track.name, *switches])}: {moc.place(track.line)}"
     if track.eax is None:
-        yield "  eax: a  # a guess: no JOINT with -logical_axis tells the letter of this unit"
+        yield "  # eax: ?  # no JOINT with -logical_axis tells the letter of this unit; see the program's targets"
     else:
         yield f"  eax: {LETTERS[track.eax]}  # logical axis {track.eax + 7}"
     if track.range is None:
-        yield "  stroke: [0, 1]  # a guess: no ARM tells the range of this unit"
+        yield "  # stroke: [?, ?]  # no ARM tells the range of this unit"
     else:
         yield f"  stroke: [{track.range.lower:.9g}, {track.range.upper:.9g}]  # {moc.place(track.range.line)}"
     assert model.rail_axis is not None

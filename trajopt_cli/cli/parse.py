@@ -90,7 +90,7 @@ def parse(
         found = check_configurations(flat, plant)
         doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
         assert loaded is not None
-        doubts += differences(program, loaded, plant, " ".join(flat.files))
+        doubts += differences(program, loaded, plant, flat.files)
         told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)
         flat = replace(flat, warnings=told)
     notes = [*notes_on(flat, listing, plant), *_proposed(program if loaded is None else ())]

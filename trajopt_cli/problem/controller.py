@@ -4,7 +4,7 @@ where both differ is told."""
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -58,12 +58,13 @@ def shipped_robot(kind: str) -> str | None:
     return next((name for name in names if name in robot_names()), None)
 
 
-def differences(paths: Sequence[Path], cell: Cell, plant: Plant, places: str) -> tuple[Notice, ...]:
+def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable[str]) -> tuple[Notice, ...]:
     """Where a cell file differs from the controller's MOC.cfg, by its lines, and what of that was not understood.
 
-    paths: of the program; places: the paths of its modules, which tell the task. Empty without a backup.
+    paths: of the program; files: its modules, whose folders tell the task. Empty without a backup.
     """
     mechanics, told = read_mechanics(paths)
+    places = " ".join(str(Path(file).resolve()) for file in files)
     if mechanics is None or (arm := mechanics.robot_of(places)) is None:
         return told
     out = [*told]
