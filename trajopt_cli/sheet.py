@@ -1,8 +1,8 @@
 """Tables as controllers, spreadsheets and scripts write them, read as one form: commas between fields, decimal points.
 
 Read alike: `,` `;` or tab between fields, of which the heads have most; decimal commas where that is no comma; quotes;
-a byte-order mark; CRLF; lines that are empty or begin with #. Times may be a date and time (ISO 8601) or count from
-long ago, as from 1970: then they count from the first row's full second. A head is a name with a unit: `J1 [deg]`,
+a byte-order mark; CRLF; lines that are empty or begin with #. Times may be of a clock (ISO 8601) or count from long
+ago, as from 1970: then they count from the first row's full second. A head is a name with a unit: `J1 [deg]`,
 `joint_1 (rad)`, `Axis 1 deg`, `rail_mm`, `Time [ms]`, `t_ms`.
 """
 
@@ -33,7 +33,7 @@ _JOINT = re.compile(
 )
 _RAILS = {"rail", "track", "railposition", "eaxa", "e1", "linearaxis"}
 _LONGEST, _SHORTEST = 0.5, 5e-4  # s between rows: beyond, the times are in another unit or the rows are too few
-_DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d)(?:\.(\d+))?(Z|[+-]\d\d:?\d\d)?")
+_DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ])?(\d\d:\d\d:\d\d)(?:\.(\d+))?(Z|[+-]\d\d:?\d\d)?")
 _LONG_AGO = 1e8  # of any unit of time: floats are too coarse for the digits behind
 _USUAL = 0.8  # of all gaps are as long as the usual one, where the others are said to miss rows
 _ROWS = 4096  # that are text and numbers at once
@@ -172,13 +172,14 @@ class Sheet:
         zero = _zero_of(self._fields(first)[order[0]])
         as_it_is = zero is None and self.divider == "," and [*order] == [*range(len(self.heads))]
         plain = len(order) - 1 if as_it_is else -1
+        per = round(np.log10(TIMES.get(self.heads[order[0]].unit or "s", 1.0)))
 
         def spell(text: str) -> str:
             if text.count(",") == plain and '"' not in text:
                 return text
             fields = self._fields(text)
             time, *rest = (fields[i] for i in order)
-            return ",".join([time if zero is None else _since(zero, time), *rest])
+            return ",".join([time if zero is None else _since(zero, time, per), *rest])
 
         return spell
 
@@ -213,21 +214,27 @@ def _zero_of(first: str) -> datetime | Decimal | None:
     """What times count from where the first one is a date or from long ago: its full second."""
     if date := _DATE.fullmatch(first):
         with suppress(ValueError):
-            return datetime.fromisoformat(date[1] + (date[3] or ""))
+            return _second(date)
     if _is_number(first) and abs(float(first)) >= _LONG_AGO:
         with suppress(InvalidOperation):
             return Decimal(int(Decimal(first)))
     return None
 
 
-def _since(zero: datetime | Decimal, time: str) -> str:
-    """A time since zero, as finely as it is printed; as it stands where it is none."""
+def _second(date: re.Match[str]) -> datetime:
+    """The full second of a date and time; without a date of any day."""
+    return datetime.fromisoformat((date[1] or "2000-01-01T") + date[2] + (date[4] or ""))
+
+
+def _since(zero: datetime | Decimal, time: str, per: int) -> str:
+    """A time since zero, as finely as it is printed; as it stands where it is none. per: of the times' unit make a
+    second, as a power of ten."""
     with suppress(ValueError, TypeError, InvalidOperation):
         if isinstance(zero, Decimal):
             return str(Decimal(time) - zero)
         if date := _DATE.fullmatch(time):
-            whole = datetime.fromisoformat(date[1] + (date[3] or "")) - zero
-            return str(whole.days * 86400 + whole.seconds + Decimal(f"0.{date[2] or 0}"))
+            whole = _second(date) - zero
+            return str((whole.days * 86400 + whole.seconds + Decimal(f"0.{date[3] or 0}")).scaleb(per))
     return time
 
 

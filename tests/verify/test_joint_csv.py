@@ -215,6 +215,8 @@ def iso(t: Decimal, zone: str = "") -> str:
         respelled("timestamp_ns,rail [m],joint_1 [rad]", lambda t: f"{(t + 1_700_000_000) * 10**9:.0f}"),
         respelled("time;rail [m];joint_1 [rad]", iso, ";", ","),
         respelled("time,rail [m],joint_1 [rad]", lambda t: iso(t, "+01:00")),
+        respelled("timestamp [ms],rail [m],joint_1 [rad]", lambda t: iso(t).replace("T", " ")),
+        respelled("clock;rail [m];joint_1 [rad]", lambda t: f"23:59:59.{int(t * 1000):03}", ";", ","),
     ],
 )
 def test_all_of_these_are_the_same_table(text: str) -> None:
