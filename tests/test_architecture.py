@@ -56,7 +56,7 @@ STACK = {
     "limits": {"geometry"},
     "trajectory": {"geometry"},
     "joint_csv": {"errors", "geometry", "printed", "sheet", "trajectory", "units"},
-    "moc": {"geometry", "notices"},
+    "moc": {"errors", "geometry", "notices"},
     "sheet": {"errors", "geometry"},
     "printed": {"geometry"},
     "errors": set[str](),

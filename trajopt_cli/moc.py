@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from trajopt_cli.errors import printable
 from trajopt_cli.geometry import Array, pose, rotation_from_wxyz
 from trajopt_cli.notices import Notice, NoticeKind
 
@@ -25,6 +26,7 @@ _KEY = re.compile(r"-[A-Za-z_]\w*")
 # rad of a joint, rad of a table, m: beyond, a bound is in degrees or mm, or is none
 _MOST_TURNED, _MOST_ROUND, _LONGEST = 4 * math.pi + 1e-3, 1e4, 100.0
 _FIRST_EXTERNAL = 7  # the logical axis that is eax_a
+_MOST_TOLD = 8  # places of what is broken
 
 
 class Given(NamedTuple):
@@ -155,7 +157,7 @@ class _Reader:
                     key = token[1:]
                     entry.values[key] = Given("", number)
                 elif key and not entry.values[key].text:
-                    entry.values[key] = Given(token.strip('"'), number)
+                    entry.values[key] = Given(printable(token.strip('"')), number)
                 else:
                     odd.append(number)
         if odd:
@@ -268,8 +270,10 @@ class _Reader:
         }
         for single in self.sections.get("SINGLE", ()):
             externals[single.name] = self._external(single, units.get(single.name))
-        robots = tuple(self._robots(externals))
-        return Mechanics(self.file, robots, tuple(externals.values()), tuple(self.notices))
+        robots, told = tuple(self._robots(externals)), self.notices[:_MOST_TOLD]
+        if more := len(self.notices) - len(told):
+            told.append(Notice(NoticeKind.NOT_READ, f"and {more} more like these", self.file))
+        return Mechanics(self.file, robots, tuple(externals.values()), tuple(told))
 
     def _robots(self, externals: Mapping[str, External]) -> Iterator[Arm]:
         for robot in self.sections.get("ROBOT", ()):
