@@ -25,7 +25,9 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "scenario",
         "kinematics",
         "joint_csv",
+        "moc",
         "printed",
+        "sheet",
         "shapes",
         "findings",
         "quantity",
@@ -53,7 +55,9 @@ STACK = {
     "notices": set[str](),
     "limits": {"geometry"},
     "trajectory": {"geometry"},
-    "joint_csv": {"errors", "geometry", "printed", "trajectory", "units"},
+    "joint_csv": {"errors", "geometry", "printed", "sheet", "trajectory", "units"},
+    "moc": {"errors", "geometry", "notices"},
+    "sheet": {"errors", "geometry"},
     "printed": {"geometry"},
     "errors": set[str](),
     "units": set[str](),
@@ -275,6 +279,7 @@ APART: dict[str, tuple[str, ...]] = {
     "findings": (),
     "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
     "printed": ("Digits",),
+    "sheet": ("TIME", "TIMES", "Head", "Sheet", "missing_rows"),
     "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
     "timing.topp": ("shortest_time",),
 }
@@ -309,8 +314,8 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
 # All that this judge and the job it judges have in common: plain data, and readers with what they stand on.
 COMPLIANT_SHARED = {
     "errors", "findings", "geometry", "joint_csv", "limits", "motion", "notices", "printed", "quantity",
-    "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "trajectory", "units",
-    "validation", "yaml_file",
+    "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "sheet", "trajectory",
+    "units", "validation", "yaml_file",
 }  # fmt: skip
 
 

@@ -58,7 +58,7 @@ class Block:
 def blocks(page: Path) -> Iterator[Block]:
     for comments, language, text in BLOCK.findall(page.read_text(encoding="utf-8")):
         notes = dict(re.findall(r"<!-- ([a-z ]+): (.*?) -->", comments))
-        if language in RUN and not {"not run", "command"} & set(notes):
+        if (language in RUN or "file" in notes) and not {"not run", "command"} & set(notes):
             yield Block(page.name, language, text, notes)
 
 

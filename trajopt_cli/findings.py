@@ -55,12 +55,14 @@ COARSE = ("printed resolution", "row spacing")
 @dataclass(frozen=True)
 class Report:
     """Legality decides (legal); advice never does. promises: what the checks are sure to see, where that was asked.
-    rate: rows in a second [Hz] of a file whose boundaries lie between its rows; None where they have rows."""
+    rate: rows in a second [Hz] of a file whose boundaries lie between its rows; None where they have rows.
+    missing: a clause on rows that an even file lost, empty for none."""
 
     findings: tuple[Finding, ...]
     advice: tuple[Finding, ...] = ()
     promises: tuple[Promise, ...] = ()
     rate: float | None = None
+    missing: str = ""
 
     @property
     def legal(self) -> bool:

@@ -76,6 +76,14 @@ def cell_path_for(programs: Sequence[Path]) -> Path:
     return inside if inside.exists() else beside
 
 
+def from_backup(programs: Sequence[Path]) -> str:
+    """The command that makes a cell file of the backup that a program lies in; empty where there is none."""
+    from trajopt_cli.rapid.sources import syspar_of
+
+    folder = next((found for path in programs if (found := syspar_of(path)) is not None), None)
+    return "" if folder is None else f"'trajopt new {cell_path_for(programs)} --from {folder.parent}'"
+
+
 def cell_for(programs: Sequence[Path], cell: Path | None) -> Cell | None:
     """The program's cell; None where it has no cell file and none was asked for."""
     path = cell or cell_path_for(programs)
@@ -144,6 +152,7 @@ def read_job(
     start = perf_counter()
     from trajopt_cli.cell.model import minimal_cell
     from trajopt_cli.problem.bodies import bodies_on, never
+    from trajopt_cli.problem.controller import differences
     from trajopt_cli.problem.plannable import check_plannable, rail_doubts
     from trajopt_cli.problem.plant import build_plant, unwatched
     from trajopt_cli.problem.programmed import PlantKinematics
@@ -157,7 +166,8 @@ def read_job(
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
         text = minimal_cell(printable(paths[0].name or paths[0].resolve().name))
-        message = f"{paths[0]} has no cell file; save these lines there and adapt them:"
+        made = f"{command} makes one of the backup's MOC.cfg; or " if (command := from_backup(paths)) else ""
+        message = f"{paths[0]} has no cell file; {made}save these lines there and adapt them:"
         raise InputError(message, file=str(path), excerpt=text, kind=ErrorKind.CELL)
     loaded = _with_robot(path, robot)
     scenario = scenario_of(loaded, assume_identity)
@@ -176,7 +186,8 @@ def read_job(
             raise loaded.error(f"attach.{i}.{which}", message)
         bodies_on(plant, flat, -1)
     flat = _with_partners(flat, plant)
-    doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
+    doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
+    doubts += differences(paths, loaded, plant, flat.files)
     return Job(
         program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),
         cell=loaded,

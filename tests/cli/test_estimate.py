@@ -140,6 +140,16 @@ def test_a_log_of_something_else_is_told_with_where_it_departs(tiny: Path, capsy
     )
 
 
+def test_rows_that_a_log_lost_are_told(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    heads, *lines = log(7.0, 0.8)[0].splitlines()
+    t = [float(line.split(";")[0]) / 1000 for line in lines[9:12]]
+    Path("log.csv").write_text("\n".join([heads, *lines[:10], *lines[11:]]) + "\n")
+    for command in (["estimate", str(tiny), "--log", "log.csv"], ["identify", "log.csv", "--cell", "tiny.yaml"]):
+        run(command)
+        said = " ".join(capsys.readouterr().out.split())
+        assert f"log.csv: rows missing between t = {t[0]:.6g} and {t[2]:.6g} s; 1 of {len(lines)}" in said
+
+
 def test_units_without_a_log_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "--log FILE.csv" in refusal(capsys, "estimate", str(tiny), "--units", "deg")
 

@@ -275,6 +275,54 @@ def _beside(here: Workspace, *names: str) -> Callable[[Path, bytes], Path]:
     return place
 
 
+MOC = """MOC:CFG_1.0:6:0::
+#
+MECHANICAL_UNIT:
+
+      -name "TRACK" -use_single_0 "TRACK" -activate_at_start_up \\
+      -deactivation_forbidden
+#
+ROBOT:
+
+      -name "ROB_1" -use_robot_type "ROB1_140_0.81_5" -base_frame_pos_x 0.5 -base_frame_coordinated "TRACK"
+#
+SINGLE:
+
+      -name "TRACK" -use_single_type "TRACK" -use_joint "track1" -base_frame_orient_u0 0.707107\\
+      -base_frame_orient_u3 0.707107
+
+      -name "STN1" -use_single_type "IRBP_L" -use_joint "stn1"
+#
+JOINT:
+
+      -name "track1" -use_arm "track1" -logical_axis 7
+
+      -name "stn1" -use_arm "stn1" -logical_axis 8
+#
+ARM:
+
+      -name "rob1_1" -upper_joint_bound 2.7 -lower_joint_bound -2.7
+
+      -name "track1" -upper_joint_bound 0.8 -lower_joint_bound 0.1
+"""
+
+
+def _read_moc(path: Path) -> object:
+    """The cell file that is made of it can be read."""
+    from trajopt_cli.cell.loader import parse_cell
+    from trajopt_cli.cli.new_from import cell_from_backup
+
+    text, _, _ = cell_from_backup(path.parents[1], path.parents[2] / "fuzz", None)
+    return parse_cell(text, "fuzz.yaml")
+
+
+def _moc_place(folder: Path, data: bytes) -> Path:
+    path = folder / "backup" / "SYSPAR" / "MOC.cfg"
+    path.parent.mkdir(parents=True)
+    path.write_bytes(data)
+    return path
+
+
 def _results_place(source: Path, folder: Path, data: bytes) -> Path:
     """A results folder in which one file is the case: `NAME`, or `NAME=` where run.json keeps the old hash, and a line
     feed before it; the others are hard links."""
@@ -563,6 +611,15 @@ def readers(here: Workspace) -> dict[str, Reader]:
             lambda path: ["parse", str(path.with_name("tiny.mod"))],
             _build_cell,
             place=_beside(here, "tiny.yaml", "tiny.mod", "cube.stl"),
+        ),
+        Reader(
+            "moc",
+            "MOC.cfg",
+            [MOC.encode()],
+            ("-name", "ARM:", "ROBOT:", "-logical_axis 9", "\\", '"', "-base_frame_orient_u1 1", "-rotating_move"),
+            _read_moc,
+            lambda path: ["new", str(path.parents[2] / "fuzz"), "--from", str(path.parents[1])],
+            place=_moc_place,
         ),
         Reader(
             "task",

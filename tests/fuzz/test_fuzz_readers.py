@@ -12,8 +12,8 @@ from fuzz_readers import CORPUS, Reader
 from fuzz_run import COMMAND, Tally, all_readers, block, every_way
 
 CASES = {
-    "rapid": 250, "list": 300, "cell": 150, "task": 100, "poses": 300, "joint csv": 150, "iiwa csv": 200, "urdf": 150,
-    "robot": 60, "plan folder": 60, "task folder": 80, "log": 150, "stl": 200, "obj": 200, "options": 40,
+    "rapid": 250, "list": 300, "cell": 150, "moc": 150, "task": 100, "poses": 300, "joint csv": 150, "iiwa csv": 200,
+    "urdf": 150, "robot": 60, "plan folder": 60, "task folder": 80, "log": 150, "stl": 200, "obj": 200, "options": 40,
 }  # fmt: skip
 
 
@@ -37,7 +37,8 @@ def test_broken_input_is_refused_in_words(name: str, known: dict[str, Reader], c
     block(known[name], random.Random(f"suite:{name}"), tally, CASES[name], case)
     assert tally.cases == CASES[name]
     assert not tally.findings, {where: told for where, (_, told, _) in tally.findings.items()}
-    assert tally.ended["refused"] + tally.ended["exit 2"] > CASES[name] / 3  # most are broken
+    if name != "moc":  # of which all is read that can be
+        assert tally.ended["refused"] + tally.ended["exit 2"] > CASES[name] / 3  # most are broken
     if name != "options":
         assert tally.ended["read"] + tally.ended["run"] > 0
         assert sum(count for how, count in tally.ended.items() if how.startswith("exit")) == CASES[name] // COMMAND

@@ -43,6 +43,13 @@ DEGREES = (1e3, 1e3, 180 / np.pi, 180 / np.pi)
         ("time;rail;rax_1;rax_2", rows(DEGREES, ";"), "ms,deg,mm", None),
         ("A,B,C,D", rows(DEGREES), "ms,mm,deg", "time=A,rail=B,joint_1=C,joint_2=#4"),
         ("Time [s],E1 [mm],J1 [rad],Joint 2 [rad]", rows((1, 1e3, 1, 1)), None, None),
+        ("# of cell 3\ntime,rail [m],joint_1 [rad],joint_2 [rad]", ["", *rows(), "# end"], None, None),
+        (
+            "time;rail [m];J1 [rad];J2 [rad]",
+            [f"2026-01-01T10:00:0{row}" for row in rows((1, 1, 1, 1), ";", ",")],
+            None,
+            None,
+        ),
     ],
 )
 def test_all_of_these_are_the_same_log(
@@ -70,15 +77,15 @@ def changed(number: int, line: str) -> list[str]:
 @pytest.mark.parametrize(
     ("heads", "lines", "message"),
     [
-        (HEADS, rows()[:1], "1 row; a log needs at least 20"),
-        (HEADS, [], "no rows below the heads"),
-        (HEADS, changed(7, "0.07,0.5,nan,0"), "log.csv:9: 'nan' in column 'joint_1 [rad]' is not a finite number"),
-        (HEADS, changed(7, "0.07,0.5,x,0"), "log.csv:9: 'x' in column 'joint_1 [rad]' is not a finite number"),
-        (HEADS, changed(7, "0.07,0.5"), "log.csv:9: 2 values, the first line has 4"),
-        (HEADS, changed(7, "0.07,0.5,0,0,1"), "log.csv:9: 5 values, the first line has 4"),
+        (HEADS, rows()[:1], "log.csv:2: 1 rows; a log needs at least 20"),
+        (HEADS, [], "log.csv:1: 0 rows; a log needs at least 20"),
+        (HEADS, changed(7, "0.07,0.5,nan,0"), "log.csv:9:10: 'nan' is not a finite number"),
+        (HEADS, changed(7, "0.07,0.5,x,0"), "log.csv:9:10: 'x' is not a finite number"),
+        (HEADS, changed(7, "0.07,0.5"), "log.csv:9: 2 values, the header has 4 columns"),
+        (HEADS, changed(7, "0.07,0.5,0,0,1"), "log.csv:9: 5 values, the header has 4 columns"),
         (HEADS, ["\0"], "holds NUL bytes"),
-        (HEADS, changed(7, "0.01,0.5,0,0"), "log.csv:9: time 0.01 s follows 0.06 s; times must increase"),
-        (HEADS, changed(7, "0.06,0.5,0,0"), "log.csv:9: time 0.06 s stands in two rows"),
+        (HEADS, changed(7, "0.01,0.5,0,0"), "log.csv:9:1: time 0.01 s follows 0.06 s; times must increase"),
+        (HEADS, changed(7, "0.06,0.5,0,0"), "log.csv:9:1: time 0.06 s follows"),
         (
             HEADS.replace("[rad]", "[furlong]"),
             rows(),

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.motion import CirPathMode, Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
+from trajopt_cli.notices import NoticeKind, Source
 from trajopt_cli.path.circle import arc_length, circle_through, point_on
 from trajopt_cli.path.line import Line
 from trajopt_cli.rapid.data.courses import between
@@ -290,6 +291,20 @@ def test_settings_are_as_the_manual_says() -> None:
     assert {name.lower() for name in program.ignored} == {"pathresol", "actunit"}
 
 
+@pytest.mark.parametrize(
+    ("body", "places"),
+    [
+        ("AccSet 50,50\\FinePointRamp:=50;\nAccSet 60,60 \\FinePointRamp:=20;", [4]),  # once
+        ("AccSet 50,50;\nFOR i FROM 1 TO 3 DO AccSet 100,100,\\FinePointRamp:=i; ENDFOR", [5]),
+        ("AccSet 50,50\\FinePointRamp:=100;", []),
+        ("AccSet 50,50;", []),
+    ],
+)
+def test_what_a_ramp_to_stop_points_does_not_do_is_told_once_by_its_line(body: str, places: list[int]) -> None:
+    told = [one for one in run_main(body).warnings if one.kind is NoticeKind.NO_EFFECT]
+    assert [one.place.line for one in told if isinstance(one.place, Source)] == places
+
+
 def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
     go = f"MoveL {at(1, 2, 3)},v1000,fine,tool0; "
     program = run_main(go + "VelSet 50,5000; " + go + "VelSet 100,300; " + go)
@@ -300,6 +315,7 @@ def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
     ("body", "message"),
     [
         ("VelSet 0,400;", "4:8: VelSet takes an override of 0..100 %, found 0"),
+        ("AccSet 50,50\\FinePointRamp:=0;", "4:29: AccSet takes a \\FinePointRamp above 0 and up to 100 %, found 0"),
         ("VelSet 50,0;", "4:11: VelSet takes a highest speed above 0 mm/s, found 0"),
         ("PathAccLim TRUE,FALSE;", "4:12: PathAccLim TRUE needs \\AccMax in m/s2"),
         ("PathAccLim TRUE\\AccMax:=-1,FALSE;", "4:25: PathAccLim takes \\AccMax of at least 0.1 m/s2, found -1"),

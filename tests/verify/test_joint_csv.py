@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from decimal import Decimal
 from io import StringIO
 
 import numpy as np
@@ -10,10 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from trajopt_cli import joint_csv
+from trajopt_cli import sheet
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import header, read_csv_text, write_csv_text
 from trajopt_cli.printed import Digits
+from trajopt_cli.sheet import missing_rows
 from trajopt_cli.trajectory import Trajectory
 
 NAMES = ("rail", "joint_1", "joint_2")
@@ -73,8 +76,8 @@ def test_a_file_that_is_read_in_parts_is_read_as_a_whole(monkeypatch: pytest.Mon
     text = write_csv_text(Trajectory(NAMES, np.arange(9.0), rng.normal(size=(9, 3)).round(3)))
     whole, resolution = read_csv_text(text, "a.csv")
     for at_once in (1, 40, 100):
-        monkeypatch.setattr(joint_csv, "_CHARACTERS", at_once)
-        monkeypatch.setattr(joint_csv, "_ROWS", at_once // 20 + 1)
+        monkeypatch.setattr(sheet, "_CHARACTERS", at_once)
+        monkeypatch.setattr(sheet, "_ROWS", at_once // 20 + 1)
         assert write_csv_text(whole) == text
         for end in ("", "\n", " \n\r\n", "\n \n"):
             again = text.rstrip("\n") + end
@@ -156,6 +159,97 @@ def test_times_on_a_grid_are_not_rounded() -> None:
     assert steps(rows.replace("\n0.000,", "\n0.001,"))[0] == [1e-3, *[0.0] * 3, 1e-3]
 
 
+def test_times_that_are_multiples_of_one_step_are_exact_also_where_rows_are_missing() -> None:
+    lines = [f"{0.004 * i:.3f},{i}" for i in range(30)]
+    head, ends = "t [s],joint_1 [rad]", (1e-3, *[0.0] * 26, 1e-3)
+    assert steps("\n".join([head, *lines[:7], *lines[8:20], *lines[21:]]))[0] == list(ends)
+    in_ms = "\n".join(["t [ms],joint_1 [rad]", *(f"{4 * i},{i}" for i in range(30) if i not in (7, 20))])
+    assert steps(in_ms)[0] == list(ends)
+    # rows every 1.06 ms, rounded to 1 ms, look the same: so these are not
+    rounded = "\n".join([head, *(f"{0.00106 * i:.3f},{i}" for i in range(30))])
+    assert steps(rounded)[0] == [1e-3] * 30
+    # as is a row between those of a grid, wherever it stood
+    between = "\n".join([head, *lines[:9], "0.034,8.5", *lines[9:]])
+    assert steps(between)[0] == [1e-3] * 31
+
+
+def test_rows_that_an_even_file_lost_are_told_and_no_others() -> None:
+    t = 0.012 * np.arange(40)
+    assert missing_rows(t) == ""
+    assert missing_rows(np.delete(t, 10)) == "rows missing between t = 0.108 and 0.132 s; 1 of 40"
+    two = missing_rows(np.delete(t, [10, 20, 21]))
+    assert two == "rows missing between t = 0.108 and 0.132 s, t = 0.228 and 0.264 s; 3 of 40"
+    assert missing_rows(np.sort(np.r_[np.delete(t, 30), 0.1, 0.2, 0.3])) == ""  # a grid with rows in it
+    assert missing_rows(np.cumsum(np.r_[t, 3 * t])) == ""
+    rest = np.where(np.arange(38) == 9, 0.012, np.diff(np.delete(t, 10)))
+    assert missing_rows(np.delete(t, 10), rest) == ""  # where nothing moves, no row is missed
+
+
+PLAIN = ["t [s],rail [m],joint_1 [rad]", *(f"{0.004 * i:.3f},{0.5 + 0.01 * i:.2f},{-0.1 * i:.1f}" for i in range(30))]
+
+
+def respelled(heads: str, time: Callable[[Decimal], str], divider: str = ",", point: str = ".") -> str:
+    rows = [[time(Decimal(line.split(",")[0])), *line.split(",")[1:]] for line in PLAIN[1:]]
+    return "\n".join([heads, *(divider.join(one.replace(".", point) for one in row) for row in rows)]) + "\n"
+
+
+def iso(t: Decimal, zone: str = "") -> str:
+    return (
+        f"2026-12-31T23:59:59.{int(t * 1000) + 950:03}{zone}"
+        if t < Decimal("0.05")
+        else (f"2027-01-01T00:00:00.{int(t * 1000) - 50:03}{zone}")
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\ufeff" + "\r\n".join(PLAIN) + "\r\n\r\n",
+        "# a log\n\n" + "\n".join([*PLAIN[:9], "", "# half", *PLAIN[9:], "# end"]),
+        '"t [s]","rail [m]","joint_1 [rad]"\n' + "\n".join(PLAIN[1:]),
+        respelled("time,rail [m],joint_1 [rad]", str),
+        respelled("Time (s);E1 [m];J1 [rad]", str, ";", ","),
+        respelled("t_ms\ttrack_m\tAxis 1 rad", lambda t: f"{t * 1000:.0f}", "\t"),
+        respelled("timestamp [us],rail [m],joint_1 [rad]", lambda t: f"{t * 1000000:.0f}"),
+        respelled("time,rail [m],joint_1 [rad]", lambda t: str(t + 1_700_000_000)),
+        respelled("timestamp_ns,rail [m],joint_1 [rad]", lambda t: f"{(t + 1_700_000_000) * 10**9:.0f}"),
+        respelled("time;rail [m];joint_1 [rad]", iso, ";", ","),
+        respelled("time,rail [m],joint_1 [rad]", lambda t: iso(t, "+01:00")),
+        respelled("timestamp [ms],rail [m],joint_1 [rad]", lambda t: iso(t).replace("T", " ")),
+        respelled("clock;rail [m];joint_1 [rad]", lambda t: f"23:59:59.{int(t * 1000):03}", ";", ","),
+    ],
+)
+def test_all_of_these_are_the_same_table(text: str) -> None:
+    rows, resolution = read_csv_text(text, "a.csv")
+    plain, its = read_csv_text("\n".join(PLAIN), "a.csv")
+    assert rows.names == plain.names
+    assert rows.t - rows.t[0] == pytest.approx(plain.t, abs=1e-15)
+    assert np.array_equal(rows.q, plain.q)
+    assert not np.asarray(resolution.t)[1:-1].any()
+    assert np.broadcast_to(resolution.q, rows.q.shape) == pytest.approx(np.broadcast_to(its.q, rows.q.shape))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "said"),
+    [
+        (respelled("when;rail [m];joint_1 [rad]", str, ";", ","), (1, 1), "';'"),
+        (respelled("t [s];rail [m];joint_1", str, ";", ","), (1, 16), "';'"),
+        (respelled("t [min],rail [m],joint_1 [rad]", str), (1, 1), "'min'"),
+        (respelled("t [s],time [ms],joint_1 [rad]", str), (1, 1), "'t [s]' and 'time [ms]'"),
+        (respelled("time,rail [m],joint_1 [rad]", lambda t: f"{t * 1000:.0f}"), (1, None), "every 4 s"),
+        ("# x\n" + "\n".join([*PLAIN[:9], *PLAIN[8:]]), (11, 1), "line 10"),
+        ("# x\n\n" + "\n".join([*PLAIN[:9], PLAIN[4], *PLAIN[9:]]), (12, 1), "must increase"),
+        (respelled("t [s];rail [m];joint_1 [rad]", str, ";", ",").replace("0,53", "O,53"), (5, 7), "'O.53'"),
+        (respelled("time,rail [m],joint_1 [rad]", iso).replace("23:59:59.962", "23:59:69.962"), (5, 1), "23:59:69"),
+    ],
+)
+def test_what_is_not_understood_is_told_by_its_line(text: str, place: tuple[int, int | None], said: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_csv_text(text, "a.csv")
+    assert (caught.value.line, caught.value.column) == place
+    assert said in str(caught.value)
+
+
 def test_a_column_of_zeros_of_both_signs_is_printed_like_the_others() -> None:
     """As axes are that stand while others move: -0 and 0 say nothing of digits."""
     text = "t [s],joint_1 [rad],joint_2 [rad]\n"
@@ -165,7 +259,7 @@ def test_a_column_of_zeros_of_both_signs_is_printed_like_the_others() -> None:
 
 def test_times_that_are_printed_alike_ask_for_more_digits() -> None:
     text = "t [s],joint_1 [rad]\n" + "".join(f"{99.95 + 0.02 * i:.4g},{i}\n" for i in range(9))
-    with pytest.raises(InputError, match=r"^a.csv:6:1: time 100 s follows 100 s; .* print more digits of them$"):
+    with pytest.raises(InputError, match=r"^a.csv:6:1: time 100.0 s follows 100.0 s; .* print more digits of them$"):
         read_csv_text(text, "a.csv")
 
 
@@ -176,7 +270,10 @@ GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"
     ("text", "message"),
     [
         ("", "a.csv: the file is empty; its first line must be the header t [s],<axis> [unit],..."),
-        (GOOD.replace("t [s]", "time"), "a.csv:1:1: the first column is 'time', wanted 't [s]'"),
+        (
+            GOOD.replace("t [s]", "when"),
+            "a.csv:1:1: no column is the time, 't [s]'; the first column is 'when'",
+        ),
         (
             GOOD.replace("joint_1 [rad]", "joint_1 [grad]"),
             "a.csv:1:16: unknown column 'joint_1 [grad]'; wanted '<axis> [m|mm|rad|deg]' for every axis, then all or "
@@ -198,7 +295,7 @@ GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"
          "a.csv:4:5: '1e10' is no time, position or speed of a robot: at most 1e+09 in s, m or rad"),
         (GOOD + "0.1000000000001,0,1\n",
          "a.csv:4:1: times 1e-13 s apart, at 0.1 s; rows are 1e-09 s apart at least: see their unit"),
-        (GOOD + "0.0625,0.5,1\n", "a.csv:4:1: time 0.0625 s follows 0.10000000000000001 s; times must increase"),
+        (GOOD + "0.0625,0.5,1\n", "a.csv:4:1: time 0.0625 s follows 0.1 s; times must increase"),
         (GOOD[:35], "a.csv:2: 1 rows; a motion needs at least 2"),
     ],
 )  # fmt: skip
@@ -206,7 +303,7 @@ GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"
 def test_a_malformed_file_is_one_line_with_its_place(
     text: str, message: str, at_once: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(joint_csv, "_CHARACTERS", at_once)
+    monkeypatch.setattr(sheet, "_CHARACTERS", at_once)
     with pytest.raises(InputError) as caught:
         read_csv_text(text, "a.csv")
     assert str(caught.value) == message

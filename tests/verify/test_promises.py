@@ -13,6 +13,7 @@ from offences import OFFENCES, RATES
 from trajopt_cli.cli.tables import promises_table, reports_record, verdict
 from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify
 
@@ -112,6 +113,45 @@ def test_the_verdict_says_what_a_bare_grid_leaves_open() -> None:
     assert own.rate is None
     assert verdict("a.csv", own) == f"a.csv: legal ({len(own.findings)} checks)"
     assert {one.check: one.least for one in own.promises}["dwell length"] < 2e-9
+
+
+@pytest.mark.parametrize("lost", [(40,), (40, 90, 91)])
+def test_a_file_that_lost_rows_is_judged_by_its_gaps_and_says_where(lost: tuple[int, ...]) -> None:
+    """Times in steps of 4 ms stay exact: the gap is one of 8 or 12 ms, and nothing else is open."""
+    case = random_case(3)
+    lines = written(case.rows(step=0.004, grid_only=True), "%.17g", False, "%.4f").split("\n")
+    rows = len(lines) - 2
+    text = "\n".join(line for i, line in enumerate(lines) if i - 1 not in lost)
+    trajectory, resolution = read_csv_text(text, "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False, promises=True)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+    assert report.missing.startswith("rows missing between t = 0.156 and 0.164 s")
+    assert report.missing.endswith(f"; {len(lost)} of {rows}")
+    assert verdict("a.csv", report).endswith(report.missing)
+    dwell = {one.check: one.least for one in report.promises}["dwell length"]
+    assert dwell >= 0.008 + 0.004 * (len(lost) - 1) * (1 - 1e-9)
+
+
+def test_so_many_lost_rows_that_a_stop_may_hide_in_the_gap_are_too_coarse() -> None:
+    case = random_case(3)
+    lines = written(case.rows(step=0.004, grid_only=True), "%.17g", False, "%.4f").split("\n")
+    trajectory, resolution = read_csv_text("\n".join(lines[:41] + lines[47:]), "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False)
+    assert report.too_coarse
+    (failed,) = [f for f in report.findings if not f.passed]
+    assert (failed.check, failed.time, failed.value) == ("row spacing", pytest.approx(0.156), pytest.approx(0.028))
+    assert report.missing in failed.message
+
+
+def test_columns_in_another_order_are_the_same_motion() -> None:
+    case = random_case(3)
+    lines = written(case.rows(step=0.01, grid_only=True), "%.9g", True).splitlines()
+    n = len(case.plant.limits.names)
+    order = [*range(n, 0, -1), 0, *range(2 * n, n, -1)]  # the last axis first, and the time behind the positions
+    other = "\n".join(",".join(line.split(",")[i] for i in order) for line in lines)
+    plain, turned = (judge(case.plant, case.program, text, "a.csv", advice=False) for text in ("\n".join(lines), other))
+    assert plain.legal
+    assert turned.findings == plain.findings
 
 
 def test_promises_are_in_the_table_and_in_json() -> None:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet, robots
 from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
+
+if TYPE_CHECKING:
+    from trajopt_cli.notices import Notice
 
 _TAKEN = frozenset({"main", "j_home", "p_take", "p_put", "tool0", "wobj0", "offs", "movej", "movel", "moveabsj"})
 
@@ -22,14 +25,18 @@ def new(
     ],
     rail: Annotated[bool, typer.Option("--rail", help="The robot stands on a rail.")] = False,
     robot: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--robot",
             metavar="R",
-            help="A name of 'trajopt robot list', or a robot's YAML file.",
+            help="A name of 'trajopt robot list', or a robot's YAML file; irb140, or what the backup says.",
             autocompletion=robots,
         ),
-    ] = "irb140",
+    ] = None,
+    backup: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="BACKUP", help="Of a controller: NAME.yaml alone, by its SYSPAR/MOC.cfg."),
+    ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
@@ -40,29 +47,21 @@ def new(
       trajopt new glue --rail
       trajopt optimize glue.mod
     """
-    from trajopt_cli.cli.console import print_json, stdout, tell
-    from trajopt_cli.cli.new_files import program_and_cell, task
-    from trajopt_cli.robot.description import read
-    from trajopt_cli.robot.model import Structure, load_robot, robot_names
+    from trajopt_cli.cli.console import print_json, stdout, tell, warn
     from trajopt_cli.runs.together import replace_files
 
     place = name.with_suffix("") if name.suffix.lower() in (".mod", ".yaml") else name
-    _check_name(place.name)
-    if rail and f"{robot}_rail" in robot_names():
-        robot = f"{robot}_rail"
-    if read(robot)[0].structure is Structure.SRS:
+    told: tuple[Notice, ...] = ()
+    if backup is not None:
+        from trajopt_cli.cli.new_from import cell_from_backup
+
         if rail:
-            raise InputError(f"--rail: {robot} has none; leave --rail out")
-        texts, then = {".yaml": task(place.name, robot)}, f"trajopt iiwa segments {place}.yaml"
+            raise InputError("--rail: the backup says what the robot stands on; leave --rail out")
+        text, robot, told = cell_from_backup(backup, place, robot)
+        texts, then = {".yaml": text}, f"trajopt parse {backup} --cell {place}.yaml"
     else:
-        model = load_robot(robot)
-        if rail and not model.has_rail:
-            raise InputError(f"--rail: there is no {robot}_rail; 'trajopt robot list' shows which robots have a rail")
-        own = robot.endswith((".yaml", ".yml"))
-        said = os.path.relpath(os.path.realpath(robot), os.path.realpath(place.parent)) if own else None
-        module, cell = program_and_cell(place.name, model, said)
-        texts, then = {".mod": module, ".yaml": cell}, f"trajopt optimize {place}.mod"
-    files = {place.with_name(f"{place.name}{ending}"): text.encode("ascii") for ending, text in texts.items()}
+        texts, robot, then = _made(place, robot or "irb140", rail)
+    files = {place.with_name(f"{place.name}{ending}"): text.encode("utf-8") for ending, text in texts.items()}
     tidied(files)
     for path in files:
         if path.exists() or path.is_symlink():
@@ -70,6 +69,8 @@ def new(
         if not path.parent.is_dir():
             raise InputError("is not a folder to write to; make it first", file=str(path.parent))
     replace_files({}, files)
+    for line in told:
+        warn(f"warning: {line}")
     if as_json:
         print_json({"files": [str(path) for path in files], "robot": robot, "next": then})
         return
@@ -77,6 +78,28 @@ def new(
     tell(console, [f"written: {', '.join(map(str, files))}"])
     if not quiet:
         tell(console, [f"next: {then}"])
+
+
+def _made(place: Path, robot: str, rail: bool) -> tuple[dict[str, str], str, str]:
+    """The files to begin with, by their endings, their robot, and the command that comes next."""
+    from trajopt_cli.cli.new_files import program_and_cell, task
+    from trajopt_cli.robot.description import read
+    from trajopt_cli.robot.model import Structure, load_robot, robot_names
+
+    _check_name(place.name)
+    if rail and f"{robot}_rail" in robot_names():
+        robot = f"{robot}_rail"
+    if read(robot)[0].structure is Structure.SRS:
+        if rail:
+            raise InputError(f"--rail: {robot} has none; leave --rail out")
+        return {".yaml": task(place.name, robot)}, robot, f"trajopt iiwa segments {place}.yaml"
+    model = load_robot(robot)
+    if rail and not model.has_rail:
+        raise InputError(f"--rail: there is no {robot}_rail; 'trajopt robot list' shows which robots have a rail")
+    own = robot.endswith((".yaml", ".yml"))
+    said = os.path.relpath(os.path.realpath(robot), os.path.realpath(place.parent)) if own else None
+    module, cell = program_and_cell(place.name, model, said)
+    return {".mod": module, ".yaml": cell}, robot, f"trajopt optimize {place}.mod"
 
 
 def _check_name(name: str) -> None:

@@ -83,15 +83,17 @@ def parse(
     found = None
     if plant is not None:
         from trajopt_cli.problem.configurations import check_configurations
+        from trajopt_cli.problem.controller import differences
         from trajopt_cli.problem.plannable import rail_doubts
         from trajopt_cli.problem.plant import unwatched
 
         found = check_configurations(flat, plant)
-        doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
+        doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
         assert loaded is not None
+        doubts += differences(program, loaded, plant, flat.files)
         told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)
         flat = replace(flat, warnings=told)
-    notes = [*notes_on(flat, listing, plant)]
+    notes = [*notes_on(flat, listing, plant), *_proposed(program if loaded is None else ())]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
 
@@ -189,6 +191,14 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     yield from planned_otherwise(flat)
     if refused := Counter(one.kind for one in refusals(flat, plant)):
         yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"
+
+
+def _proposed(program: Sequence[Path]) -> Iterator[str]:
+    """Where a backup has what a cell file is made of."""
+    from trajopt_cli.job import from_backup
+
+    if program and (command := from_backup(program)):
+        yield f"the backup's SYSPAR is not read: {command} makes a cell file of its MOC.cfg"
 
 
 def _stopped(listing: Listing) -> Iterator[str]:

@@ -254,6 +254,7 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
                 "advice": [finding_record(one) for one in report.advice],
                 "too_coarse": report.too_coarse,
                 "rows_per_second": report.rate,
+                "missing_rows": report.missing or None,
                 "promises": [promise_record(one) for one in report.promises],
             }
             for name, report in reports.items()
@@ -265,11 +266,12 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
 def verdict(name: str, report: Report) -> str:
     """One line: legal or not, and by how many findings; of a file on a bare grid also what its rate leaves open."""
     bad = sum(not finding.passed for finding in report.findings)
+    lost = f"; {report.missing}" if report.missing else ""
     if report.too_coarse:
-        return f"{name}: TOO COARSE to be judged ({bad} checks cannot be made)"
+        return f"{name}: TOO COARSE to be judged ({bad} checks cannot be made){lost}"
     if bad:
-        return f"{name}: ILLEGAL ({bad} checks failed)"
-    return f"{name}: legal{_granted(report)} ({len(report.findings)} checks)"
+        return f"{name}: ILLEGAL ({bad} checks failed){lost}"
+    return f"{name}: legal{_granted(report)} ({len(report.findings)} checks){lost}"
 
 
 def _granted(report: Report) -> str:

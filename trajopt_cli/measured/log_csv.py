@@ -1,16 +1,11 @@
-"""Logs of joints as controllers and their tools write them: any of three delimiters, any order of columns, units in the
-heads.
-
-A head is a name with a unit: `J1 [deg]`, `joint_1 (rad)`, `Axis 1 deg`, `rail_mm`, `Time [ms]`. What a head leaves open
-is asked for, never guessed: --units for units, --columns for names.
+"""Logs of joints as controllers and their tools write them, in the forms of `sheet`: any order of columns, others
+between them, units in the heads. What a head leaves open is asked for, never guessed: --units for units, --columns for
+names. Times alone are seconds where nothing says another unit.
 """
 
 from __future__ import annotations
 
-import io
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,33 +14,18 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
+from trajopt_cli.sheet import TIME, TIMES, Head, Sheet
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
-TIME = "time"
 _UNITS = {
-    "time": {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6},
+    "time": {unit: 1 / many for unit, many in TIMES.items()},
     "turning": {"rad": 1.0, "deg": DEG, "°": DEG, "degrees": DEG},
     "sliding": {"m": 1.0, "mm": MM},
 }
-_SHOWN = {"time": "s, ms, us", "turning": "rad, deg", "sliding": "m, mm"}
-_HEAD = re.compile(r"(?P<name>.*?)[\s_]*[\[(](?P<unit>[^\])]*)[\])]")
-_BARE = re.compile(r"(?P<name>.+?)[\s_](?P<unit>sec|ms|us|µs|s|rad|deg|degrees|°|mm|m)")
-_TIMES = {"t", "time", "timestamp", "zeit", "elapsed", "elapsedtime", "timesec", "clock"}
-_JOINT = re.compile(
-    r"(?:robot)?(?:joint|j|axis|rax|q)(?:position|pos|angle)?(?P<number>\d)(?:position|pos|angle|actual|measured)?"
-)
-_RAILS = {"rail", "track", "railposition", "eaxa", "e1", "linearaxis"}
-_LONGEST, _SHORTEST = 0.5, 5e-4  # s between rows: beyond, the times are in another unit or the rows are too few
+_SHOWN = {"time": "s, ms, us, ns", "turning": "rad, deg", "sliding": "m, mm"}
 _FEWEST = 20  # rows
 _BEYOND = 0.2  # of an axis' range: a position farther out is in another unit
-
-
-@dataclass(frozen=True)
-class _Column:
-    number: int
-    head: str
-    unit: str | None
 
 
 @of_kind(ErrorKind.RESULTS)
@@ -73,118 +53,70 @@ def read_log(
         raise InputError("holds NUL bytes, as UTF-16 and binary files do; save the log as UTF-8 text", file=file)
     if "\r" in text and "\n" not in text:
         raise InputError("its lines end in CR alone; save the log with LF or CRLF", file=file)
-    first, _, _ = text.partition("\n")
-    if not first.strip():
-        raise InputError("the file is empty or begins with an empty line; wanted a line of heads", file=file)
-    delimiter = max((";", "\t", ","), key=first.count)
-    heads = [head.strip().strip('"').strip() for head in first.rstrip("\r").split(delimiter)]
-    if len(heads) < 2:
-        raise InputError(
-            f"the first line is '{first.strip()[:60]}'; wanted heads divided by , ; or tab", file=file, line=1
-        )
-    headless = all(_is_number(head, delimiter) for head in heads)
-    if headless and columns is None:
-        raise InputError(
-            "the first line holds numbers; say which column is which by --columns time=#1,joint_1=#2,...",
-            file=file,
-            line=1,
-        )
-    known = [_Column(i, head, None) if headless else _parsed(i, head) for i, head in enumerate(heads)]
-    chosen = _chosen(known, limits.names, _named(columns, known, limits.names, file), file)
-    factors = _factors(chosen, units, file)
+    sheet = Sheet(text, file)
+    if len(sheet.heads) < 2:
+        found = sheet.heads[0].text[:60]
+        raise InputError(f"the first line is '{found}'; wanted heads divided by , ; or tab", file=file, line=sheet.line)
+    if sheet.headless and columns is None:
+        raise sheet.wrong("the first line holds numbers; say which column is which by --columns time=#1,joint_1=#2,...")
+    chosen = _chosen(sheet, limits.names, _named(columns, sheet, limits.names))
+    factors = _factors(chosen, units, sheet)
+    if sheet.rows < _FEWEST:
+        what = f"{sheet.rows} rows; a log needs at least {_FEWEST} below its heads"
+        raise InputError(what, file=file, line=sheet.last_line)
     wanted = [TIME, *limits.names]
-    table = _numbers(text, delimiter, [chosen[name] for name in wanted], 0 if headless else 1, len(heads), file)
+    parts = [(lines, table) for lines, _, _, table in sheet.parts([chosen[name].number for name in wanted])]
+    lines, table = np.concatenate([one for one, _ in parts]), np.vstack([one for _, one in parts])
     table *= np.array([factors[name] for name in wanted])
-    _check(table, chosen, limits, 0 if headless else 1, text, file)
+    time = chosen[TIME]
+    how = f"the head says {time.unit}" if time.unit else "as --units says" if units else "taken as s"
+    sheet.check_times(table[:, 0], lines, time, 0.0, how)
+    _check(table, chosen, limits, sheet)
     used = {column.number for column in chosen.values()}
-    unused = () if headless else tuple(column.head for column in known if column.number not in used)
+    unused = () if sheet.headless else tuple(head.text for head in sheet.heads if head.number not in used)
     return Trajectory(limits.names, table[:, 0], table[:, 1:]), unused
 
 
-def _is_number(text: str, delimiter: str) -> bool:
-    try:
-        float(text.replace(",", ".") if delimiter != "," else text)
-    except ValueError:
-        return False
-    return True
-
-
-def _parsed(number: int, head: str) -> _Column:
-    match = _HEAD.fullmatch(head) or _BARE.fullmatch(head)
-    return _Column(number, head, None) if match is None else _Column(number, head, match["unit"].strip())
-
-
-def _plain(column: _Column) -> str:
-    """A head's name without its unit, in lower case, letters and digits alone."""
-    match = _HEAD.fullmatch(column.head) or _BARE.fullmatch(column.head)
-    return re.sub(r"[^a-z0-9]", "", (match["name"] if match else column.head).lower())
-
-
-def _named(columns: str | None, known: Sequence[_Column], names: Sequence[str], file: str) -> dict[str, _Column]:
+def _named(columns: str | None, sheet: Sheet, names: Sequence[str]) -> dict[str, Head]:
     """What --columns says."""
-    out: dict[str, _Column] = {}
+    out: dict[str, Head] = {}
     for part in (columns or "").split(",") if columns else []:
         name, equals, head = (piece.strip() for piece in part.partition("="))
         if not equals or name not in (TIME, *names):
             raise InputError(
                 f"--columns has '{part.strip()}'; wanted NAME=HEAD or NAME=#3, NAME one of {TIME}, {', '.join(names)}"
             )
-        found = [one for one in known if one.head == head or head == f"#{one.number + 1}"]
+        found = [one for one in sheet.heads if head in (one.text, f"#{one.number + 1}")]
         if len(found) != 1:
-            heads = ", ".join(one.head for one in known)
-            raise InputError(
-                f"--columns: {len(found) or 'no'} columns are '{head}'; the heads are {heads}", file=file, line=1
-            )
+            heads = ", ".join(one.text for one in sheet.heads)
+            raise sheet.wrong(f"--columns: {len(found) or 'no'} columns are '{head}'; the heads are {heads}")
         out[name] = found[0]
     return out
 
 
-def _chosen(
-    known: Sequence[_Column], names: Sequence[str], given: Mapping[str, _Column], file: str
-) -> dict[str, _Column]:
+def _chosen(sheet: Sheet, names: Sequence[str], given: Mapping[str, Head]) -> dict[str, Head]:
     """The column of the time and of every axis."""
-    found: dict[str, list[_Column]] = {name: [] for name in (TIME, *names)}
-    for column in known:
-        name = _name_of(column, names)
-        if name is not None and name not in given and column not in given.values():
-            found[name].append(column)
     out = dict(given)
-    for name, columns in found.items():
+    for name in (TIME, *names):
         if name in given:
             continue
+        columns = [] if sheet.headless else [one for one in sheet.heads if one.name == name]
+        columns = [one for one in columns if one not in given.values()]
         if len(columns) > 1:
-            both = " and ".join(f"'{one.head}'" for one in columns)
-            raise InputError(
-                f"{both} could both be {name}; say which by --columns '{name}={columns[0].head}'", file=file, line=1
-            )
+            both = " and ".join(f"'{one.text}'" for one in columns)
+            raise sheet.wrong(f"{both} could both be {name}; say which by --columns '{name}={columns[0].text}'")
         if not columns:
-            heads = ", ".join(f"'{one.head}'" for one in known)
-            raise InputError(
-                f"no column is {name}; the heads are {heads}; say which by --columns '{name}=HEAD'", file=file, line=1
-            )
+            heads = ", ".join(f"'{one.text}'" for one in sheet.heads)
+            raise sheet.wrong(f"no column is {name}; the heads are {heads}; say which by --columns '{name}=HEAD'")
         out[name] = columns[0]
     return out
-
-
-def _name_of(column: _Column, names: Sequence[str]) -> str | None:
-    """The axis that a head names, or the time; None for any other column, as speeds and torques."""
-    if column.unit is not None and "/" in column.unit:
-        return None
-    plain = _plain(column)
-    if plain in _TIMES:
-        return TIME
-    if "rail" in names and plain in _RAILS:
-        return "rail"
-    match = _JOINT.fullmatch(plain)
-    name = f"joint_{match['number']}" if match else None
-    return name if name in names else None
 
 
 def _kind(name: str) -> str:
     return "time" if name == TIME else "sliding" if name == "rail" else "turning"
 
 
-def _factors(chosen: Mapping[str, _Column], units: str | None, file: str) -> dict[str, float]:
+def _factors(chosen: Mapping[str, Head], units: str | None, sheet: Sheet) -> dict[str, float]:
     """To SI, per column: by its head, else by --units."""
     given: dict[str, float] = {}
     for unit in (units or "").split(",") if units else []:
@@ -197,88 +129,20 @@ def _factors(chosen: Mapping[str, _Column], units: str | None, file: str) -> dic
     out = {}
     for name, column in chosen.items():
         kind = _kind(name)
-        if column.unit is None:
-            if kind not in given:
+        if column.unit is None or sheet.headless:
+            if kind not in given and (kind != "time" or column.name != TIME):
                 word = {"time": "s", "turning": "deg", "sliding": "mm"}[kind]
-                raise InputError(
-                    f"column '{column.head}' names no unit; write it into the head, or say it by --units {word}",
-                    file=file,
-                    line=1,
-                )
-            out[name] = given[kind]
+                how = f"write it into the head, or say it by --units {word}"
+                raise sheet.wrong(f"column '{column.text}' names no unit; {how}")
+            out[name] = given.get(kind, 1.0)
         elif column.unit in _UNITS[kind]:
             out[name] = _UNITS[kind][column.unit]
         else:
-            message = f"column '{column.head}' is {name} in '{column.unit}'; wanted one of {_SHOWN[kind]}"
-            raise InputError(message, file=file, line=1)
+            raise sheet.wrong(f"column '{column.text}' is {name} in '{column.unit}'; wanted one of {_SHOWN[kind]}")
     return out
 
 
-def _numbers(text: str, delimiter: str, columns: Sequence[_Column], skip: int, width: int, file: str) -> Array:
-    body = text if not skip else text.partition("\n")[2]
-    if delimiter != "," and "," in body:
-        body = body.replace(",", ".")  # decimal commas
-    if not body.strip():
-        raise InputError(f"no rows below the heads; a log needs at least {_FEWEST}", file=file, line=1)
-    use = [column.number for column in columns]
-    try:
-        table = np.loadtxt(io.StringIO(body), delimiter=delimiter, usecols=use, comments=None, ndmin=2, quotechar='"')
-    except ValueError:
-        raise _first_mistake(body, delimiter, columns, skip, width, file) from None
-    long = any(len(more := line.split(delimiter)) > width and more[width:] != [""] for line in body.splitlines())
-    if long or not np.isfinite(table).all():
-        raise _first_mistake(body, delimiter, columns, skip, width, file)
-    return np.asarray(table)
-
-
-def _first_mistake(
-    body: str, delimiter: str, columns: Sequence[_Column], skip: int, width: int, file: str
-) -> InputError:
-    for number, line in enumerate(io.StringIO(body), start=skip + 1):
-        if not line.strip():
-            continue
-        fields = line.rstrip("\r\n").split(delimiter)
-        if len(fields) > width and fields[width:] != [""]:
-            return InputError(f"{len(fields)} values, the first line has {width}", file=file, line=number)
-        for column in columns:
-            if column.number >= len(fields):
-                return InputError(f"{len(fields)} values, the first line has {width}", file=file, line=number)
-            field = fields[column.number].strip().strip('"')
-            try:
-                good = bool(np.isfinite(float(field)))
-            except ValueError:
-                good = False
-            if not good:
-                return InputError(
-                    f"'{field[:40]}' in column '{column.head}' is not a finite number", file=file, line=number
-                )
-    return InputError("the table cannot be read", file=file)
-
-
-def _check(table: Array, chosen: Mapping[str, _Column], limits: JointLimits, skip: int, text: str, file: str) -> None:
-    if len(table) < _FEWEST:
-        raise InputError(f"{len(table)} row{'' if len(table) == 1 else 's'}; a log needs at least {_FEWEST}", file=file)
-    t = table[:, 0]
-    late = np.flatnonzero(np.diff(t) <= 0)
-    if late.size:
-        i = int(late[0])
-        line = _line_of_row(text, i + 1, skip)
-        if t[i + 1] == t[i]:
-            raise InputError(
-                f"time {t[i]:.9g} s stands in two rows; times must increase, so write more digits or drop one",
-                file=file,
-                line=line,
-            )
-        raise InputError(f"time {t[i + 1]:.9g} s follows {t[i]:.9g} s; times must increase", file=file, line=line)
-    period = float(np.median(np.diff(t)))
-    if not _SHORTEST <= period <= _LONGEST:
-        unit = chosen[TIME].unit
-        how = f"the head says {unit}" if unit else "as --units says"
-        raise InputError(
-            f"column '{chosen[TIME].head}': a row every {period:.3g} s ({how}); "
-            f"wanted {_SHORTEST:g} to {_LONGEST:g} s: is the unit right?",
-            file=file, line=1,
-        )  # fmt: skip
+def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet: Sheet) -> None:
     for k, name in enumerate(limits.names):
         low, high = float(limits.lower[k]), float(limits.upper[k])
         values = table[:, k + 1]
@@ -286,28 +150,10 @@ def _check(table: Array, chosen: Mapping[str, _Column], limits: JointLimits, ski
         if values.min() < low - room or values.max() > high + room:
             worst = float(values.max() if values.max() > high + room else values.min())
             unit = "m" if name == "rail" else "rad"
-            raise InputError(
-                f"column '{chosen[name].head}': {name} reaches {worst:.4g} {unit}, "
-                f"its range is {low:.4g} to {high:.4g}: is the unit right?",
-                file=file, line=1,
-            )  # fmt: skip
-
-
-def _line_of_row(text: str, row: int, skip: int) -> int:
-    """The line on which a row stands, empty lines counted."""
-    seen = -1 - skip
-    for number, line in enumerate(io.StringIO(text), start=1):
-        seen += bool(line.strip())
-        if seen == row:
-            return number
-    return row + skip + 1
-
-
-def periods(log: Trajectory) -> tuple[float, int]:
-    """The usual time between rows [s], and how many rows are missing by it."""
-    steps = np.diff(log.t)
-    period = float(np.median(steps))
-    return period, int(np.sum(np.maximum(np.rint(steps / period) - 1, 0)))
+            raise sheet.wrong(
+                f"column '{chosen[name].text}': {name} reaches {worst:.4g} {unit}, "
+                f"its range is {low:.4g} to {high:.4g}: is the unit right?"
+            )
 
 
 def in_order(logs: Sequence[Path]) -> None:

@@ -456,8 +456,15 @@ def judge(
     from trajopt_cli.verify.judge import verify
 
     trajectory, resolution = read_csv_text(text, file)
+    if sorted(trajectory.names) == sorted(plant.limits.names) and trajectory.names != plant.limits.names:
+        order = [trajectory.names.index(name) for name in plant.limits.names]  # columns may stand in any order
+        q, qd = trajectory.q[:, order], None if trajectory.qd is None else trajectory.qd[:, order]
+        trajectory = replace(trajectory, names=plant.limits.names, q=q, qd=qd)
+        qd_step = resolution.qd if qd is None else resolution.qd[:, order]
+        resolution = replace(resolution, q=resolution.q[:, order], qd=qd_step)
     if trajectory.names == plant.limits.names:
-        check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
+        limits = plant.limits
+        check_reach(trajectory, limits.lower, limits.upper, limits.velocity, file, resolution.lines)
     try:
         return verify(
             program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises

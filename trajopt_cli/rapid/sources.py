@@ -6,6 +6,7 @@ import os
 import re
 import stat
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -84,6 +85,17 @@ def modules_at(paths: Iterable[Path]) -> Iterator[Path]:
             yield from _walk(folder)
         elif path.is_file():
             yield path
+
+
+def syspar_of(path: Path) -> Path | None:
+    """The folder SYSPAR of the backup that a path is, or lies in below its folder RAPID; None where there is none."""
+    inside = [part.parent for part in (path, *path.absolute().parents) if part.name.lower() == "rapid"]
+    for backup in (path, *inside):
+        with suppress(OSError):
+            for folder in sorted(backup.iterdir()) if backup.is_dir() else ():
+                if folder.name.lower() == "syspar" and folder.is_dir():
+                    return folder
+    return None
 
 
 def name_of(paths: Sequence[Path]) -> str:

@@ -12,6 +12,7 @@ from trajopt_cli.findings import Finding, Promise, Report
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.sheet import missing_rows
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.advice import advise
 from trajopt_cli.verify.caps import check_caps
@@ -98,6 +99,7 @@ def verify(
         tuple(advise(line, frames, rapid)) if advice else (),
         promised.told(program) if promises else (),
         promised.rate,
+        missing_rows(rows.t, rows.gaps),
     )
 
 
@@ -128,6 +130,8 @@ def _file(rows: Rows, frame: Frame, promises: Iterable[Promise]) -> list[Finding
     i, k = int(np.argmax(rows.gaps)), int(np.argmax(frame.doubt_p))
     far, coarse = float(rows.gaps[i]), float(frame.doubt_p[k])
     note = ": rows this far apart do not show whether the TCP stops; sample the motion at 50 Hz or more"
+    if lost := missing_rows(rows.t, rows.gaps):
+        note = f"{note} and lose no row; {lost}"
     digits = f": printed digits leave the TCP this uncertain; {_finer(stop)}"
     return [
         finding("row spacing", "file", far, LARGEST_GAP, "s", far <= LARGEST_GAP * (1 + 1e-9) + rows.doubt_t,

@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
-from trajopt_cli.joint_csv import check_reach, read_csv_text
+from trajopt_cli.joint_csv import Resolution, check_reach, read_csv_text
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.folder import TASK, Run, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord
@@ -105,18 +105,18 @@ def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Ju
     """Judge a file of joints that anybody wrote: the limits of its arm, a robot's by name or the task's; with a task
     also way, caps, dwells and posture. Raises InputError for a file that cannot be read or is another robot's.
     """
-    rows, resolution = read_csv_text(read_bytes(path).decode("ascii", "replace"), str(path))
+    rows, resolution = read_csv_text(read_bytes(path).decode("utf-8", "replace"), str(path))
     if task is None:
         arm = read_arm(robot or "iiwa7", "default")
-        _check_names(rows, arm, path)
+        _check_names(rows, arm, path, resolution)
         return Judged({path.name: _report(check_limits(arm, rows, resolution))}, ("no task is given: the tool's way",))
 
     def first(X_FT: Frame, arm: Arm) -> Frame:
-        _check_names(rows, arm, path)
+        _check_names(rows, arm, path, resolution)
         return X_FT.inside(arm_frame(arm.mechanism, rows.q[0]))
 
     order = read_order(str(task), first=first)
-    _check_names(rows, order.arm, path)
+    _check_names(rows, order.arm, path, resolution)
     found, unchecked = [*check_limits(order.arm, rows, resolution)], list(order.unchecked)
     if order.X_FT is None:
         unchecked.append(f"{path}: the tool's way, because the tool is the program's")
@@ -127,12 +127,12 @@ def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Ju
     return Judged({path.name: _report(found)}, tuple(unchecked))
 
 
-def _check_names(rows: Trajectory, arm: Arm, path: Path) -> None:
+def _check_names(rows: Trajectory, arm: Arm, path: Path, resolution: Resolution) -> None:
     if rows.names != arm.mechanism.names:
         wanted = ", ".join(arm.mechanism.names)
         raise InputError(f"the file's axes are {', '.join(rows.names)}; the robot's are {wanted}", file=str(path))
     any_speed = np.full_like(arm.velocity, np.inf)  # a jump within a row is for the judge to tell
-    check_reach(rows, arm.lower, arm.upper, any_speed, str(path))
+    check_reach(rows, arm.lower, arm.upper, any_speed, str(path), resolution.lines)
 
 
 def _quaternion_file(run: Run[_Record], name: str) -> Poses:
@@ -203,7 +203,7 @@ def _angle_file(run: Run[_Record], name: str, wanted: Poses, zero: Array | None)
 
 def _joint_file(run: Run[_Record], order: Order, wanted: Poses, sections: dict[str, Any]) -> Iterator[Finding]:
     rows, resolution = read_csv_text(run.text(JOINTS_FILE), str(run.folder / JOINTS_FILE))
-    _check_names(rows, order.arm, run.folder / JOINTS_FILE)
+    _check_names(rows, order.arm, run.folder / JOINTS_FILE, resolution)
     same = len(rows.t) == len(wanted.t)
     yield finding("rows", "joints", len(rows.t), len(wanted.t), "rows", same, bound="the sequence has", words="have")
     yield from check_limits(order.arm, rows, resolution)

@@ -68,8 +68,17 @@ def _circle(run: Run, node: ProcedureCall) -> None:
 
 
 def _acceleration(run: Run, node: ProcedureCall) -> None:
+    r"""\FinePointRamp: the ramp of the braking to a stop point is Ramp times this share (RAPID reference, AccSet). Like
+    Ramp it shapes jerk and leaves the plan as it is."""
     args = bind(run, node, ("Acc", "Ramp"), ("FinePointRamp",))
     acc, ramp = args.required
+    if (fine := args.optional.get("finepointramp")) is not None:
+        share = number(run, fine)
+        if not 0 < share <= 100:
+            raise run.error(fine, f"AccSet takes a \\FinePointRamp above 0 and up to 100 %, found {share:.6g}")
+        if share < 100:
+            what = f"\\FinePointRamp:={share:.6g} makes the brake to stop points gentler on the controller, which costs"
+            run.note("finepointramp", NoticeKind.NO_EFFECT, f"{what} time there; the plan does not know of it", node)
     change(
         run,
         replace(
