@@ -196,7 +196,7 @@ class Sheet:
         for number, row, text in zip(lines, fields, raw, strict=True):
             for i, field in zip(order, row, strict=True):
                 if not _is_number(field):
-                    what = f"'{field[:40]}' is not a finite number"
+                    what = f"'{field}' is not a finite number"
                     if len(order) < len(self.heads) or self.divider != ",":
                         what += f", in column '{self.heads[i].text}'"
                     raise self.place(number, text, i, what)

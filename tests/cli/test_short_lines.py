@@ -29,7 +29,8 @@ def test_no_line_is_longer_than_600_characters(
     Path("long.mod").write_text(f"MODULE M\nPROC main()\n{LONG} 1;\nENDPROC\nENDMODULE\n", encoding="utf-8")
     Path("long.yaml").write_text("robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n", encoding="utf-8")
     Path("head.csv").write_text(f"t [s],{LONG}\n0,1\n", encoding="utf-8")
-    Path("cell.csv").write_text(f"t [s],joint_1 [rad]\n0,{LONG}\n1,1\n", encoding="utf-8")
+    axes, zeros = ",".join(f"joint_{i} [rad]" for i in range(1, 8)), ",0" * 6
+    Path("cell.csv").write_text(f"t [s],{axes}\n0,{LONG}{zeros}\n1,1{zeros}\n", encoding="utf-8")
     assert run(arguments) == 2
     lines = capsys.readouterr().err.splitlines()
     assert max(map(len, lines)) <= 700

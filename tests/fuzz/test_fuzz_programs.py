@@ -72,8 +72,12 @@ def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
 
 
 def test_an_arc_that_leaves_a_range_between_the_nodes_of_the_search_is_refused_with_its_place(tmp_path: Path) -> None:
-    """joint_3 is beyond its range for a few degrees of 317, in every posture the arc may begin in."""
-    (tmp_path / "small.mod").write_text(program(1, 7091).text)
+    """joint_3 is beyond its range for a few degrees of 317, in every posture the arc may begin in.
+
+    The tool turns as on a line.
+    """
+    text = program(1, 7091).text.replace("PROC main()", "PROC main()\nCirPathMode\\ObjectFrame;")
+    (tmp_path / "small.mod").write_text(text)
     (tmp_path / "small.yaml").write_text(program(1, 7091).cell)
     job = read_job(tmp_path / "small.mod")
     answer = optimize(job.program, job.plant, Target.STREAM, bounded=False)
