@@ -81,6 +81,11 @@ def test_goto_into_a_block_or_to_nowhere_is_an_error() -> None:
         ('s:=s+s; WaitTime 1; ERROR (ERR_STRTOOLNG) s:=""; RETRY;', [1]),
         ("RAISE 14; WaitTime 2; ERROR WaitTime ERRNO; TRYNEXT;", [14, 2]),
         ("BookErrNo ERR_MY; RAISE ERR_MY; ERROR IF ERRNO=ERR_MY WaitTime 6; TRYNEXT;", [6]),
+        (
+            'BookErrNo ERR_MY; ErrRaise "ERR_MY",7055,"T","C","","",""; WaitTime 1; '
+            "ERROR IF ERRNO=ERR_MY WaitTime 7; TRYNEXT;",
+            [7, 1],
+        ),
     ],
 )
 def test_a_handler_goes_on_where_the_program_says(body: str, values: list[float]) -> None:
@@ -121,6 +126,9 @@ CHAIN = (  # main calls one, one calls two, two fails
 )
 
 
+ERR_RAISE = 'ErrRaise "own",7055,ERRSTR_TASK,ERRSTR_CONTEXT,ERRSTR_UNUSED,ERRSTR_UNUSED,ERRSTR_UNUSED;'
+
+
 @pytest.mark.parametrize(
     ("main", "one", "fails", "two", "values"),
     [
@@ -134,6 +142,7 @@ CHAIN = (  # main calls one, one calls two, two fails
         # The nearest that lists it; where none does, the caller's handler.
         ("ERROR (55) WaitTime 5;", "ERROR (55)\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
         ("ERROR (7) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
+        ("ERROR (own) WaitTime 5;", "ERROR (own)\nTRYNEXT;", "RAISE 1;", f"ERROR\n{ERR_RAISE}", [10, 9]),
         # Without a handler of its own an error goes up call by call.
         ("ERROR (55) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "", [1, 10, 9]),
         ("ERROR (own) WaitTime 5; RETURN;", "", "RAISE own;", "", [5]),
@@ -155,7 +164,7 @@ def test_an_error_finds_its_handler_up_the_calls(
 def test_a_long_jump_says_whose_undo_handler_it_leaves_out() -> None:
     one = "UNDO\nWaitTime 3;"
     warnings = run("one; ERROR (55) RETURN;", rest=CHAIN.format(one, "RAISE 55;", "ERROR\nRAISE;")).warnings
-    assert [str(w.place) for w in warnings if "long jump" in w.text] == ["m.mod:9:1"]
+    assert [str(w.place) for w in warnings if w.kind is NoticeKind.ASSUMED] == ["m.mod:9:1"]
 
 
 def test_every_booked_error_has_a_number_of_its_own_that_no_program_raises_as_it_is() -> None:
@@ -164,9 +173,17 @@ def test_every_booked_error_has_a_number_of_its_own_that_no_program_raises_as_it
     assert trace("BookErrNo a; RAISE 1; ERROR (a) WaitTime 1; TRYNEXT; ERROR WaitTime 2; TRYNEXT;", data) == [2]
 
 
-@pytest.mark.parametrize("name", ["ProcerrRecovery\\SyncOrgMoveInst", "RaiseToUser\\Continue", "StartMoveRetry"])
-def test_an_error_whose_handler_is_not_modelled_is_refused_where_it_is_raised(name: str) -> None:
-    assert error(f"{name}; ERROR TRYNEXT;").startswith("m.mod:4:1: ")
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [
+        ("ProcerrRecovery\\SyncOrgMoveInst", "4:1"),
+        ("RaiseToUser\\Continue", "4:1"),
+        ("StartMoveRetry", "4:1"),
+        ('ErrRaise "unknown",1,"","","","",""', "4:10"),
+    ],
+)
+def test_an_error_whose_handler_is_not_modelled_is_refused_where_it_is_raised(name: str, place: str) -> None:
+    assert error(f"{name}; ERROR TRYNEXT;").startswith(f"m.mod:{place}: ")
 
 
 def test_a_handler_of_a_function_gives_its_value() -> None:
@@ -207,9 +224,7 @@ def test_five_failures_in_five_passes_are_no_failure_in_a_row() -> None:
 def test_undo_does_not_run_and_that_is_said() -> None:
     program = run("go;", rest="PROC go()\nWaitTime 1;\nUNDO\nWaitTime 2;\nENDPROC")
     assert len(program.motions) == 1
-    assert tuple(map(str, program.warnings)) == (
-        "m.mod:8:1: UNDO runs only where a user moves the program pointer; it is left out",
-    )
+    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:8:1", NoticeKind.NO_EFFECT)]
 
 
 # ------------------------------------------------------------------------------------------------------------- calls

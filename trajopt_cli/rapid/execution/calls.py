@@ -116,7 +116,8 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         if _moves(run, node):
-            what = f"{node.name} is taken as doing nothing (stubs); by its name or arguments it moves or sets speeds"
+            what = f"{node.name} does nothing here (stubs), but its name or arguments say that it moves the robot or "
+            what += "sets its speed; check that"
             run.warn(NoticeKind.ASSUMED, what, run.source(node))
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
@@ -295,7 +296,7 @@ def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
         returns = find_type(run, routine.type, routine) if routine.type else None
         for handler in routine.handlers:
             if handler.kind == "UNDO":
-                what = "UNDO runs only where a user moves the program pointer; it is left out"
+                what = "UNDO runs where a long jump or a moved program pointer leaves the routine; it is left out here"
                 run.warn(NoticeKind.NO_EFFECT, what, run.source(handler))
     groups: list[list[str]] = []
     for parameter in routine.parameters:

@@ -13,12 +13,12 @@ error goes to the caller as any other.
 from __future__ import annotations
 
 from enum import Enum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
-from trajopt_cli.rapid.data.predefined import ERRORS
+from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
 from trajopt_cli.rapid.data.scope import Frame
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.jumps import Jump, Retry, TryNext
@@ -26,8 +26,9 @@ from trajopt_cli.scenario import asked
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
-    from trajopt_cli.rapid.language.syntax import Handler, Statement
+    from trajopt_cli.rapid.language.syntax import Handler, Node, Statement
 
+USER_ERRORS = range(1, 91)  # the numbers that programs raise as they are
 RETRY_LIMIT = 4  # how often an instruction is tried again; a controller's default
 
 
@@ -86,6 +87,23 @@ def handle(run: Run, fault: Fault, statement: Statement) -> Handled:
     return Handled.PASSED
 
 
+def raise_error(run: Run, node: Node, said: str, name: str, number: float) -> NoReturn:
+    """Raise an error by its number, as said and named in the program; inside a handler it is a long jump."""
+    known = next((known for known, its in ERRORS.items() if its == number), None)
+    if not (number in USER_ERRORS or known or BOOKED < number <= BOOKED + run.booked):
+        raise run.fault(node, "ERR_ILLRAISE", f"{said}: {number:.6g} is not an error number; get one with BookErrNo")
+    place = run.source(node)
+    message = f"{said} is not handled by any ERROR handler"
+    raise passed_on(run, Fault(message, known or name, number, file=place.file, line=place.line, column=place.column))
+
+
+def passed_on(run: Run, fault: Fault) -> Fault:
+    """The error as it is raised: in a handler, past the routines up to the one whose handler lists it."""
+    if run.frame.handling is not None:
+        fault.passed, fault.point = run.frame, long_jump(run, fault.number)
+    return fault
+
+
 def long_jump(run: Run, number: float) -> Frame | None:
     """The nearest call above the running one whose handler lists an error's number, or LONG_JMP_ALL_ERR."""
     frame = run.frame.caller
@@ -102,7 +120,7 @@ def _leave(run: Run, frame: Frame) -> None:
     """Say of a routine that a long jump leaves that its UNDO handler is not run."""
     if (routine := frame.routine) is None:
         return
-    what = f"a long jump leaves {routine.kind} {routine.name}, whose UNDO handler is left out"
+    what = f"a long jump leaves {routine.kind} {routine.name}; a controller runs its UNDO handler, a plan does not"
     for handler in routine.handlers:
         if handler.kind == "UNDO":
             run.warn(NoticeKind.ASSUMED, what, run.source(handler))

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
-from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
-from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle, long_jump
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate, number
+from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle, passed_on, raise_error
 from trajopt_cli.rapid.execution.instructions.processes import set_speed
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
@@ -42,7 +41,6 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 _LONG = 64  # characters that are charged as one more statement
-USER_ERRORS = range(1, 91)  # the numbers that programs raise as they are
 
 
 def run_block(run: Run, block: Block) -> None:
@@ -181,21 +179,13 @@ def _simple(run: Run, node: Simple) -> None:
 
 def _raise(run: Run, node: Raise) -> None:
     """An error of the program's own; inside a handler a long jump (see faults.py)."""
-    fault = handling = run.frame.handling
     if node.value is not None:
-        number = evaluate(run, node.value, NUM).data
-        name = next((name for name, known in ERRORS.items() if known == number), run.text(node.value))
-        if not (number in USER_ERRORS or name in ERRORS or BOOKED < number <= BOOKED + run.booked):
-            message = f"RAISE {run.text(node.value)}: {number:.6g} is not an error number; get one with BookErrNo"
-            raise run.fault(node, "ERR_ILLRAISE", message)
-        place = run.source(node)
-        message = f"RAISE {run.text(node.value)} is not handled by any ERROR handler"
-        fault = Fault(message, name, number, file=place.file, line=place.line, column=place.column)
+        said = run.text(node.value)
+        raise_error(run, node, f"RAISE {said}", said, number(run, node.value))
+    fault = run.frame.handling
     if fault is None:
         raise run.fault(node, "ERR_ILLRAISE", "RAISE without a number belongs in an ERROR handler")
-    if handling is not None:
-        fault.passed, fault.point = run.frame, long_jump(run, fault.number)
-    raise fault
+    raise passed_on(run, fault)
 
 
 def _connect(run: Run, node: Connect) -> None:

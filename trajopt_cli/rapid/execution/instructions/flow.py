@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
 from trajopt_cli.rapid.data.predefined import BOOKED
+from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
+from trajopt_cli.rapid.execution.faults import raise_error
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.jumps import Exit, Retry
 from trajopt_cli.rapid.language.syntax import ProcedureCall
@@ -29,7 +31,7 @@ def _stop(run: Run, node: ProcedureCall) -> None:
 
 def _break(run: Run, node: ProcedureCall) -> None:
     bind(run, node, ())
-    what = "Break stops at once, on the way, and waits for the operator; the plan stops at the point before it instead"
+    what = "Break stops the robot at once, somewhere on its way; the plan stops at the point before it"
     run.warn(NoticeKind.ASSUMED, what, run.source(node))
 
 
@@ -44,6 +46,17 @@ def _book_error(run: Run, node: ProcedureCall) -> None:
     (target,) = bind(run, node, ("ErrorName",)).required
     run.booked += 1
     run.assign(target, Value(NUM, BOOKED + run.booked))
+
+
+def _err_raise(run: Run, node: ProcedureCall) -> None:
+    """RAISE of the booked number in the variable that a string names, with a text for the log."""
+    names = ("ErrorName", "ErrorId", *(f"Argument{i}" for i in range(1, 6)))
+    spelled = bind(run, node, names).required[0]
+    name = str(evaluate(run, spelled, STRING).data)
+    place = run.find(name)
+    if not (isinstance(place, Place) and place.type == NUM):
+        raise run.error(spelled, f"{node.name} names '{name}', which is no errnum of the program; declare it there")
+    raise_error(run, node, f'{node.name} "{name}"', name, float(place.value.data))
 
 
 def _reset_retry(run: Run, node: ProcedureCall) -> None:
@@ -76,6 +89,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "Break": _break,
     "CallByVar": _call_by_var,
     "BookErrNo": _book_error,
+    "ErrRaise": _err_raise,
     "ResetRetryCount": _reset_retry,
     "StartMoveRetry": _start_move_retry,
     "SkipWarn": _skip_warn,
