@@ -257,4 +257,4 @@ def missing_rows(t: Array, gaps: Array | None = None) -> str:
         return ""
     where = ", ".join(f"t = {t[i]:.6g} and {t[i + 1]:.6g} s" for i in at[:3])
     more = f" and at {len(at) - 3} more places" if len(at) > 3 else ""
-    return f"rows missing between {where}{more}; {lost[at].sum()} of {len(t) + lost[at].sum()}"
+    return f"{lost[at].sum()} of {len(t) + lost[at].sum()} rows are missing, between {where}{more}"

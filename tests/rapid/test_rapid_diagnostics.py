@@ -561,7 +561,10 @@ def test_initial_data_of_the_wrong_type_is_said_with_its_name() -> None:
             "its condition reads diGo: give a sequence of values that ends it under signals, or raise pass_limit in "
             "the cell file",
         ),
-        ("back: IF NOT flag GOTO back;", "give signal values that end it, or raise pass_limit in the cell file"),
+        (
+            "back: IF NOT flag GOTO back;",
+            "give values that end it (signals, data, answers), or raise pass_limit in the cell file",
+        ),
     ],
 )
 def test_a_loop_that_does_not_end_says_what_it_reads(body: str, message: str) -> None:

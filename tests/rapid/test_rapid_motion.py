@@ -469,9 +469,7 @@ def test_weld_speed_that_nobody_tells_is_said() -> None:
     program = run_main(body)
     (move,) = moves(program)
     assert move.speed.v_tcp == 0.1
-    assert tuple(map(str, program.warnings)) == (
-        "m.mod:4:1: the weld_speed of weld1 is not known; the move is taken at its Speed v100",
-    )
+    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:4:1", NoticeKind.ASSUMED)]
     record = "RECORD welddata\nnum sched;\nnum weld_speed;\nENDRECORD\nPERS welddata weld1:=[3,12.5];\n"
     (move,) = moves(run_main(body, record))
     assert move.speed.v_tcp == pytest.approx(0.0125)

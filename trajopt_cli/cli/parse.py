@@ -154,7 +154,8 @@ def _with_template(error: InputError, paths: Sequence[Path]) -> InputError:
 
 
 def _sums(listing: Listing) -> Iterator[str]:
-    parts = [f"{len(listing.rows)} motions, {listing.line_length:.1f} mm of lines"]
+    count = len(listing.rows)
+    parts = [f"{count} motion{'s' * (count != 1)}, {listing.line_length:.1f} mm of lines"]
     if any(row.kind == "MoveC" for row in listing.rows):
         parts.append(f"{listing.arc_length:.1f} mm of arcs")
     unknown = f", {listing.unmeasured} without" if listing.unmeasured else ""

@@ -70,7 +70,9 @@ def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable
     out = [*told]
     if len(mechanics.robots) > 1:
         names = ", ".join(one.name for one in mechanics.robots)
-        text = f"of {names} the cell file is held against {arm.name}; the task's folder decides, T_ROB2 for ROB_2"
+        text = (
+            f"the backup has {names}; the cell file is held against {arm.name}, by the task's folder (T_ROB2 for ROB_2)"
+        )
         out.append(Notice(NoticeKind.NOT_READ, text, mechanics.place(arm.line)))
     for key, text in (
         *_of_robot(mechanics, arm, cell, plant),

@@ -161,7 +161,7 @@ def with_exact_orientation(motion: Motion) -> str:
         return ""
     return (
         "; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the programmed configuration, the"
-        " orientation off on the way, but plans keep the orientation there"
+        " orientation off on the way; plans keep the programmed orientation"
     )
 
 

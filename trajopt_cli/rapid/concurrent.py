@@ -61,8 +61,8 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
                 sure = move.duration if rests and move.duration else out * rate
                 left = max(total - sure, 0.0)
             if left and not rests:
-                what = f"{left:.6g} of {total:.6g} s beside {motion_name(move)} (\\Conc) are added behind it: it starts"
-                what += " in a corner, and only its way between the zones is counted; a controller may need less"
+                what = f"{left:.6g} of {total:.6g} s beside {motion_name(move)} (\\Conc) are added behind it: only"
+                what += " its way between the zones counts; a controller may need less"
                 notices[Notice(NoticeKind.ASSUMED, what, move.source)] = None
             for k, wait in reversed(waits.items()):
                 own = min(left, wait.beside or 0.0)

@@ -323,7 +323,7 @@ class Run:
         return self.error(
             node,
             f"the program has not ended after {self.scenario.statement_limit} statements (statement_limit); "
-            "give signal values that end it, or raise statement_limit in the cell file",
+            "give values that end it (signals, data, answers), or raise statement_limit in the cell file",
         )
 
     def assign(self, target: Expression, value: Value) -> None:

@@ -132,7 +132,7 @@ def _too_many(run: Run, node: Statement) -> InputError:
         now = " and ".join(f"{name}, which is {value}" for name, value in values.items())
         message += f"its condition reads {now}: see what should change {'it' if len(values) == 1 else 'them'}"
     else:
-        message += "give signal values that end it"
+        message += "give values that end it (signals, data, answers)"
     return run.error(node, f"{message}, or raise pass_limit in the cell file")
 
 

@@ -207,9 +207,9 @@ def read_at_rest(run: Run, node: Node, what: str) -> None:
                 return
         elif not isinstance(motion, SignalEvent):
             if not motion.zone.stop or run.concurrent:
-                why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by ({motion.zone.name})"
-                text = f"{what} while it still moves: {motion_name(motion)} {why}; its point is taken: stop there"
-                run.warn(NoticeKind.ASSUMED, f"{text} (fine, or WaitRob \\InPos)", run.source(node))
+                why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
+                text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
+                run.warn(NoticeKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
             return
 
 

@@ -78,7 +78,7 @@ class Units:
             other = next((name for name in sorted(self.active) if set(axes).intersection(self.axes[name])), None)
             if other is not None:
                 eax = "abcdef"[min(set(axes).intersection(self.axes[other]))]
-                text = f"{unit} and {other} share eax_{eax}, and {other} is active; DeactUnit {other} before"
+                text = f"{unit} and {other} share eax_{eax}, and {other} is active; write DeactUnit {other} before it"
                 raise run.error(node, text)
             self.active.add(unit)
         else:
@@ -101,7 +101,7 @@ class Units:
     def _say_start(self, run: Run, node: Node) -> None:
         parts = {"active": sorted(self.active), "not active": sorted(self.axes.keys() - self.active)}
         told = "; ".join(f"{what}: {', '.join(names)}" for what, names in parts.items() if names)
-        text = f"mechanical units taken to be {told}, when the program starts; 'start: {{units: [...]}}' in the cell"
+        text = f"mechanical units taken at the start as {told}; 'start: {{units: [...]}}' in the cell"
         run.note("units at the start", NoticeKind.ASSUMED, f"{text} file lists the active ones", node)
 
     @property

@@ -265,8 +265,8 @@ def _check_unit(run: Run, node: ProcedureCall, setup: Setup) -> None:
         run.refuse(
             "moving work objects",
             node,
-            f"{node.name} goes to a place on work object {setup.wobj}, which {unit} moves in a way that the program "
-            "does not tell; plan the motions between such moves on their own (--entry)",
+            f"{node.name} goes to a target on work object {setup.wobj}, which {unit} moves, and the program "
+            "does not say how fast; plan the motions between such moves on their own (--entry)",
         )
 
 

@@ -33,7 +33,7 @@ def together(run: Run, node: ProcedureCall, args: Arguments) -> tuple[int | None
                 f"{node.name} without \\ID runs behind SyncMoveOn, where every move needs the \\ID that it has in "
             )
             raise run.error(
-                node, f"{message}the other tasks; give it one, or end the sequence by SyncMoveOff before it"
+                node, f"{message}the other tasks; give it one, or end the sequence with SyncMoveOff before it"
             )
         return None, None
     given = args.optional["id"]

@@ -105,15 +105,15 @@ def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expre
         what = "speed_data.main" if node.name.lower().startswith("cap") else "weld_speed"
         run.warn(
             NoticeKind.ASSUMED,
-            f"the {what} of {run.text(data)} is not known; the move is taken at its Speed {said(run, speed)}",
+            f"the {what} of {run.text(data)} is not known; the move goes at its Speed {said(run, speed)}",
             run.source(node),
         )
         return None
     if place is not None and at is not None and len(at) == 2 and any(_at(place.value.data, at[:1])[2:4]):
-        what = f"startspeed_time and startmove_delay of {run.text(data)} are left out: the process starts at full speed"
+        what = f"startspeed_time and startmove_delay of {run.text(data)} are not planned: the move starts at full speed"
         run.note(f"start {run.text(data)}", NoticeKind.ASSUMED, what, node)
     if run.settings.override != 1:
-        what = f"{run.text(data)} says the speed of the process; VelSet and SpeedRefresh are taken to leave it"
+        what = f"{run.text(data)} sets the speed of the process; VelSet and SpeedRefresh are taken not to change it"
         run.note(f"override {run.text(data)}", NoticeKind.ASSUMED, what, node)
     outside = pace.speed(run, speed, Arguments((), {}))
     return Speed(said(run, data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)

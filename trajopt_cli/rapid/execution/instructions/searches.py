@@ -63,7 +63,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
             _tell_stop(run, node, args)
         else:
             to_pose(run, node, kind, request, process=process)
-            what = f"{name} without \\Stop, \\PStop or \\SStop does not stop where it hits: it goes on to ToPoint"
+            what = f"{name} without \\Stop, \\PStop or \\SStop does not stop at the hit: it goes on to ToPoint"
             run.note("flying search", NoticeKind.ASSUMED, what, node)
         run.assign(searched, hit.value)
 
@@ -76,7 +76,7 @@ def _tell_stop(run: Run, node: ProcedureCall, args: Arguments) -> None:
     if "stop" in args.optional and isinstance(move, Move) and move.speed.v_tcp > _STIFF:
         what = f"{node.name} \\Stop is allowed below 100 mm/s only, found {move.speed.v_tcp / MM:.6g} mm/s"
         run.warn(NoticeKind.UNUSUAL, f"{what}: search more slowly, or with \\PStop", run.source(node))
-    what = f"{node.name} ends where it hits; a controller stops behind that and stays there (at 50 mm/s 1 to 3 mm "
+    what = f"{node.name} ends at the hit; a controller stops behind it and stays there (at 50 mm/s 1 to 3 mm "
     run.note("search stop", NoticeKind.ASSUMED, f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)", node)
 
 

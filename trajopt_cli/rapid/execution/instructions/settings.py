@@ -77,8 +77,8 @@ def _acceleration(run: Run, node: ProcedureCall) -> None:
         if not 0 < share <= 100:
             raise run.error(fine, f"AccSet takes a \\FinePointRamp above 0 and up to 100 %, found {share:.6g}")
         if share < 100:
-            what = f"\\FinePointRamp:={share:.6g} makes the brake to stop points gentler on the controller, which costs"
-            run.note("finepointramp", NoticeKind.NO_EFFECT, f"{what} time there; the plan does not know of it", node)
+            what = f"\\FinePointRamp:={share:.6g} makes the controller brake more gently to stop points, which takes"
+            run.note("finepointramp", NoticeKind.NO_EFFECT, f"{what} longer; plans and estimates do not count it", node)
     change(
         run,
         replace(
@@ -127,10 +127,10 @@ def _refresh(run: Run, node: ProcedureCall) -> None:
     if not 0 <= percent <= 100:
         raise run.fault(argument, "ERR_SPEED_REFRESH_LIM", f"SpeedRefresh takes 0..100 %, found {percent:.6g}")
     if percent == 0:
-        raise run.error(argument, "SpeedRefresh 0 holds the robot until somebody outside lets go; leave it out")
+        raise run.error(argument, "SpeedRefresh 0 stops the robot until another task sets a higher value; leave it out")
     last = next((motion for motion in reversed(run.motions) if isinstance(motion, Move | Wait)), None)
     if isinstance(last, Move) and not last.zone.stop:
-        what = "SpeedRefresh takes hold of the move that runs, wherever it is by then; here of the moves behind it"
+        what = "SpeedRefresh also changes the move that runs at that moment; here it counts from the next move on"
         run.warn(NoticeKind.ASSUMED, what, run.source(node))
     run.refresh = percent / 100
     _pace(run)

@@ -57,16 +57,16 @@ def _alone(*required: str) -> Instruction:
         options = ("ToAbsPos", "ToAbsNum", "ToRelPos", "ToRelNum", "Short", "Fwd", "Bwd", "Ramp")
         unit, axis, *_ = bind(run, node, ("MecUnit", "Axis", *required), options).required
         name = unit_name(run, unit)
-        what = f"{node.name} lets axis {number(run, axis):g} of {name} move on its own"
+        what = f"{node.name} makes axis {number(run, axis):g} of {name} an independent axis"
         run.units.moving.add(name.lower())
         if name.lower() in run.units.axes or run.units.rail_unnamed:
-            advice = "no plan knows where it is; program its moves (MoveExtJ), or leave them out"
+            advice = "no plan knows where it is; use MoveExtJ, or leave it out"
             if name.lower() not in run.units.axes:
                 advice = "and may be the rail: name the rail's unit in the cell file ('rail: {unit: ...}')"
-            run.refuse("independent axes", node, f"{what}, beside the program; {advice}")
+            run.refuse("independent axes", node, f"{what}, which moves beside the program; {advice}")
         else:
             run.ignored[node.name] += 1
-            text = f"{what}; it is no axis of the cell file, and nothing of it is planned"
+            text = f"{what}; the cell file has no such axis, and its motion is not planned"
             run.note(f"alone {name}", NoticeKind.NO_EFFECT, text, node)
 
     return handler
@@ -88,7 +88,7 @@ def _unit_load(run: Run, node: ProcedureCall) -> None:
 
 
 def _identify(run: Run, node: ProcedureCall) -> None:
-    text = f"{node.name} moves the arm to and fro to weigh a load, as the controller likes; nothing of it is planned"
+    text = f"{node.name} moves the arm by itself to identify a load; that motion is not planned"
     run.note(node.name, NoticeKind.NOT_CHECKED, text, node)
 
 
@@ -115,8 +115,8 @@ def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruct
             run.units.moving.add(moved.lower())
             run.world.lacks.pop(("assume_identity", moved.lower()), None)
         shown = run.text(what)
-        text = f"{node.name} {shown} is for work that {moved or shown} moves as no program tells; {_APART}"
-        run.refuse(_MOVING, node, text)
+        text = f"{node.name} {shown} is for work that {moved or 'a unit'} moves, and the program does not say how fast"
+        run.refuse(_MOVING, node, f"{text}; {_APART}")
         if waits:
             wait_for(run, node, args, f"{name} {shown}", shown)
 

@@ -71,7 +71,7 @@ def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
     robot stands for it already, as in a loop that reads a file, no time more is no wait more."""
     least = run.world.least(name)
     if least is None:
-        what = f"the cell file says that {name} times out, and only waits with \\MaxTime do; give a least time"
+        what = f"{name} cannot time out here, only waits for signals and conditions can; give it a least time"
         raise run.error(node, f"{what}: 'waits: {{{name}: 0}}'")
     standing = takewhile(lambda motion: not isinstance(motion, Move), reversed(run.motions))
     if least or not any(isinstance(one, Wait) and one.condition == name for one in standing):
