@@ -62,7 +62,7 @@ _PLANNED = {
     "operator": "the cell file's `answers`",
     "sockets": "received: the cell file's `answers`",
     "files": "read: the cell file's `answers`",
-    "symbols": "modules from the program's folder",
+    "symbols": "data by its name; modules from the program's folder",
 }
 
 
