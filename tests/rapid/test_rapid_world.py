@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import Program, SignalEvent, Source, TextFile, Wait
+from trajopt_cli.motion import MoveL, Program, SignalEvent, Source, TextFile, Wait
 from trajopt_cli.rapid.execution.functions import (
     data,
     numbers,
@@ -276,6 +277,16 @@ def test_a_template_answers_everything_that_lacks() -> None:
         "answers:",
         "  key: 1  # m.mod:6:10, TPReadFK asks the operator for key, a key of 1..5",
     ]
+
+
+def test_a_template_answers_for_tools_and_work_objects_that_can_be_moved_with() -> None:
+    """A stationary tool with a fixed work object, as zeros would be, is no answer: no controller moves with it."""
+    body = "MoveL [[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,grip()\\WObj:=table();"
+    _, lacks = try_program(text_of(body))
+    scenario = parse_cell(ARM + template(lacks), "cell.yaml").scenario
+    (move,) = try_program(text_of(body), scenario)[0].motions
+    assert isinstance(move, MoveL)
+    assert np.array_equal(move.X_FT, np.eye(4))
 
 
 def test_a_template_has_every_section_once_in_one_order() -> None:

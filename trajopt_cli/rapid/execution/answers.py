@@ -14,6 +14,8 @@ from trajopt_cli.rapid.data.datatypes import (
     SPEEDDATA,
     STRING,
     STRING_LIMIT,
+    TOOLDATA,
+    WOBJDATA,
     ZONEDATA,
     Array,
     Atomic,
@@ -159,10 +161,9 @@ def stand_in(type_: Type) -> Data:
     """The value that a type begins with, but one that can be used: turned by nothing, no axis where none is known."""
     if type_ == EXTJOINT:
         return (_NOWHERE,) * 6
-    if type_ == SPEEDDATA:
-        return predefined()["v100"].data
-    if type_ == ZONEDATA:
-        return predefined()["fine"].data
+    for known, name in ((SPEEDDATA, "v100"), (ZONEDATA, "fine"), (TOOLDATA, "tool0"), (WOBJDATA, "wobj0")):
+        if type_ == known:
+            return predefined()[name].data
     if type_ == ORIENT:
         return (1.0, 0.0, 0.0, 0.0)
     if isinstance(type_, Record):
