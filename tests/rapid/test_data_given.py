@@ -154,6 +154,11 @@ def test_data_that_nothing_declares(data: str, body: str, expected: list[float])
     assert shown(body, "", data, rest) == expected
 
 
+def test_a_plain_value_that_fitted_one_wait_and_not_the_next_is_asked_for_again() -> None:
+    body = "WaitUntil di=1 OR n>3;\nWaitUntil di=1 OR n>8;"
+    assert error(body, "PERS num n:=0;", "{n: 4}").startswith("m.mod:5:1: ")
+
+
 def test_a_target_that_is_given_is_where_the_robot_goes() -> None:
     (move,) = run_program(text_of("MoveL p,v100,fine,tool0;"), of(f'{{p: "{TARGET}"}}')).motions
     assert isinstance(move, MoveL)

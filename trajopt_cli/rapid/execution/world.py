@@ -205,8 +205,7 @@ class World:
                 given = self._data[name]
             else:
                 given = self._signals[name] if section == "signals" else self._answers[name]
-            assert isinstance(given, tuple)
-            if min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
+            if isinstance(given, tuple) and min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
                 return True
         return False
 
