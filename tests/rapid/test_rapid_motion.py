@@ -477,6 +477,7 @@ def test_weld_speed_that_nobody_tells_is_said() -> None:
 
 CAP = 'PERS capdata c:=["start",FALSE,FALSE,0,[0,0,{},{},15,0],[0,0],[0,0,0,0,0,0],[0,0,0],[0,0,0,0,0,0]];\n'
 WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS welddata old{2}:=[[1,20],[2,30]];\n"
+BLANK = "VAR welddata new{2}; VAR capdata none;\n"
 
 
 @pytest.mark.parametrize(
@@ -488,6 +489,8 @@ WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS
         ("c.speed_data.main:=25; CapL {p},v200,c,weave,fine,tool0;", [25]),
         ("w.weld_speed:=12; ArcL {p},v200,s,w,fine,tool0; ArcLStart {p},v200,s,w,fine,tool0;", [12, 200]),
         ("ArcL {p},v200,s,old{{2}},fine,tool0; old{{2}}.weld_speed:=5; ArcL {p},v200,s,old{{2}},fine,tool0;", [30, 5]),
+        ("new{{2}}.weld_speed:=7; ArcL {p},v200,s,new{{2}},fine,tool0;", [7]),
+        ("none.speed_data.main:=9; CapL {p},v200,none,weave,fine,tool0;", [9]),
         ("w:=old{{1}}; ArcC {q},{p},v200,s,w,fine,tool0;", [20]),
         ("DispL {p},v200,b,fine,tool0; PaintL {p},v300,fine,tool0; SpotL {p},v400,g,s,tool0;", [200, 300, 400]),
     ],
@@ -495,7 +498,7 @@ WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS
 def test_the_process_data_says_the_speed_of_the_process(call: str, speeds: list[float]) -> None:
     """As the data stands when the move is made; capspeeddata: fly_start, start, startspeed_time, ..., main, fly_end."""
     body = f"MoveL {at(0, 0, 500)},v100,fine,tool0; " + call.format(p=at(100, 0, 500), q=at(50, 50, 500))
-    _, *found = moves(run_main(body, WELD + CAP.format(0, 0)))
+    _, *found = moves(run_main(body, WELD + BLANK + CAP.format(0, 0)))
     assert [move.speed.v_tcp * 1e3 for move in found] == pytest.approx(speeds)
 
 

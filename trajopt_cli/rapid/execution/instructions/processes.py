@@ -129,9 +129,10 @@ def set_speed(run: Run, target: Expression, value: Expression) -> bool:
             return False
         base = base.base
     place = locate(run, base)
-    at = _speed_at(place.type, place.value.data)
+    data = _BLANK.get(place.type.name) if place.value.data is None else place.value.data
+    at = _speed_at(place.type, data)
     if at is not None:
-        run.store(place, base, Value(place.type, _with(place.value.data, at, number(run, value))))
+        run.store(place, base, Value(place.type, _with(data, at, number(run, value))))
     return True
 
 
@@ -165,6 +166,7 @@ def _speed_at(type_: Type, data: Data) -> tuple[int, ...] | None:
 
 
 _CAP_SPEEDS = 6  # capspeeddata: fly_start, start, startspeed_time, startmove_delay, main, fly_end
+_BLANK: dict[str, Data] = {"welddata": (0.0, ()), "capdata": ((0.0,) * _CAP_SPEEDS, ())}  # as far as speeds go
 
 
 def _at(data: Data, at: tuple[int, ...]) -> Data:
