@@ -147,7 +147,7 @@ def test_rows_that_a_log_lost_are_told(tiny: Path, capsys: pytest.CaptureFixture
     for command in (["estimate", str(tiny), "--log", "log.csv"], ["identify", "log.csv", "--cell", "tiny.yaml"]):
         run(command)
         said = " ".join(capsys.readouterr().out.split())
-        assert f"log.csv: rows missing between t = {t[0]:.6g} and {t[2]:.6g} s; 1 of {len(lines)}" in said
+        assert f"log.csv: 1 of {len(lines)} rows are missing, between t = {t[0]:.6g} and {t[2]:.6g} s" in said
 
 
 def test_units_without_a_log_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -344,8 +344,11 @@ def test_speed_refresh_is_a_share_of_what_velset_leaves() -> None:
     timed = go.replace("v1000", "v1000\\T:=2")
     assert [move.duration for move in moves(run_main(f"{timed} SpeedRefresh Override:=25; {timed}"))] == [2, 8]
     assert program.warnings == ()
-    flying = run_main(f"{go.replace('fine', 'z10')}\nSpeedRefresh 50;\n{go}").warnings
-    assert [str(warning.place) for warning in flying] == ["m.mod:5:1"]  # the move that runs is slowed somewhere
+    beside = go.replace("MoveL", "MoveL\\Conc,") + "WaitTime 1;"
+    for first in (go.replace("fine", "z10"), beside, f"{go.replace('fine', 'z10')} SetDO d,1;"):
+        flying = run_main(f"{first}\nSpeedRefresh 50;\n{go}").warnings
+        assert [str(warning.place) for warning in flying] == ["m.mod:5:1"]  # the move that runs is slowed somewhere
+    assert run_main(f"{beside} WaitRob\\InPos;\nSpeedRefresh 50;\n{go}").warnings == ()
 
 
 @pytest.mark.parametrize("percent", ["-1", "101", "0"])

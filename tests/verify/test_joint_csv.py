@@ -176,9 +176,9 @@ def test_times_that_are_multiples_of_one_step_are_exact_also_where_rows_are_miss
 def test_rows_that_an_even_file_lost_are_told_and_no_others() -> None:
     t = 0.012 * np.arange(40)
     assert missing_rows(t) == ""
-    assert missing_rows(np.delete(t, 10)) == "rows missing between t = 0.108 and 0.132 s; 1 of 40"
+    assert missing_rows(np.delete(t, 10)) == "1 of 40 rows are missing, between t = 0.108 and 0.132 s"
     two = missing_rows(np.delete(t, [10, 20, 21]))
-    assert two == "rows missing between t = 0.108 and 0.132 s, t = 0.228 and 0.264 s; 3 of 40"
+    assert two == "3 of 40 rows are missing, between t = 0.108 and 0.132 s, t = 0.228 and 0.264 s"
     assert missing_rows(np.sort(np.r_[np.delete(t, 30), 0.1, 0.2, 0.3])) == ""  # a grid with rows in it
     assert missing_rows(np.cumsum(np.r_[t, 3 * t])) == ""
     rest = np.where(np.arange(38) == 9, 0.012, np.diff(np.delete(t, 10)))

@@ -15,6 +15,7 @@ from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
+    Move,
     MoveC,
     MoveJ,
     MoveL,
@@ -199,18 +200,24 @@ def reach(
     return q
 
 
-def read_at_rest(run: Run, node: Node, what: str) -> None:
-    """Tell, by line, of what wants the robot to stand (what) right behind a fly-by or a move with \\Conc."""
+def still_moving(run: Run) -> Move | None:
+    """The move that may still run where the program is: one with a fly-by or with \\Conc, and no stop behind it."""
     for motion in reversed(run.motions):
         if isinstance(motion, Wait):
             if motion.stops and motion.beside is None:
-                return
+                return None
         elif not isinstance(motion, SignalEvent):
-            if not motion.zone.stop or run.concurrent:
-                why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
-                text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
-                run.warn(NoticeKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
-            return
+            return motion if not motion.zone.stop or run.concurrent else None
+    return None
+
+
+def read_at_rest(run: Run, node: Node, what: str) -> None:
+    """Warn where the robot should stand for something (what), but is right behind a fly-by or a move with \\Conc."""
+    motion = still_moving(run)
+    if motion is not None:
+        why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
+        text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
+        run.warn(NoticeKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
 
 
 def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import CirPathMode, Move, Settings, Singularity, Wait
+from trajopt_cli.motion import CirPathMode, Settings, Singularity
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
+from trajopt_cli.rapid.execution.position import still_moving
 from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
@@ -128,8 +129,7 @@ def _refresh(run: Run, node: ProcedureCall) -> None:
         raise run.fault(argument, "ERR_SPEED_REFRESH_LIM", f"SpeedRefresh takes 0..100 %, found {percent:.6g}")
     if percent == 0:
         raise run.error(argument, "SpeedRefresh 0 stops the robot until another task sets a higher value; leave it out")
-    last = next((motion for motion in reversed(run.motions) if isinstance(motion, Move | Wait)), None)
-    if isinstance(last, Move) and not last.zone.stop:
+    if still_moving(run) is not None:
         what = "SpeedRefresh also changes the move that runs at that moment; here it counts from the next move on"
         run.warn(NoticeKind.ASSUMED, what, run.source(node))
     run.refresh = percent / 100
