@@ -227,12 +227,12 @@ def test_corners_that_touch(row: str, most: float) -> None:
         assert (np.abs(qdd) / limits.acceleration).max() <= 1 + 1e-6
 
 
-# A line without a way, and corners in which the tool changes.
+# A line without a way, and corners in which the tool changes; on the last line the first one is slower.
 CHANGED = """MoveJ p_in, v500, fine, tGrip;
 MoveL p_in, v500, z10, tGrip;
 MoveL Offs(p_in,0,0,-60), v500, z10, tGrip;
 MoveL Offs(p_in,0,60,-60), v500, z20, tool0;
-MoveL Offs(p_in,0,60,0), v500, fine, tool0;"""
+MoveL RelTool(Offs(p_in,0,160,-60),0,0,0\\Rx:=40), v200, fine, tool0;"""
 
 
 @pytest.mark.parametrize("row", ["toppra", "ruckig"])
