@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, problem_of, rapid
+from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
@@ -80,6 +80,7 @@ def test_runs_driven_together_are_driven_as_alone() -> None:
 def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same ratios at the same places, of ways of the tool, joint moves and corners between them."""
     monkeypatch.setattr(looks, "COURSE_LOOKS", 12)
+    monkeypatch.setattr(looks, "CORNER_LOOKS", 1)
     for name, value in (("BRIEF", 12), ("NEAR_LOOK", 1e3)):
         monkeypatch.setattr(exchange, name, value)
     axes, problem, chain = chain_of()
@@ -91,6 +92,35 @@ def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatc
             wanted, at = check_leg(axes, problem.legs[k], motion), course.leg == k
             for of in ("velocity", "acceleration", "position", "tool"):
                 np.testing.assert_allclose(getattr(found, of)[at], getattr(wanted, of), rtol=1e-6, atol=1e-6)
+
+
+FAR = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+JOINT_CORNERS = f"""MoveJ [[433,-98,739],[0.5296,-0.0386,0.8117,0.2432],[-1,0,-1,0],{FAR}], v500, z10\\Z:=30, tLong;
+MoveAbsJ [[-17.64,13.1,16.61,23.88,45.6,-25.79],{FAR}], v500, z5, tLong;
+MoveL [[392,-294,531],[0.1491,0.1175,0.912,0.3637],[-1,0,-1,0],{FAR}], v200, fine, tLong;"""
+SHARP_CORNER = f"""MoveJ [[440,-50,740],[0.4305,0,0.9026,0],[0,0,0,0],{FAR}], v300, fine, tool0;
+MoveL [[424,-20,765],[0.4305,0,0.9026,0],[0,0,0,0],{FAR}], v200, z50, tool0;
+MoveL [[560,0,690],[0.4305,0,0.9026,0],[0,0,0,0],{FAR}], v400, fine, tool0;"""
+
+
+@pytest.mark.parametrize("body", [JOINT_CORNERS, SHARP_CORNER])
+def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tool slows down and speeds up within an interval: what is looked at is what twenty times as many looks see,
+    to less than what is kept free (SAFE) and what the judge grants besides."""
+    long = "PERS tooldata tLong:=[TRUE,[[15,-66,-44],[0.96,-0.245,0.0237,0.1127]],[1,[0,0,50],[1,0,0,0],0,0,0]];"
+    problem = problem_of(rapid(body, data=long), plant_without_rail(), Target.RAPID)
+    axes = Axes.of(problem.plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    cfx = [label.cfx for label in chain.labels]
+    course = courses_of(axes, problem, problem.runs[-1:], [chain.q], cfx, [48])[0]
+    assert course is not None
+    law = law_of(axes, problem, course, Shares.full(len(course.part)))
+    assert law is not None
+    every = np.arange(len(course.part))
+    found = looked_at(axes, problem, course, law, every).tool
+    monkeypatch.setattr(looks, "COURSE_LOOKS", 100)
+    assert found == pytest.approx(looked_at(axes, problem, course, law, every).tool, rel=4e-5)
 
 
 def test_what_binds_many_legs_binds_each_alone() -> None:

@@ -196,6 +196,15 @@ def test_settings_that_a_plan_keeps_its_own_way_are_said() -> None:
     assert planned_otherwise(program(move_l(settings=Settings(acceleration=0.5, world_acceleration=2.0)))) == ()
 
 
+def test_times_beside_a_fly_by_are_counted() -> None:
+    """Also that of the move behind it; not where a wait makes it a stop."""
+    at = [pose(np.eye(3), [0.1 * k, 0, 0]) for k in range(5)]
+    z, timed = Zone("z10", False, 0.01, 0.015, 0.015, 0.03, 0.015, 0.03), {"duration": 1.0}
+    passed = move_l(at[1]), move_l(at[2], zone=z, **timed), move_l(at[3], **timed), move_l(at[4], **timed)
+    assert any("(\\T, 2)" in line for line in planned_otherwise(program(*passed)))
+    assert planned_otherwise(program(*passed[:2], wait(), *passed[2:])) == ()
+
+
 def eax(**given: float) -> ExternalAxes:
     a, b, c, d, e, f = (given.get(letter) for letter in "abcdef")
     return (a, b, c, d, e, f)

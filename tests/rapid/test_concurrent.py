@@ -66,6 +66,26 @@ def test_of_a_longer_one_the_rest_is_waited_for_at_the_point(zone: str) -> None:
     assert points_of(found, PLANT)[2].fly_by is None
 
 
+def turned(angle: float, zone: str, conc: str = "", speed: str = "[100,20,500,500]") -> str:
+    return f"MoveL {conc}RelTool([[500,0,500],[0,0,1,0],[0,0,0,0],{NONE}],0,0,0\\Rz:={angle}),{speed},{zone},tool0;\n"
+
+
+@pytest.mark.parametrize("speed", ["[100,20,500,500]", "v100\\T:=1.5"])
+@pytest.mark.parametrize("wait", [1.12, 1.13, 1.6])
+def test_beside_a_turn_in_place_the_zone_is_an_angle(speed: str, wait: float) -> None:
+    """30 deg at 20 deg/s, the last 7.5 in the zone: the wait may take 1.125 s. Behind that corner 22.5 deg count."""
+    first = line(500, "fine") + turned(30, "z50", "\\Conc,", speed) + f"WaitTime {wait};\n"
+    found = program(first + turned(60, "fine"))
+    passed = wait <= 1.125
+    assert [*stopped_fly_bys(found, PlantKinematics(PLANT))] == [1] * (not passed)
+    assert (points_of(found, PLANT)[2].fly_by is not None) == passed
+    assert lasting(found)[1] == (0 if passed or "T" in speed else wait)
+    behind = program(line(500, "fine") + turned(30, "z50") + turned(60, "fine", "\\Conc,") + "WaitTime 1.2;\n")
+    assert times(behind) == [(pytest.approx(0.075, abs=1e-6), 1.2, True)]
+    apart = program(line(500, "fine") + turned(30, "z50") + line(600, "fine", "\\Conc,") + "WaitTime 1.5;\n")
+    assert (times(apart), lasting(apart)) == ([(0, 1.5, False)], [0, 0, 1.5])  # from a stop
+
+
 def test_behind_a_corner_only_the_way_between_the_zones_counts() -> None:
     """200 - 20 = 180 mm to the point, 1.8 s at 100 mm/s; 130 mm to its zone."""
     start = line(300, "fine") + line(400, "z20")

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -356,7 +357,14 @@ def test_in_a_corner_the_higher_of_both_speeds_holds(faster: int) -> None:
             assert "at MoveL p_1 fast allows" in one.message
             assert one.source == motions[1].source
     assert ("programmed speed", "TCP") in found
-    for i in (1, 2):
-        timed = list(motions)
-        timed[i] = replace(timed[i], duration=1.0)
-        assert ("programmed speed", "TCP") not in told(timed)
+    ways = [float(np.linalg.norm(b.X_WT[:3, 3] - a.X_WT[:3, 3])) for a, b in pairwise(motions[:3])]
+    ways[1] *= np.pi / 2  # half a circle
+    top = found["programmed speed", "TCP"].value
+    for i, way in enumerate(ways, 1):  # a time is the speed that takes so long over the whole way
+        for allowed in (0.08, 1.1 * top):
+            timed = list(motions)
+            timed[i] = replace(timed[i], duration=way / allowed)
+            one = told(timed).get(("programmed speed", "TCP"))
+            limit = max(allowed, 0.1 if i != faster else 0.05)
+            assert (one is not None) == (top > limit)
+            assert one is None or (one.value, one.limit) == (top, pytest.approx(limit))

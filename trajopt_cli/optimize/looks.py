@@ -16,23 +16,31 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course
 from trajopt_cli.optimize.exchange import Ratios, ratios_of
 from trajopt_cli.optimize.legs import Sample, on_ways
-from trajopt_cli.optimize.tuning import ALONG_LOOKS, CHECKED, COURSE_LOOKS
+from trajopt_cli.optimize.tuning import ALONG_LOOKS, CHECKED, CORNER_LOOKS, COURSE_LOOKS
+from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.hermite import hermite
+from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.timing.law import TimeLaw
 
 
 def looked_at(axes: Axes, problem: Problem, course: Course, law: TimeLaw, intervals: IndexArray) -> Ratios:
     """Worst ratio to each limit in some of the intervals of a course driven by a law, in order; not of jerk."""
-    at_once = max(1, CHECKED // (COURSE_LOOKS + 2))
-    groups = np.split(intervals, range(at_once, len(intervals), at_once))
-    found = [_worst(axes, problem, course, law, some) for some in groups]
-    return Ratios(*(np.concatenate([getattr(one, name.name) for one in found]) for name in fields(Ratios)))
+    corner = np.array([isinstance(part.segment, Corner | JointCorner) for part in course.parts])[course.part[intervals]]
+    along = np.array([problem.legs[k].along is not None for k in course.leg[intervals]])
+    looks = COURSE_LOOKS * np.where(along, ALONG_LOOKS, np.where(corner, CORNER_LOOKS, 1))
+    found, order = list[Ratios](), list[IndexArray]()
+    for many in np.unique(looks):
+        alike, at_once = np.flatnonzero(looks == many), max(1, CHECKED // (many + 2))
+        groups = np.split(alike, range(at_once, len(alike), at_once))
+        found += [_worst(axes, problem, course, law, intervals[some], many) for some in groups]
+        order += groups
+    back = np.argsort(np.concatenate(order))
+    return Ratios(*(np.concatenate([getattr(one, name.name) for one in found])[back] for name in fields(Ratios)))
 
 
-def _worst(axes: Axes, problem: Problem, course: Course, law: TimeLaw, intervals: IndexArray) -> Ratios:
+def _worst(axes: Axes, problem: Problem, course: Course, law: TimeLaw, intervals: IndexArray, looks: int) -> Ratios:
     """The same of so many that the memory takes them at once; both ends are looked at from inside."""
-    looks = COURSE_LOOKS * (ALONG_LOOKS if any(problem.legs[k].along for k in course.leg[intervals]) else 1)
     inside = np.clip((np.arange(looks + 2) - 0.5) / looks, 1e-9, 1 - 1e-9)
     first = np.arange(0, len(intervals) * len(inside), len(inside))
     number, u = np.repeat(np.arange(len(intervals)), len(inside)), np.tile(inside, len(intervals))

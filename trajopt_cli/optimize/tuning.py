@@ -96,6 +96,8 @@ SAMPLED = 2048  # places whose kinematics are asked for at once. Measured: 512 t
 ROWS_AT_ONCE = 8192  # rows of a trajectory held against the limits at once: 10 MB. Not measured.
 ALONG_LOOKS = 9  # times as many where the tool's acceleration along its path is limited: in a corner it rises and falls
 # within an interval. Measured on an arc, a corner of 20 mm and a line at 0.8 m/s2: without, 0.803 m/s2 were missed.
+CORNER_LOOKS = 4  # times as many in a corner, where the tool's speed rises and falls within an interval. Measured
+# on 110 random programs with corners: without, 0.01 and 0.05 % of a cap were missed in two of them.
 MOST_LOOKS = 1000  # within one interval. Not measured.
 LEAST_FELT = 0.5  # of a share is left at least in one round. Not measured; shares tightened from what they allow, not
 # from what is used, left a line of 3 mm at v100 under 20 m/s2 alone without a law after 25 rounds, else 3 suffice.

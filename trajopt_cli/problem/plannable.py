@@ -30,6 +30,7 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.problem.circles import WRIST_MODES, Starts
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.scenario import Lines
@@ -113,8 +114,11 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         lines.append(
             f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which the cell file alone limits"
         )
-    if timed := sum(move.duration is not None and not move.zone.stop for move in moves):
-        lines.append(f"programmed times (\\T, {timed}) of moves with a fly-by zone are planned as the speeds they make")
+    stops = stopped_fly_bys(program)
+    passed = [not m.zone.stop and i not in stops for i, m in enumerate(program.motions) if isinstance(m, Move)]
+    ends = zip(moves, [False, *passed[:-1]], passed, strict=True)
+    if timed := sum(move.duration is not None and (before or end) for move, before, end in ends):
+        lines.append(f"programmed times (\\T, {timed}) of moves beside a fly-by are planned as the speeds they make")
     if beside := [one.beside for one in program.motions if isinstance(one, Wait) and one.beside]:
         lines.append(f"waits behind \\Conc ({len(beside)}, {sum(beside):g} s) run beside their moves")
     if open_ := [move for move in moves if move.identity is not None and move.partner is None]:

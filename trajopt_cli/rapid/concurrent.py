@@ -3,7 +3,8 @@ r"""Waits beside a move (\Conc): which of their time passes during the move, and
 RAPID, argument \Conc of the move instructions: what follows is executed while the robot moves, as soon as the move
 starts. So a wait there costs nothing where the move lasts as long, and what is longer is waited for at the end. A
 fly-by point is passed only where the wait is over when its zone begins, at the programmed speed; else it is a stop. Of
-a move that starts in a corner only the way between the zones is counted: its real time is no shorter.
+a move that starts in a corner only the way between the zones is counted: its real time is no shorter. Where the tool
+turns in place, the way is the angle.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from trajopt_cli.geometry import axis_angle
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveExtJ, MoveJ, Program, SignalEvent, Wait, motion_name
 from trajopt_cli.notices import Notice, NoticeKind
-from trajopt_cli.rapid.zones import NO_WAY, courses, ways
+from trajopt_cli.rapid.zones import NO_WAY, courses, turns_in_place, ways
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
 
@@ -34,14 +35,18 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
     if not any(isinstance(one, Wait) and one.beside is not None for one in motions):
         return program
     lengths, still = ways(program, kinematics), set(_still(program, kinematics))
+    turning = turns_in_place(program, kinematics, lengths)
     notices: dict[Notice, None] = {}
-    rests, radius = True, 0.0  # whether the point before is a stop for sure, and its zone [m] where it is none
+    rests, size = True, 0.0  # whether the point before is a stop for sure, and its zone [m], [rad] where it is none
+    turns = False  # whether the move before turns in place: beside one that does not it ends at a stop
     for i, move in enumerate(motions):
         if isinstance(move, Wait):
             rests |= move.stops
         if isinstance(move, Wait | SignalEvent):
             continue
-        rests |= isinstance(move, MoveExtJ) or bool(move.units)
+        rests |= isinstance(move, MoveExtJ) or bool(move.units) or turns != (i in turning)
+        turns = i in turning
+        zone = move.zone.ori if turns else move.zone.radius
         passed = not move.zone.stop and not isinstance(move, MoveExtJ)
         waits = _waits_beside(motions, i)
         total = sum(wait.beside or 0.0 for wait in waits.values())
@@ -49,11 +54,11 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
             for k, wait in waits.items():
                 motions[k] = replace(wait, beside=None)
         elif total:
-            length = lengths[i] or 0.0
-            rate = _least_time(move, length, scenario.free_speed)
-            out = length - (0.0 if rests else min(radius, length / 2))  # the way to the point
+            way = turning.get(i, lengths[i] or 0.0)
+            rate = _least_time(move, way, move.speed.turning if turns else move.speed.v_tcp, scenario.free_speed)
+            out = way - (0.0 if rests else min(size, way / 2))  # to the point
             left, stands = 0.0, passed
-            if passed and total <= (out - min(move.zone.radius, length / 2)) * rate + _ROUNDING:
+            if passed and total <= (out - min(zone, way / 2)) * rate + _ROUNDING:
                 stands = False
             elif rests and i not in still and move.duration is None and not move.constant_speed:
                 motions[i] = replace(move, beside=total)
@@ -68,7 +73,7 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
                 own = min(left, wait.beside or 0.0)
                 left -= own
                 motions[k] = replace(wait, duration=own, in_position=stands)
-        rests, radius = not passed, move.zone.radius
+        rests, size = not passed, zone
     return replace(program, motions=tuple(motions), warnings=(*program.warnings, *notices))
 
 
@@ -83,14 +88,14 @@ def _waits_beside(motions: Sequence[Motion], index: int) -> dict[int, Wait]:
     return out
 
 
-def _least_time(move: Move, length: float, free_speed: bool) -> float:
-    """What a move takes per metre of its way at least [s/m]; 0 where nothing caps its speed."""
-    if move.units or length < NO_WAY or isinstance(move, MoveExtJ):
+def _least_time(move: Move, way: float, speed: float, free_speed: bool) -> float:
+    """What a move takes at least per unit of its way [m], [rad], at its programmed speed; 0 where nothing caps that."""
+    if move.units or way < NO_WAY or isinstance(move, MoveExtJ):
         return 0.0
     if move.duration is not None:
-        return move.duration / length
+        return move.duration / way
     free = free_speed and isinstance(move, MoveJ | MoveAbsJ)
-    return 1 / move.speed.v_tcp if move.speed.v_tcp > 0 and not free else 0.0
+    return 1 / speed if speed > 0 and not free else 0.0
 
 
 def _still(program: Program, kinematics: Kinematics | None) -> Iterator[int]:

@@ -9,7 +9,7 @@ execution: Corner paths when changing the interpolation method, Interpolation wh
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from math import dist
@@ -95,7 +95,7 @@ def effective_radii(program: Program, lengths: Sequence[float | None] | None = N
     """
     lengths = ways(program) if lengths is None else lengths
     radii: list[float | None] = [0.0] * len(program.motions)
-    turning = _turning_in_place(program, None, lengths)
+    turning = turns_in_place(program, None, lengths)
     for index, move, after, reason in _programmed(program, lengths, turning):
         if after is not None and reason is None:
             before, behind = lengths[index], lengths[after]
@@ -119,7 +119,7 @@ def fly_bys(
     robot knows are left out. lengths: what ways() gives, if it is known already.
     """
     lengths = ways(program, kinematics) if lengths is None else lengths
-    turning = _turning_in_place(program, kinematics, lengths)
+    turning = turns_in_place(program, kinematics, lengths)
     found = _programmed(program, lengths, turning)
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
@@ -145,8 +145,24 @@ def stopped_fly_bys(
     lengths: what ways() gives, if it is known already.
     """
     lengths = ways(program, kinematics) if lengths is None else lengths
-    found = _programmed(program, lengths, _turning_in_place(program, kinematics, lengths))
+    found = _programmed(program, lengths, turns_in_place(program, kinematics, lengths))
     return {index: reason for index, _, _, reason in found if reason is not None}
+
+
+def turns_in_place(
+    program: Program, kinematics: Kinematics | None, lengths: Sequence[float | None]
+) -> dict[int, float]:
+    """The lines on which the tool turns and its centre point stands, by their index: how far [rad]."""
+    short = {index for index, length in enumerate(lengths) if length is not None and length < NO_WAY}
+    if not any(isinstance(program.motions[index], MoveL) for index in short):
+        return {}
+    out = {}
+    for index, motion, start, end, _ in courses(program, kinematics):
+        if index in short and isinstance(motion, MoveL) and start is not None and end is not None:
+            R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
+            if (angle := axis_angle(R_0.T @ R_1)[1]) > NO_WAY:
+                out[index] = angle
+    return out
 
 
 def changes_frame(move: Motion, after: Motion) -> bool:
@@ -188,24 +204,8 @@ def _turned(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
     return FlyBy(angle, angle, angle, in_place=True)
 
 
-def _turning_in_place(
-    program: Program, kinematics: Kinematics | None, lengths: Sequence[float | None]
-) -> frozenset[int]:
-    """The lines on which the tool turns and its centre point stands."""
-    short = {index for index, length in enumerate(lengths) if length is not None and length < NO_WAY}
-    if not any(isinstance(program.motions[index], MoveL) for index in short):
-        return frozenset()
-    out = set()
-    for index, motion, start, end, _ in courses(program, kinematics):
-        if index in short and isinstance(motion, MoveL) and start is not None and end is not None:
-            R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
-            if axis_angle(R_0.T @ R_1)[1] > NO_WAY:
-                out.add(index)
-    return frozenset(out)
-
-
 def _programmed(
-    program: Program, lengths: Sequence[float | None], turning: Set[int]
+    program: Program, lengths: Sequence[float | None], turning: Mapping[int, float]
 ) -> Iterator[tuple[int, Move, int | None, str | None]]:
     """Every programmed fly-by: index and move, the index of the next move, and why it is a stop, None where passed.
     turning: the lines that turn the tool in place.

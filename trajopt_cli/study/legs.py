@@ -176,16 +176,17 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     own = {motion.index: i for i, motion in enumerate(kept)}
     passed = {own[index] for index in passed_in(there, plant, plan)}
     stops = len(corners_of(program, plant).passed) - len(passed)
-    return FixedRail(program, plan, tuple(_runs(program, plant, legs, passed)), stops)
+    return FixedRail(program, plan, tuple(_runs(program, plant, legs, passed, bool(passed) or stops > 0)), stops)
 
 
-def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[int]) -> Iterator[Run]:
-    """passed: the motions at whose end the plan stops not."""
-    if not passed and not any(isinstance(leg.motion, MoveC) for leg in legs):
+def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[int], corners: bool) -> Iterator[Run]:
+    """passed: the motions at whose end the plan stops not. corners: whether there are points that could be passed."""
+    if not corners and not any(isinstance(leg.motion, MoveC) for leg in legs):
         yield from (Run((leg,)) for leg in legs)
         return
     problem = build_problem(program, plant, FIXED_RAIL, Target.STREAM, everything(program, plant))
     assert isinstance(problem, Problem)  # there is a plan for it
+    legs = [_at_its_speed(leg, problem) for leg in legs]
     after = {leg.motion: k + 1 for k, leg in enumerate(problem.legs)}
     known = {after[leg.index]: leg.q_1 for leg in legs}
     q = np.tile(plant.start, (len(problem.waypoints), 1))
@@ -205,6 +206,16 @@ def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[in
                 raise ValueError(f"{leg.motion.source}: {leg.name} has no course, although the fixed-rail plan has one")
         yield Run(tuple(run), course)
         run = []
+
+
+def _at_its_speed(leg: Leg, problem: Problem) -> Leg:
+    """A leg whose programmed time stands for a speed in the plan, beside a fly-by, at that speed."""
+    if leg.duration is None or not isinstance(leg.motion, Move):
+        return leg
+    planned = next(one for one in problem.legs if one.motion == leg.index)
+    if planned.duration is not None:
+        return leg
+    return replace(leg, duration=None, v_tcp=planned.v_tcp, v_ori=planned.v_ori)
 
 
 def _branch(plant: Plant, q: Array) -> int:

@@ -172,7 +172,7 @@ def _timed(path: _Path) -> TimeLaw | None:
         return None
     piece = Piece(law.duration, law.times, partial(_run, path, law))
     rows = rows_of(path.trajectory.names, [piece], path.run.legs[-1].q_1)
-    t = np.r_[rows.t[:-1] + 1e-9, rows.t[1:] - 1e-9]
+    t = np.r_[rows.t[:-1] + 1e-9, (rows.t[:-1] + rows.t[1:]) / 2, rows.t[1:] - 1e-9]
     use = use_of(path.plant, path.caps(law.at(t)[0]), *hermite(rows, t))
     return law.slowed(max(1.0, use.slowing / SAFE))
 

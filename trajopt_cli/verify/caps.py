@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property, partial, reduce
 from itertools import pairwise
 
 import numpy as np
@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import MoveExtJ
-from trajopt_cli.verify.course import Point, obeys_programmed_speed
+from trajopt_cli.motion import MoveC, MoveExtJ
+from trajopt_cli.verify.course import Point, arc_to, obeys_programmed_speed
 from trajopt_cli.verify.findings import Series, Worst, finding, worse
 from trajopt_cli.verify.frame import Frame, carried
-from trajopt_cli.verify.geometry import lengths
+from trajopt_cli.verify.geometry import angle_between, lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
@@ -242,8 +242,8 @@ def _times(rows: Rows, a: int, b: int, m: int) -> Array:
 
 @dataclass(frozen=True)
 class _Programmed:
-    """One part of speeddata: the check that holds a motion to it, where it is changed over, and its cap for a move,
-    None where the move has none: a reorientation of 0 is for a tool that keeps its orientation."""
+    """One part of speeddata: the check that holds a motion to it, where it is changed over, and its cap for a move from
+    visit to visit, None where it has none: a reorientation of 0 is for a tool that keeps its orientation."""
 
     check: str
     subject: str
@@ -251,7 +251,7 @@ class _Programmed:
     tolerance: float
     zone: str
     values: Callable[[Frame, int, int], Iterator[tuple[Array, Array]]]
-    cap: Callable[[Point, Machine], float | None]
+    cap: Callable[[Visit, Visit, Machine], float | None]
 
     def finding(self, frame: Frame, part: tuple[int, int], limit: float, point: Point, words: str) -> list[Finding]:
         """The worst from row to row; none where no rows show it."""
@@ -269,23 +269,47 @@ class _Programmed:
 
 def _parts(plant: Machine, has_rail: bool) -> list[_Programmed]:
     parts = [
-        _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _tcp, lambda p, m: _cap(p, m, "v_tcp")),
-        _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _turning,
-                    lambda p, m: _cap(p, m, "v_ori")),
+        _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _tcp, partial(_cap, "v_tcp")),
+        _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _turning, partial(_cap, "v_ori")),
         _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _rail, _rail_cap),
     ]  # fmt: skip
     return parts if has_rail else parts[:2]
 
 
-def _cap(point: Point, plant: Machine, name: str) -> float | None:
+def _cap(name: str, before: Visit, visit: Visit, plant: Machine) -> float | None:
+    point = visit.point
+    if point.move is not None and point.duration is not None:
+        return _of_its_time(name, before, visit, point.duration)
     if point.move is None or not obeys_programmed_speed(point, plant):
         return None
     return float(getattr(point.move.speed, name)) or None
 
 
-def _rail_cap(point: Point, plant: Machine) -> float | None:
+def _of_its_time(name: str, before: Visit, visit: Visit, duration: float) -> float | None:
+    """The speed that a programmed time beside a fly-by stands for, [m/s] or between turns in place [rad/s]: that which
+    takes so long over the whole way. From stop to stop the time itself is looked at."""
+    point, zones = visit.point, [one.point.fly_by for one in (before, visit) if one.point.fly_by is not None]
+    turns = any(zone.in_place for zone in zones)
+    if not zones or turns != (name == "v_ori"):
+        return None
+    X_0, X_1 = before.X_WF @ point.X_FT, point.X_WT
+    if turns:
+        return float(angle_between(X_0[:3, :3], X_1[:3, :3])) / duration
+    if isinstance(point.move, MoveC):
+        return (point.circle or arc_to(before.X_WF, point)).length / duration
+    return float(lengths(X_1[:3, 3] - X_0[:3, 3])) / duration
+
+
+def _allows(point: Point) -> str:
+    assert point.move is not None
+    what = point.move.speed.name if point.duration is None else rf"\T:={point.duration:g}"
+    return f"{what} allows"
+
+
+def _rail_cap(_: Visit, visit: Visit, plant: Machine) -> float | None:
     """External axes alone always know v_leax; other moves where they obey their speed at all. A speed of 0 lets the
     rail stand."""
+    point = visit.point
     alone = isinstance(point.move, MoveExtJ) and point.duration is None
     if point.move is None or not (alone or obeys_programmed_speed(point, plant)):
         return None
@@ -306,7 +330,7 @@ def _of_the_rail_alone(line: Timeline, frames: dict[bytes, Frame], rapid: bool) 
             rests.append([before, visit])
     rows, part = line.rows, _parts(line.rows.plant, True)[-1]
     for before, *visits in rests:
-        caps = [(part.cap(visit.point, rows.plant) or np.inf, visit.point) for visit in visits]
+        caps = [(part.cap(before, visit, rows.plant) or np.inf, visit.point) for visit in visits]
         waits = not rapid and any(hold.wait.duration > 0 for visit in (before, *visits) for hold in visit.holds)
         limit, point = max(caps, key=lambda cap: cap[0])
         if waits or limit == np.inf:
@@ -327,9 +351,9 @@ def _programmed(frame: Frame, before: Visit, visit: Visit) -> Iterator[Finding]:
     assert point.move is not None
     for part in _parts(rows.plant, rows.mechanism.has_rail):
         a, b = outside_zones(frame, before, visit, part.zone)
-        limit = part.cap(point, rows.plant)
+        limit = part.cap(before, visit, rows.plant)
         if limit is not None and b > a:
-            yield from part.finding(frame, (a, b), limit, point, f"{point.move.speed.name} allows")
+            yield from part.finding(frame, (a, b), limit, point, _allows(point))
 
 
 def _in_the_corner(frame: Frame, first: int, before: Visit, visit: Visit, after: Visit) -> Iterator[Finding]:
@@ -341,9 +365,8 @@ def _in_the_corner(frame: Frame, first: int, before: Visit, visit: Visit, after:
     for part in _parts(rows.plant, rows.mechanism.has_rail):
         a = max(outside_zones(frame, before, visit, part.zone)[1], first)
         b = min(outside_zones(frame, visit, after, part.zone)[0], rows_of_move(rows, visit, after)[1])
-        caps = [part.cap(one.point, rows.plant) for one in (visit, after)]
+        caps = [part.cap(*ends, rows.plant) for ends in ((before, visit), (visit, after))]
         if caps[0] is not None and caps[1] is not None and b > a:
             faster = visit if caps[0] >= caps[1] else after
-            assert faster.point.move is not None
-            words = f"at {visit.point.name} {faster.point.move.speed.name} allows"
+            words = f"at {visit.point.name} {_allows(faster.point)}"
             yield from part.finding(frame, (a, b), max(caps[0], caps[1]), visit.point, words)
