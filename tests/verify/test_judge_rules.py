@@ -17,11 +17,13 @@ from legal_motion import (
     Case,
     arm_at,
     bench_case,
+    eax,
     held_case,
     hold,
     home,
     joint_move,
     line_move,
+    move_ext,
     move_j,
     move_l,
     plant_with_rail,
@@ -38,7 +40,7 @@ from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
-from trajopt_cli.motion import FlyBy, Hold
+from trajopt_cli.motion import FlyBy, Hold, Motion
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import visits
@@ -147,6 +149,40 @@ def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: boo
         missed = [f for f in missed if f.check in ("stop reached", "rail target")]
         assert [(f.source.line, f.subject, f.unit) for f in missed if f.source] == [(12, "rail", "m")]
         assert missed[0].value == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("places", [(0.0, 0.3, 0.0), (0.05, 0.3, 0.3, 0.05, 0.05, 0.2)])
+@pytest.mark.parametrize("fixed", [False, True])
+def test_lines_and_joint_moves_of_the_rail_take_turns_at_one_pose(places: tuple[float, ...], fixed: bool) -> None:
+    """A line of the rail alone keeps the tool where it is, and it is one rest with the stop before it; a joint move of
+    the rail alone takes the tool away and back. Wherever a plan has the rail, each stop is its own."""
+    plant, first = plant_with_rail(rail_fixed=fixed), 0.1
+    q = {d: arm_at(plant, A[None], np.array([d]))[0] for d in (first, *places)}
+    motions: list[Motion] = [move_j(11, "p_0", A, first)]
+    pieces = [joint_move(plant, plant.start, q[first])]
+    for k, (a, b) in enumerate(pairwise((first, *places))):
+        line = k % 2 == 0
+        motions.append((move_l if line else move_j)(12 + k, f"p_{k}", A, b, V2500))
+        pieces += [] if a == b else [ride(plant, A, a, b, 1.0) if line else joint_move(plant, q[a], q[b])]
+    meant = Case(plant, program(*motions), tuple(pieces))
+    programs = [meant.program] + ([] if fixed else [program(*(replace(m, extax=eax(0.1)) for m in motions))])
+    for asked in programs:
+        for target in (None, Target.RAPID):
+            report = verify(asked, plant, meant.rows(), target=target)
+            assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("bare", [False, True])
+def test_an_open_rail_that_moves_alone_behind_a_posture(bare: bool) -> None:
+    """The arm keeps the posture of a MoveAbsJ with 9E9 all through the moves of the rail behind it: it is reached in
+    the first rest."""
+    plant, rails = plant_with_rail(), (0.0, 0.4, 0.0, 0.2)
+    asked = program(home(11, None), wait(12, 0.5), *(move_ext(13 + k, d) for k, d in enumerate(rails[1:])))
+    moves = [joint_move(plant, np.r_[a, HOME], np.r_[b, HOME]) for a, b in pairwise(rails)]
+    rows = rows_of(plant, (hold(plant.start, 0.5), *moves), grid_only=bare)
+    for target in (None,) if bare else (None, Target.RAPID):
+        report = verify(asked, plant, rows, target=target)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
 
 
 def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
