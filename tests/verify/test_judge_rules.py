@@ -15,6 +15,7 @@ from legal_motion import (
     A,
     B,
     Case,
+    Piece,
     arm_at,
     bench_case,
     eax,
@@ -35,13 +36,16 @@ from legal_motion import (
     wait,
 )
 from legal_motion import judged as verify
+from scipy.interpolate import CubicHermiteSpline
 from spoil_book import OVER, limited
 from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.motion import FlyBy, Hold, Motion
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.robot.kinematics import inverse_velocity
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import visits
 from trajopt_cli.verify.course import Point
@@ -149,6 +153,24 @@ def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: boo
         missed = [f for f in missed if f.check in ("stop reached", "rail target")]
         assert [(f.source.line, f.subject, f.unit) for f in missed if f.source] == [(12, "rail", "m")]
         assert missed[0].value == pytest.approx(0.3)
+
+
+def test_a_line_that_takes_no_time_asks_nothing_of_a_rail_that_runs_through() -> None:
+    """The tool stops for a moment, the rail runs on at 0.3 m/s, and a line to the same pose allows it 0.1 m/s."""
+    plant, none = plant_with_rail(), np.zeros(7)
+    q_1, q_2 = (arm_at(plant, X[None], np.array([d]))[0] for X, d in ((A, 0.2), (B, 0.4)))
+    v = inverse_velocity(plant.robot, q_1[None], np.zeros((1, 6)), np.array([0.3]))[0]
+    line = move_l(12, "p", A, speed=replace(V2500, v_leax=0.1))
+    asked = program(move_j(11, "p", A), line, move_j(13, "p_b", B))
+
+    def brakes(q_0: Array, v_0: Array, q_1: Array, v_1: Array, T: float) -> Piece:
+        way = CubicHermiteSpline([0.0, T], [q_0, q_1], [v_0, v_1])
+        return Piece(T, lambda t: (way(t), way(t, 1)))
+
+    pieces = (brakes(plant.start, none, q_1, v, 1.0), brakes(q_1, v, q_2, none, 1.5))
+    for step, bare in ((1e-3, False), (4e-3, False), (3e-3, True)):
+        report = verify(asked, plant, rows_of(plant, pieces, step, grid_only=bare))
+        assert report.legal, [f.message for f in report.findings if not f.passed]
 
 
 @pytest.mark.parametrize("places", [(0.0, 0.3, 0.0), (0.05, 0.3, 0.3, 0.05, 0.05, 0.2)])
