@@ -155,6 +155,20 @@ def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: boo
         assert missed[0].value == pytest.approx(0.3)
 
 
+def test_rows_beside_a_stop_show_neither_a_held_rail_moving_nor_axes_that_do_not_rest() -> None:
+    """No row stands at the stops. The rail brakes to the first and leaves from the second; between them its unit is not
+    active. The row nearest to a stop in place may be the farther one in time."""
+    plant, away = plant_with_rail(), np.r_[0.3, np.zeros(6)]
+    q = [plant.start, plant.start + away, plant.start + away + 0.3 * np.eye(7)[4], plant.start]
+    moves = [joint_move(plant, a, b) for a, b in pairwise(q)]
+    X = plant.robot.forward(np.array(q))
+    held = replace(move_j(13, "p_b", X[2], 0.3), hold=Hold.UNIT)
+    asked = program(move_j(11, "p_a", X[1], 0.3), wait(12, 0.0, "di1 = 1"), held, wait(14, 0.0, "di1 = 0"), home(15))
+    for step in np.linspace(1e-3, 4e-3, 16):
+        report = verify(asked, plant, rows_of(plant, moves, step, grid_only=True))
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
 def test_a_line_that_takes_no_time_asks_nothing_of_a_rail_that_runs_through() -> None:
     """The tool stops for a moment, the rail runs on at 0.3 m/s, and a line to the same pose allows it 0.1 m/s."""
     plant, none = plant_with_rail(), np.zeros(7)
