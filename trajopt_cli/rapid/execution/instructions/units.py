@@ -36,8 +36,8 @@ def _switch(on: bool) -> Instruction:
             run.refuse(
                 "mechanical units",
                 node,
-                f"{node.name} {unit} may stop the rail, whose unit the cell file does not name; give its name there: "
-                f"'rail: {{unit: {unit}}}', or another if this is not the rail",
+                f"is {unit} the rail? The cell file gives the rail's unit no name: write 'rail: {{unit: {unit}}}', "
+                f"or the rail's own name there if {unit} is another unit",
             )
         else:
             run.ignored[node.name] += 1
@@ -62,11 +62,11 @@ def _alone(*required: str) -> Instruction:
         if name.lower() in run.units.axes or run.units.rail_unnamed:
             advice = "no plan knows where it is; program its moves (MoveExtJ), or leave them out"
             if name.lower() not in run.units.axes:
-                advice = "and may be the rail: name the rail's unit in the cell file ('rail: {unit: ...}')"
+                advice = f"if {name} is not the rail, name the rail's unit in the cell file ('rail: {{unit: ...}}')"
             run.refuse("independent axes", node, f"{what}, beside the program; {advice}")
         else:
             run.ignored[node.name] += 1
-            text = f"{what}; it is no axis of the cell file, and nothing of it is planned"
+            text = f"{what}; the cell file has no such axis, so it is not planned"
             run.note(f"alone {name}", NoticeKind.NO_EFFECT, text, node)
 
     return handler
@@ -115,7 +115,7 @@ def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruct
             run.units.moving.add(moved.lower())
             run.world.lacks.pop(("assume_identity", moved.lower()), None)
         shown = run.text(what)
-        text = f"{node.name} {shown} is for work that {moved or shown} moves as no program tells; {_APART}"
+        text = f"{node.name} {shown}: {moved or shown} moves the work, and no program says how fast; {_APART}"
         run.refuse(_MOVING, node, text)
         if waits:
             wait_for(run, node, args, f"{name} {shown}", shown)
