@@ -494,3 +494,9 @@ def as_written(program: Program, motion: Motion) -> tuple[str, str]:
     words = " ".join(program.files[file].text[start:end].rstrip(";").split())
     name = re.match(r"\w*", words)
     return (name[0], words[name.end() :].strip()) if name else ("", words)
+
+
+def without_name(condition: str, name: str) -> str:
+    """What a wait's condition says behind the name of its instruction, "" for nothing."""
+    named = condition.lower().split()[:1] == [name.lower()]
+    return condition[len(name) :].strip() if named else condition

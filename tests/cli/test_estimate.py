@@ -93,6 +93,21 @@ def test_cycle_naive_figure_waits_and_guesses(tiny: Path, capsys: pytest.Capture
     assert "uncalibrated" in out
 
 
+def test_waits_are_told_by_their_instruction_and_what_they_wait_for(
+    tiny: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    waits = ["WaitDI di1, 1;", "Stop;", "SyncMoveOn s1, both;", "SyncMoveOff s2;", "waitsynctask\\InPos, s3, both;"]
+    data = "".join(f"VAR syncident s{i};" for i in (1, 2, 3)) + 'PERS tasks both{2}:=[["T_1"],["T_2"]];'
+    text = tiny.read_text().replace("WaitTime 0.5;", "".join(waits)).replace("MODULE Tiny", f"MODULE Tiny\n{data}")
+    tiny.write_text(text)
+    named = [("WaitDI", "di1 = 1"), ("Stop", ""), ("SyncMoveOn", "s1"), ("SyncMoveOff", "s2"), ("waitsynctask", "s3")]
+    told = [one for one in answer(capsys, "estimate", str(tiny))["motions"] if one["wait"]]
+    assert [(one["instruction"], one["target"]) for one in told] == named
+    assert run(["parse", str(tiny)]) == 0
+    lines = [line.split("at least")[0].split() for line in capsys.readouterr().out.splitlines() if "at least" in line]
+    assert [(line[1], " ".join(line[2:])) for line in lines] == named
+
+
 @pytest.mark.parametrize("period", [0.004, 0.02, 0.1])
 def test_a_log_gives_every_motion_its_measured_time(
     tiny: Path, capsys: pytest.CaptureFixture[str], period: float

@@ -216,6 +216,13 @@ def test_what_no_plan_can_follow_is_refused_by_line(body: str, cell: str, lines:
         assert caught.value.line == lines[0]
 
 
+@pytest.mark.parametrize("unit", ["ROB_2", "rob_l", "ROB2", "T_ROB2", "Robot1"])
+def test_work_that_another_robot_carries_is_refused_and_no_frame_is_asked_for(unit: str) -> None:
+    text = f"MODULE m\n{DATA % unit}PROC main()\n{go(at(), 'belt')}\nENDPROC\nENDMODULE\n"
+    program, lacking = try_program([TextFile("m.mod", text, "utf-8")], scenario(ONE))
+    assert (len(lacking), [one.source.line for one in program.refusals]) == (0, [6])
+
+
 def test_a_belt_by_another_name_is_known_by_what_waits_for_it() -> None:
     text = f"MODULE m\n{DATA % 'L3'}PROC main()\n{go(at(), 'belt')}\n%s\nENDPROC\nENDMODULE\n"
     for wait, lacks, refused in (("", 1, []), ("WaitWObj belt;\n" + go(at(), "belt"), 0, [7, 8])):

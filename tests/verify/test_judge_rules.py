@@ -15,13 +15,16 @@ from legal_motion import (
     A,
     B,
     Case,
+    Piece,
     arm_at,
     bench_case,
+    eax,
     held_case,
     hold,
     home,
     joint_move,
     line_move,
+    move_ext,
     move_j,
     move_l,
     plant_with_rail,
@@ -33,13 +36,16 @@ from legal_motion import (
     wait,
 )
 from legal_motion import judged as verify
+from scipy.interpolate import CubicHermiteSpline
 from spoil_book import OVER, limited
 from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
-from trajopt_cli.motion import FlyBy, Hold
+from trajopt_cli.motion import FlyBy, Hold, Motion
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.robot.kinematics import inverse_velocity
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import visits
 from trajopt_cli.verify.course import Point
@@ -147,6 +153,72 @@ def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: boo
         missed = [f for f in missed if f.check in ("stop reached", "rail target")]
         assert [(f.source.line, f.subject, f.unit) for f in missed if f.source] == [(12, "rail", "m")]
         assert missed[0].value == pytest.approx(0.3)
+
+
+def test_rows_beside_a_stop_show_neither_a_held_rail_moving_nor_axes_that_do_not_rest() -> None:
+    """No row stands at the stops. The rail brakes to the first and leaves from the second; between them its unit is not
+    active. The row nearest to a stop in place may be the farther one in time."""
+    plant, away = plant_with_rail(), np.r_[0.3, np.zeros(6)]
+    q = [plant.start, plant.start + away, plant.start + away + 0.3 * np.eye(7)[4], plant.start]
+    moves = [joint_move(plant, a, b) for a, b in pairwise(q)]
+    X = plant.robot.forward(np.array(q))
+    held = replace(move_j(13, "p_b", X[2], 0.3), hold=Hold.UNIT)
+    asked = program(move_j(11, "p_a", X[1], 0.3), wait(12, 0.0, "di1 = 1"), held, wait(14, 0.0, "di1 = 0"), home(15))
+    for step in np.linspace(1e-3, 4e-3, 16):
+        report = verify(asked, plant, rows_of(plant, moves, step, grid_only=True))
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_a_line_that_takes_no_time_asks_nothing_of_a_rail_that_runs_through() -> None:
+    """The tool stops for a moment, the rail runs on at 0.3 m/s, and a line to the same pose allows it 0.1 m/s."""
+    plant, none = plant_with_rail(), np.zeros(7)
+    q_1, q_2 = (arm_at(plant, X[None], np.array([d]))[0] for X, d in ((A, 0.2), (B, 0.4)))
+    v = inverse_velocity(plant.robot, q_1[None], np.zeros((1, 6)), np.array([0.3]))[0]
+    line = move_l(12, "p", A, speed=replace(V2500, v_leax=0.1))
+    asked = program(move_j(11, "p", A), line, move_j(13, "p_b", B))
+
+    def brakes(q_0: Array, v_0: Array, q_1: Array, v_1: Array, T: float) -> Piece:
+        way = CubicHermiteSpline([0.0, T], [q_0, q_1], [v_0, v_1])
+        return Piece(T, lambda t: (way(t), way(t, 1)))
+
+    pieces = (brakes(plant.start, none, q_1, v, 1.0), brakes(q_1, v, q_2, none, 1.5))
+    for step, bare in ((1e-3, False), (4e-3, False), (3e-3, True)):
+        report = verify(asked, plant, rows_of(plant, pieces, step, grid_only=bare))
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("places", [(0.0, 0.3, 0.0), (0.05, 0.3, 0.3, 0.05, 0.05, 0.2)])
+@pytest.mark.parametrize("fixed", [False, True])
+def test_lines_and_joint_moves_of_the_rail_take_turns_at_one_pose(places: tuple[float, ...], fixed: bool) -> None:
+    """A line of the rail alone keeps the tool where it is, and it is one rest with the stop before it; a joint move of
+    the rail alone takes the tool away and back. Wherever a plan has the rail, each stop is its own."""
+    plant, first = plant_with_rail(rail_fixed=fixed), 0.1
+    q = {d: arm_at(plant, A[None], np.array([d]))[0] for d in (first, *places)}
+    motions: list[Motion] = [move_j(11, "p_0", A, first)]
+    pieces = [joint_move(plant, plant.start, q[first])]
+    for k, (a, b) in enumerate(pairwise((first, *places))):
+        line = k % 2 == 0
+        motions.append((move_l if line else move_j)(12 + k, f"p_{k}", A, b, V2500))
+        pieces += [] if a == b else [ride(plant, A, a, b, 1.0) if line else joint_move(plant, q[a], q[b])]
+    meant = Case(plant, program(*motions), tuple(pieces))
+    programs = [meant.program] + ([] if fixed else [program(*(replace(m, extax=eax(0.1)) for m in motions))])
+    for asked in programs:
+        for target in (None, Target.RAPID):
+            report = verify(asked, plant, meant.rows(), target=target)
+            assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("bare", [False, True])
+def test_an_open_rail_that_moves_alone_behind_a_posture(bare: bool) -> None:
+    """The arm keeps the posture of a MoveAbsJ with 9E9 all through the moves of the rail behind it: it is reached in
+    the first rest."""
+    plant, rails = plant_with_rail(), (0.0, 0.4, 0.0, 0.2)
+    asked = program(home(11, None), wait(12, 0.5), *(move_ext(13 + k, d) for k, d in enumerate(rails[1:])))
+    moves = [joint_move(plant, np.r_[a, HOME], np.r_[b, HOME]) for a, b in pairwise(rails)]
+    rows = rows_of(plant, (hold(plant.start, 0.5), *moves), grid_only=bare)
+    for target in (None,) if bare else (None, Target.RAPID):
+        report = verify(asked, plant, rows, target=target)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
 
 
 def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:

@@ -14,7 +14,7 @@ from pathlib import PurePath
 from textwrap import wrap
 from typing import Any
 
-from trajopt_cli.motion import Happens, Hold, PathEvent
+from trajopt_cli.motion import Happens, Hold, PathEvent, without_name
 from trajopt_cli.rapid.listing import Listing, Row
 
 PIPED_WIDTH = 300  # columns when nobody tells; a log must not wrap
@@ -34,7 +34,7 @@ _ZONE = re.compile(r"z(\d+)$", re.IGNORECASE)
 COLUMNS: dict[str, Callable[[Row], str]] = {
     "place": lambda row: f"{PurePath(row.source.file).name}:{row.source.line}",
     "instruction": lambda row: row.instruction,
-    "target": lambda row: " ".join((row.target or "").split()),
+    "target": lambda row: " ".join(without_name(row.target or "", row.instruction).split()),
     "to": lambda row: _to(row),
     "speed": lambda row: _speed(row),
     "zone": lambda row: _zone(row),

@@ -11,10 +11,7 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.compared import ComparedRuns, Motion, MotionRow, OneRun
 
 _WIDE, _LEFT, _BAR, _GAP = 1000, 60, 22, 12  # of drawings, in units of their own; left of them the letters
-_CLASSES = {
-    **{"MoveL": "line", "MoveC": "arc", "MoveExtJ": "rail"},
-    **dict.fromkeys(("WaitTime", "Wait", "Signal", "WaitRob", "ActUnit", "DeactUnit"), "wait"),
-}
+_CLASSES = {"MoveL": "line", "MoveC": "arc", "MoveExtJ": "rail", "MoveJ": "joint", "MoveAbsJ": "joint"}
 _KINDS = {"line": "lines", "arc": "arcs", "joint": "joint moves", "rail": "external axes alone", "wait": "waits"}
 
 
@@ -88,7 +85,7 @@ def _gantt(answer: ComparedRuns) -> str:
             if one.time_s > 0:
                 told = text(f"{one.name}, {one.place}: {one.time_s:.3f} s, {one.binding}")
                 drawn.append(
-                    f'<rect class="{_CLASSES.get(one.instruction, "joint")}" x="{_LEFT + one.start_s * scale:.2f}" '
+                    f'<rect class="{_CLASSES.get(one.instruction, "wait")}" x="{_LEFT + one.start_s * scale:.2f}" '
                     f'y="{y}" width="{one.time_s * scale:.2f}" height="{_BAR}"><title>{told}</title></rect>'
                 )
     return _svg(drawn, high + 24, f"Motions of the {answer.target} plans over time")
@@ -96,7 +93,7 @@ def _gantt(answer: ComparedRuns) -> str:
 
 def _key(answer: ComparedRuns) -> str:
     """Which colours the drawing has, in words: a pointer over a bar tells its motion."""
-    used = {_CLASSES.get(m.instruction, "joint") for run in answer.runs for m in run.plans[answer.target].motions}
+    used = {_CLASSES.get(m.instruction, "wait") for run in answer.runs for m in run.plans[answer.target].motions}
     colours = {"line": "vermillion", "arc": "purple", "joint": "blue", "rail": "green", "wait": "grey"}
     told = ", ".join(f"{colours[kind]}: {_KINDS[kind]}" for kind in _KINDS if kind in used)
     return f"{told}. A pointer on a bar tells its motion."

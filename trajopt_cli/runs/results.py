@@ -15,7 +15,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.joint_csv import FARTHEST
-from trajopt_cli.motion import Program, SignalEvent, Wait, as_written
+from trajopt_cli.motion import Program, SignalEvent, Wait, as_written, without_name
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
 from trajopt_cli.problem.corners import Corners
@@ -31,7 +31,6 @@ from trajopt_cli.runs.together import replace_files
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
-_SIGNAL_WAIT = "Wait"
 MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
 NOT_TIMED = "not timed: stopped by Ctrl-C"
 
@@ -118,12 +117,14 @@ class PlanRecord(RunRecord[PlanOptions]):
 
 
 class MotionRow(Section):
-    """A motion in summary.json, as far as it is read back; times in s from the start."""
+    """A motion in summary.json, as far as it is read back; times in s from the start. until: the condition that ends a
+    wait, None for none."""
 
     index: int
     source: str = ""
     instruction: str
     target: str
+    until: str | None = None
     start_s: float
     time_s: float
     dropped: bool
@@ -250,7 +251,8 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
         case Wait(condition=None):
             return "WaitTime", f"{motion.programmed:g} s{' beside' * (motion.beside is not None)}"
         case Wait():
-            return _SIGNAL_WAIT, str(motion.condition)
+            name = as_written(program, motion)[0]
+            return name, without_name(motion.condition or "", name)
         case SignalEvent():
             return "Signal", f"{motion.signal} = {motion.value:g}"
     return type(motion).__name__, motion.target
@@ -315,6 +317,7 @@ def _plan(program: Program, plant: Plant, judged: Judged, stretches: Sequence[St
                 "source": str(motion.source),
                 "instruction": instruction,
                 "target": target,
+                "until": getattr(program.motions[motion.index], "condition", None),
                 "start_s": motion.t_0,
                 "time_s": motion.t_1 - motion.t_0,
                 "binding": motion.binding,
@@ -375,7 +378,6 @@ def read_results(folder: Path, judged: bool = False) -> Results:
     plans = (CHOSEN, *CSV.values())
     run = read_run(folder, PlanRecord, (SUMMARY, *plans), plans if judged else ())
     inputs, options, digest = run.record.inputs, run.record.options, run.summary(Summary)
-    waits = [row for row in digest.plans.of(digest.target).motions if row.instruction == _SIGNAL_WAIT]
     return Results(
         folder=folder,
         target=digest.target,
@@ -389,7 +391,11 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         texts={name: run.text(name) for name in plans},
         motions={one: tuple(digest.plans.of(one).motions) for one in Target},
         ways={one: tuple(digest.plans.of(one).detours) for one in Target},
-        holds=tuple((row.start_s + row.time_s, row.target) for row in waits),
+        holds=tuple(
+            (row.start_s + row.time_s, until)
+            for row in digest.plans.of(digest.target).motions
+            if (until := row.target if row.instruction == "Wait" else row.until) is not None  # Wait: older runs
+        ),
         rapid=tuple(_rapid(run)),
         no_rapid=run.record.no_rapid,
         kept=tuple(digest.kept),

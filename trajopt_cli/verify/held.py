@@ -13,7 +13,7 @@ from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.rail import rail_course, still_from
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_run
 from trajopt_cli.verify.tolerances import DWELL, HELD
 
 _WHY = {
@@ -65,7 +65,7 @@ def _unit(line: Timeline) -> Iterator[Finding]:
     for idle, group in groupby(range(1, len(visits)), key=lambda i: _idle(visits[i])):
         if idle:
             first, *_, last = (*group,) * 2
-            part = visits[first - 1].depart, visits[last].arrive
+            part = rows_of_run(line.rows, (visits[first - 1], visits[last]))
             if part[1] >= part[0]:
                 yield _still(line.rows, part, visits[last].point.name, Hold.UNIT, visits[last].point.source)
 

@@ -252,11 +252,13 @@ def _holds(rows: Rows, stop: Point, time: float, depart: int, rapid: bool) -> tu
         if stands_for(wait) or rapid:
             slack = DWELL + rows.doubt_t + unseen(rows, depart)
             first = min(int(np.searchsorted(rows.t, end - slack)), depart)
-            still = first + np.flatnonzero(rows.axes_rest[first : depart + 1])
+            # the nearest place need not be in the nearest row in time: that may be the one behind it
+            last = depart + (rows.open_time[depart] > 0)
+            still = first + np.flatnonzero(rows.axes_rest[first : last + 1])
             if len(still):
                 rests = int(still[0])
                 if rests > first or not rows.axes_rest[max(first - 1, 0)]:  # else the axes stand at `end` already
-                    end = max(end, float(rows.t[rests]))
+                    end = max(end, float(rows.t[min(rests, depart)]))
         out.append(Hold(wait, time, end, rests))
         time = end
     return tuple(out)

@@ -8,10 +8,11 @@ An event is an unbroken run of near rows, broken as well where the rail leaves i
 alone, the pose is the same all the while. Its good rows are those where the TCP rests as well (for RAPID: every axis)
 and a programmed rail position is met. Events are then matched with the stops in program order so that most stops find
 a good event (an event without good rows counts less, one without a row at the stop itself a hair less, a missed
-optional point hardly; one with the rail where the program writes it a hair more, though a plan may have it elsewhere:
-moves that the rail alone tells apart have one pose), the earliest where several do. So one wrong stop stays one wrong
-stop: a point flown by, skipped or swapped does not shift the blame to the points after it. Consecutive stops at one
-pose (waits and moves of the redundant axis) share an event.
+optional point hardly; one with the rail where the program writes it a hair more, in the order of time, though a plan
+may have it elsewhere: moves that the rail alone tells apart have one pose), the earliest where several do. So one wrong
+stop stays one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after it.
+Consecutive stops at one pose (waits and lines of the redundant axis) share an event; other moves have the next one
+where the tool comes back before it goes on.
 
 A point that is passed needs no row: between two rows the TCP is no farther from their chord than a h^2/8. Its events
 are unbroken runs of intervals whose chords come so near to its zone (on an arc, to its second half), and its place in
@@ -33,7 +34,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ
-from trajopt_cli.verify.course import Point
+from trajopt_cli.verify.course import Point, stays
 from trajopt_cli.verify.frame import Frame, angular_acceleration
 from trajopt_cli.verify.geometry import angle_between, lengths
 from trajopt_cli.verify.rail import rail_beside
@@ -80,15 +81,15 @@ Look = Callable[[NDArray[np.intp]], Closeness]
 @dataclass(frozen=True, eq=False)
 class Event:
     """A run of near rows [first, last]; good: the rows in it that count as the stop itself, maybe none. granted: none
-    of those is within tolerance but for what is granted for missing rows. rail: between which positions [m] it is in
-    them; None for none."""
+    of those is within tolerance but for what is granted for missing rows. rail: where it is in them [m]; None for
+    none."""
 
     first: int
     last: int
     good: NDArray[np.intp]
     best: int
     granted: bool = False
-    rail: tuple[float, float] | None = None
+    rail: Array | None = None
 
     @property
     def end(self) -> int:
@@ -135,6 +136,8 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
         granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
         off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
+        if stop.X_WF is None:  # the arm may keep its posture all through moves of the rail
+            near &= rests
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
         rail_off = np.zeros(len(at)) if stop.rail is None else np.where(rail_met, 0.0, np.abs(q[:, 0] - stop.rail))
         distance = np.maximum(off.max(axis=1), rail_off) / JOINT_TARGET
@@ -174,9 +177,7 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
         best = int(close.at[pool[np.argmin(close.distance[pool])]])
         core = _core(close, good)
         granted = bool(len(core)) and not close.tight[core].any()
-        rail = None
-        if close.rail is not None and len(core):
-            rail = float(close.rail[core].min()), float(close.rail[core].max())
+        rail = close.rail[core] if close.rail is not None and len(core) else None
         out.append(Event(int(close.at[run[0]]), int(close.at[run[-1]]), close.at[core], best, granted, rail))
     return tuple(out)
 
@@ -364,7 +365,29 @@ def _align(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list
     """The events of most worth that follow each other, the earliest of several; a rail that is not as written leaves
     them as they are."""
     anyhow = [replace(point, written=None) for point in points]
-    return _at_once(points, events) or _at_once(anyhow, events) or _of_most_worth(points, events)
+    chosen = _at_once(points, events) or _at_once(anyhow, events) or _of_most_worth(points, events)
+    return _spread(points, events, chosen)
+
+
+def _spread(
+    points: Sequence[Point], events: Sequence[tuple[Event, ...]], chosen: Sequence[Event | None]
+) -> list[Event | None]:
+    """The choice, but where moves to one pose share an event and the tool comes back to it before it goes on to another
+    point, moves that take it away have these events, one after the other."""
+    out = list(chosen)
+    ends: list[float] = [np.inf] * len(out)  # where the next other event begins
+    for k in range(len(out) - 2, -1, -1):
+        after = out[k + 1]
+        ends[k] = ends[k + 1] if after is None or after is out[k] else after.first
+    for k in range(1, len(out)):
+        before, event, point = out[k - 1], out[k], points[k]
+        if before is None or event is not chosen[k - 1] or point.fly_by is not None:
+            continue
+        X_WF = points[k - 1].X_WF
+        more = () if X_WF is not None and stays(point, X_WF) else events[k]
+        back = (one for one in more if len(one.good) and before.end < one.first and one.end < ends[k])
+        out[k] = next(back, before)
+    return out
 
 
 def _at_once(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None] | None:
@@ -372,7 +395,7 @@ def _at_once(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> li
     had so no other choice is worth more than, nor earlier: a file as it should be is aligned in one go."""
     known: dict[tuple[int, float | None], tuple[list[int], list[float], float]] = {}
     chosen: list[Event | None] = []
-    now = 0
+    now = moment = 0
     for point, own in zip(points, events, strict=True):
         if not own:
             chosen.append(None)
@@ -382,12 +405,29 @@ def _at_once(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> li
             ends = [event.end if point.fly_by is None else event.last for event in own]
             known[id(own), point.written] = ends, worth, max(worth)
         ends, worth, most = known[id(own), point.written]
-        pick = next((i for i in range(bisect_left(ends, now), len(own)) if worth[i] == most), None)
-        if pick is None:
+        for pick in range(bisect_left(ends, now), len(own)):
+            row = _as_written_from(point, own[pick], moment) if worth[pick] == most else None
+            if row is not None:
+                break
+        else:
             return None
+        moment = max(moment, row)
         chosen.append(own[pick])
         now = max(now, own[pick].end)
     return chosen
+
+
+def _as_written_from(point: Point, event: Event, moment: int) -> int | None:
+    """The first row of an event, not before a moment, where the rail is as the program writes it, or has come past
+    that. None for none; the moment itself where the rail is not so in any row."""
+    if point.written is None or event.rail is None:
+        return moment
+    off = event.rail - point.written
+    met = np.abs(off) <= JOINT_TARGET
+    met[1:] |= off[1:] * off[:-1] < 0
+    rows = event.good[met]
+    later = rows[rows >= moment]
+    return moment if not len(rows) else int(later[0]) if len(later) else None
 
 
 def _of_most_worth(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
@@ -439,6 +479,6 @@ def _worth(point: Point, event: Event) -> float:
     # rows of unequal distances: one a hair before the stop may be granted more than it is off, and the next one not
     worth = 0.6 if not len(event.good) else _GRANTED if event.granted else 1.0
     if point.written is not None and event.rail is not None:
-        low, high = event.rail
-        worth += _AS_WRITTEN * (low - JOINT_TARGET <= point.written <= high + JOINT_TARGET)
+        low, high = event.rail.min(), event.rail.max()
+        worth += _AS_WRITTEN * bool(low - JOINT_TARGET <= point.written <= high + JOINT_TARGET)
     return (0.25 if point.optional else 1.0) * worth

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 # as ABB's templates and people name conveyors, sensors and robots
-_MOVING = re.compile(r"(cnv|conveyor|belt|ssync)\w*|rob_\w+", re.IGNORECASE)
+_MOVING = re.compile(r"(cnv|conveyor|belt|ssync)\w*|rob_\w+|(t_)?rob(ot)?_?\d+", re.IGNORECASE)
 
 
 class Units:

@@ -36,8 +36,8 @@ def _switch(on: bool) -> Instruction:
             run.refuse(
                 "mechanical units",
                 node,
-                f"{node.name} {unit} may stop the rail, whose unit the cell file does not name; give its name there: "
-                f"'rail: {{unit: {unit}}}', or another if this is not the rail",
+                f"is {unit} the rail? The cell file gives the rail's unit no name: write 'rail: {{unit: {unit}}}', "
+                f"or the rail's own name there if {unit} is another unit",
             )
         else:
             run.ignored[node.name] += 1
@@ -62,11 +62,11 @@ def _alone(*required: str) -> Instruction:
         if name.lower() in run.units.axes or run.units.rail_unnamed:
             advice = "no plan knows where it is; use MoveExtJ, or leave it out"
             if name.lower() not in run.units.axes:
-                advice = "and may be the rail: name the rail's unit in the cell file ('rail: {unit: ...}')"
-            run.refuse("independent axes", node, f"{what}, which moves beside the program; {advice}")
+                advice = f"if {name} is not the rail, name the rail's unit in the cell file ('rail: {{unit: ...}}')"
+            run.refuse("independent axes", node, f"{what}, beside the program; {advice}")
         else:
             run.ignored[node.name] += 1
-            text = f"{what}; the cell file has no such axis, and its motion is not planned"
+            text = f"{what}; the cell file has no such axis, so it is not planned"
             run.note(f"alone {name}", NoticeKind.NO_EFFECT, text, node)
 
     return handler
