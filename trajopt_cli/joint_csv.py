@@ -162,6 +162,8 @@ def check_reach(
 
 def _heads(sheet: Sheet) -> tuple[Head, list[tuple[Head, str]]]:
     """The head of the times, and all others in their order with their text as joint CSV has it."""
+    if sheet.headless:
+        raise sheet.wrong(f"the first line holds numbers; write heads above it, '{_TIME},joint_1 [rad],...'")
     times = [head for head in sheet.heads if head.name == TIME]
     if len(times) != 1:
         found = " and ".join(f"'{head.text}'" for head in times)
@@ -176,8 +178,10 @@ def _heads(sheet: Sheet) -> tuple[Head, list[tuple[Head, str]]]:
         text = head.text
         if head.name is not None and not (text.startswith("eax_") and head.unit in ("rad", "deg")):
             if head.unit is None:
-                unit = "m" if head.name == "rail" else "rad"
-                raise sheet.wrong(f"column '{text}' names no unit; write it as '{head.name} [{unit}]'", head)
+                ways = " or ".join(
+                    f"'{head.name} [{one}]'" for one in (("m", "mm") if head.name == "rail" else ("rad", "deg"))
+                )
+                raise sheet.wrong(f"column '{text}' names no unit; write {ways}, as its values are", head)
             text = f"{head.name} [{_SPELLED.get(head.unit, head.unit)}]"
         out.append((head, text))
     return times[0], out

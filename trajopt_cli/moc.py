@@ -65,15 +65,18 @@ class Entry:
 class External:
     """An external axis: a single of a mechanical unit. line: of its SINGLE.
 
-    eax: 0 for eax_a, None where no JOINT says it. slides: None where nothing tells. X (4, 4): its base frame in the
-    world; a track runs along x of it, a positioner turns about z. velocity, acceleration: None where they are not told.
-    active: from start-up; fixed: it cannot be deactivated.
+    eax: 0 for eax_a, None where no JOINT says it, and the line that says it. moved_by: what moves its base frame.
+    slides: None where nothing tells. X (4, 4): its base frame in the world; a track runs along x of it, a positioner
+    turns about z. velocity, acceleration: None where they are not told. active: from start-up; fixed: it cannot be
+    deactivated.
     """
 
     name: str
     line: int
     eax: int | None
+    eax_line: int
     range: Range | None
+    moved_by: str
     slides: bool | None
     X: Array
     velocity: float | None
@@ -251,6 +254,8 @@ class _Reader:
             name=single.name if unit is None or "use_single_1" in said else unit.name,
             line=single.line,
             eax=eax,
+            eax_line=joint.values["logical_axis"].line if joint is not None and eax is not None else single.line,
+            moved_by=single.text("base_frame_coordinated"),
             range=self._range(arm, _MOST_ROUND, "rad") if slides is False else self._range(arm, _LONGEST, "m"),
             slides=slides,
             X=self._frame(single),

@@ -82,9 +82,8 @@ class Sheet:
         if not self.line:
             raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
         self.divider = max((",", ";", "\t"), key=text.count)
-        self.heads = [
-            Head.parsed(i, part.strip().strip('"').strip()) for i, part in enumerate(text.split(self.divider))
-        ]
+        parts = text.rstrip().removesuffix(self.divider).split(self.divider)  # one may end a line, too
+        self.heads = [Head.parsed(i, part.strip().strip('"').strip()) for i, part in enumerate(parts)]
         self.rows, self.last_line = 0, self.line
         for self.last_line, _ in content:
             self.rows += 1
@@ -197,6 +196,8 @@ class Sheet:
             for i, field in zip(order, row, strict=True):
                 if not _is_number(field):
                     what = f"'{field}' is not a finite number"
+                    if i == order[0] and any(mark in field for mark in ":/"):
+                        what += " nor a date and time like 2026-03-04 11:00:00.123"
                     if len(order) < len(self.heads) or self.divider != ",":
                         what += f", in column '{self.heads[i].text}'"
                     raise self.place(number, text, i, what)

@@ -79,7 +79,7 @@ def short(text: str) -> str:
 def hint(name: str, known: Sequence[str]) -> str:
     """What to do about an unknown name: the closest known one, else all of them."""
     close = get_close_matches(name, known, n=1)
-    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
+    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known) or 'none'}"
 
 
 def _keys(model: type[BaseModel], location: Sequence[str | int]) -> list[str]:

@@ -70,6 +70,14 @@ def test_columns_in_any_order_and_others_between_are_told(tmp_path: Path) -> Non
     assert log.q[:, 1] == pytest.approx(T, abs=1e-9)
 
 
+def test_a_divider_may_end_lines_and_lines_end_in_cr(tmp_path: Path) -> None:
+    file = written(tmp_path, "time;rail [m];J1 [rad];J2 [rad];", [f"{row};" for row in rows(delimiter=";")])
+    file.write_bytes(file.read_bytes().replace(b"\n", b"\r"))
+    log, unused = read_log(file, LIMITS)
+    assert log.q == pytest.approx(np.column_stack([0.5 + T, T, 0.1 - T]), abs=1e-8)
+    assert unused == ()
+
+
 def changed(number: int, line: str) -> list[str]:
     return [*rows()[:number], line, *rows()[number + 1 :]]
 

@@ -236,3 +236,15 @@ def test_corners_of_such_arcs_are_smooth(mode: CirPathMode) -> None:
         X = corner.pose(np.array([0.0, 1.0]))
         np.testing.assert_allclose(X[0], arc.pose(np.array([1 - corner.share_before]))[0], atol=1e-12)
         np.testing.assert_allclose(X[1], line.pose(np.array([corner.share_after]))[0], atol=1e-12)
+
+
+@pytest.mark.parametrize("about", [0.0, 0.7])
+def test_a_tool_that_turns_about_the_normal_alone_has_one_turn(about: float) -> None:
+    """As one that stands in the world: against the path's frame it turns, and with that about the same axis."""
+    X_0, X_1 = (pose((Rotation.from_rotvec([0, 0, a]) * DOWN).as_matrix(), [a - 1, 0, 0]) for a in (0.0, about))
+    X_1[:3, 3] = [1, 0, 0]
+    via = pose((Rotation.from_rotvec([0, 0, about / 2]) * DOWN).as_matrix(), [0, 1, 0])
+    arc = Arc.through(X_0, via, X_1, CirPathMode.PATH_FRAME)
+    assert (arc.spin, arc.angle) == (0.0, pytest.approx(about, abs=1e-12))
+    expected = [(Rotation.from_rotvec([0, 0, s * about]) * DOWN).as_matrix() for s in S]
+    np.testing.assert_allclose(arc.pose(S)[:, :3, :3], expected, atol=1e-12)

@@ -208,9 +208,23 @@ def test_the_task_is_told_by_the_folder_also_from_inside(backup: Path, monkeypat
 
 
 def test_robot_types_are_those_that_ship() -> None:
-    found = [shipped_robot(kind) for kind in ("ROB1_4600_2.55_40", "ROB1_140_0.81_6", "ROB1_1200_0.9_5_TypeB")]
-    assert found == ["irb4600_40_255", "irb140", "irb1200_5_90"]
+    types = ("ROB1_4600_2.55_40", "ROB1_140_0.81_6", "ROB1_1200_0.9_5_TypeB", "ROB1_15000_0.95_5")
+    assert [shipped_robot(kind) for kind in types] == ["irb4600_40_255", "irb140", "irb1200_5_90", "crb15000_5_95"]
     assert [shipped_robot(kind) for kind in ("ROB1_2600ID_2.00_8", "ROB1_4600_2.05_60", "ROB_L", "")] == [None] * 4
+
+
+@pytest.mark.parametrize(
+    ("kind", "told_at"),
+    [("ROB1_2400_1.55_10", ["b.yaml:1"]), ("ROB1_2600ID_2.00_8", ["b.yaml:1"]), ("ROB1_140", []), ("custom", [])],
+)
+def test_a_robot_that_ships_for_a_type_that_does_not_is_told(backup: Path, kind: str, told_at: list[str]) -> None:
+    (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("ROB1_140_0.81_6", kind))
+    assert [one.place for one in told(backup, SAME)] == told_at
+
+
+def test_a_file_without_a_robot_is_told(backup: Path) -> None:
+    (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("ROBOT:", "ROBOTS:"))
+    assert [one.place for one in told(backup, SAME)] == ["b/SYSPAR/MOC.cfg"]
 
 
 def test_a_cell_file_that_says_the_same_is_not_spoken_of(backup: Path) -> None:
@@ -222,7 +236,7 @@ def test_a_cell_file_that_says_the_same_is_not_spoken_of(backup: Path) -> None:
     [
         ("[0, 3.9]", "[-0.2, 3.9]", 4, ARM_T),
         ("[0, 3.9]", "[0, 4]", 4, ARM_T),
-        ("eax: b", "eax: a", 3, TRACK),
+        ("eax: b", "eax: a", 3, line("-logical_axis 8")),
         ("lower: -2.5", "lower: -2.6", 7, ARM_1),
         ("  joint_1: {lower: -2.5, upper: 1.5, source: test}\n", "", 6, ARM_1),
         ("[1.5, 0, 0.25]", "[1.5, 0.1, 0.25]", 5, ROB),
@@ -252,8 +266,19 @@ def test_a_rail_where_nothing_moves_the_base_is_told_and_none_where_something_do
 
 
 def test_a_positioner_that_differs_is_told(backup: Path) -> None:
-    table = "positioners:\n  STN1: {eax: d, range: [-4, 3], velocity: 1, acceleration: 1, source: test}\n"
+    table = "positioners:\n  STN1: {eax: d, range: [-4, 3], velocity: 1, acceleration: 1, source: test, frame: {"
+    table += "position: [2, 0, 0]}}\n"
     assert [one.place for one in told(backup, SAME + table)] == ["b.yaml:10"] * 2
+    same = table.replace("eax: d", "eax: c").replace("-4", "-3")
+    assert told(backup, SAME + same) == []
+    moc, stand = backup / "SYSPAR/MOC.cfg", line("-base_frame_pos_x 2")
+    for old, new in (("[2, 0, 0]", "[2, 0.1, 0]"), ("[2, 0, 0]", "[2, 0, 0], rpy: [0, 0, 0.1]")):
+        (found,) = told(backup, SAME + same.replace(old, new))
+        assert (found.place, f"MOC.cfg:{stand}" in found.text) == ("b.yaml:10", True)
+    moc.write_text(MOC.replace("-base_frame_pos_x 2", '-base_frame_pos_x 3 -base_frame_coordinated "TRACK"'))
+    assert told(backup, SAME + same) == []  # the table rides on something else, so its frame is not the world's
+    moc.write_bytes(MOC.replace("STN1", "St\xf6r1").encode("cp1252"))
+    assert [one.place for one in told(backup, SAME + table.replace("STN1", "St\xf6r1"))] == ["b.yaml:10"] * 2
 
 
 def test_the_cell_file_that_is_proposed_says_what_the_controller_says(

@@ -241,6 +241,9 @@ def test_all_of_these_are_the_same_table(text: str) -> None:
         ("# x\n\n" + "\n".join([*PLAIN[:9], PLAIN[4], *PLAIN[9:]]), (12, 1), "must increase"),
         (respelled("t [s];rail [m];joint_1 [rad]", str, ";", ",").replace("0,53", "O,53"), (5, 7), "'O.53'"),
         (respelled("time,rail [m],joint_1 [rad]", iso).replace("23:59:59.962", "23:59:69.962"), (5, 1), "23:59:69"),
+        (respelled("t [s];rail;joint_1 [rad]", str, ";", ","), (1, 7), "'rail [mm]'"),
+        ("\n".join(PLAIN[1:]), (1, None), "holds numbers"),
+        (respelled("Zeit,rail [m],joint_1 [rad]", lambda t: f"04.03.2026 11:00:0{t:.3f}"), (2, 1), "2026-03-04 11"),
     ],
 )
 def test_what_is_not_understood_is_told_by_its_line(text: str, place: tuple[int, int | None], said: str) -> None:
@@ -248,6 +251,11 @@ def test_what_is_not_understood_is_told_by_its_line(text: str, place: tuple[int,
         read_csv_text(text, "a.csv")
     assert (caught.value.line, caught.value.column) == place
     assert said in str(caught.value)
+
+
+def test_a_divider_may_end_the_heads_and_the_rows() -> None:
+    ended = read_csv_text("\n".join(f"{line}," for line in PLAIN), "a.csv")[0]
+    assert np.array_equal(ended.q, read_csv_text("\n".join(PLAIN), "a.csv")[0].q)
 
 
 def test_a_column_of_zeros_of_both_signs_is_printed_like_the_others() -> None:

@@ -81,7 +81,7 @@ def _rail(moc: Mechanics, arm: Arm, track: External, model: RobotModel) -> Itera
     if track.eax is None:
         yield "  # eax: ?  # no JOINT with -logical_axis tells the letter of this unit; see the program's targets"
     else:
-        yield f"  eax: {LETTERS[track.eax]}  # logical axis {track.eax + 7}"
+        yield f"  eax: {LETTERS[track.eax]}  # logical axis {track.eax + 7}: {moc.place(track.eax_line)}"
     if track.range is None:
         yield "  # stroke: [?, ?]  # no ARM tells the range of this unit"
     else:
@@ -164,7 +164,7 @@ def _external(moc: Mechanics, arm: Arm, one: External) -> Iterator[str]:
         yield f"# {one.name} {kind}, and does not move the base frame of {arm.name}: it is not in this file; {place}"
         return
     low, high = (f"{x:.6g}" for x in one.range[:2]) if one.range else ("?", "?")
-    letter = "?" if one.eax is None else LETTERS[one.eax]
+    letter = "?" if one.eax is None else f"{LETTERS[one.eax]}  # {moc.place(one.eax_line)}"
     speed, acc = ("?" if x is None else f"{x:.6g}" for x in (one.velocity, one.acceleration))
     yield "# positioners:  # what ? stands for MOC.cfg does not say; take the '#' away then"
     yield f"#   {one.name}:  # turns about z of its base frame; without what moves that: {place}"

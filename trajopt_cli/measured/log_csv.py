@@ -51,9 +51,7 @@ def read_log(
         raise InputError(f"cannot read: {error.strerror}", file=file) from error
     if "\0" in text[:1000]:
         raise InputError("holds NUL bytes, as UTF-16 and binary files do; save the log as UTF-8 text", file=file)
-    if "\r" in text and "\n" not in text:
-        raise InputError("its lines end in CR alone; save the log with LF or CRLF", file=file)
-    sheet = Sheet(text, file)
+    sheet = Sheet(text if "\n" in text else text.replace("\r", "\n"), file)
     if len(sheet.heads) < 2:
         found = sheet.heads[0].text[:60]
         raise InputError(f"the first line is '{found}'; wanted heads divided by , ; or tab", file=file, line=sheet.line)

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 _HALF_TURN = 1e-3  # rad: a turn this near to half a turn is as long to either side
 _NO_SIDE = 0.02  # rad: circle points that differ less in how near they are to both say nothing
 _STILL = 1e-9  # rad: no turn
+_SAME = 1e-12  # rad: turns so close to one axis have it
 _GAUSS = 32  # points for the sum of an uneven turn
 _DENSE = 257  # places where its highest rate is looked for
 _X = np.array([1.0, 0.0, 0.0])
@@ -88,6 +89,11 @@ class Arc:
             spin = arc.sweep
             R_V, R_1 = (rotation_about(arc.normal, -spin * s) @ R for s, R in ((share, R_V), (1.0, R_1)))
             turn, decided = _turn_by(R_0, R_V, R_1, share)
+            along = R_0.T @ arc.normal
+            if (
+                np.linalg.norm(np.cross(turn, along)) < _SAME
+            ):  # both about the normal, as where the tool stands: one turn
+                turn, spin = (round(float(turn @ along) + spin, 12) + 0.0) * along, 0.0
             turns = (turn,)
         return replace(arc, spin=spin, turns=turns, passed=share, decided=decided)
 

@@ -126,4 +126,4 @@ def _text(path: Path) -> str:
     except OSError as error:
         raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
     except UnicodeDecodeError as error:
-        raise InputError(f"byte {error.start} is not UTF-8 text", file=str(path)) from error
+        raise InputError(f"byte {error.start} is not UTF-8 text; save the rows as UTF-8", file=str(path)) from error

@@ -4,22 +4,25 @@ where both differ is told."""
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from trajopt_cli.cell.model import Cell
-from trajopt_cli.geometry import Array, axis_angle
+from trajopt_cli.geometry import Array, axis_angle, pose, rotation_from_wxyz
 from trajopt_cli.moc import Arm, External, Mechanics, Range, read_moc
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import syspar_of
 from trajopt_cli.robot.model import robot_names
 from trajopt_cli.units import DEG
 from trajopt_cli.yaml_file import line_of
 
 LETTERS = "abcdef"
+_FULL_TYPE = re.compile(r"[A-Z]+\d*_\d\w*_[\d.]+_[\d.]+", re.IGNORECASE)  # with model, reach and payload
 _FILE = "moc.cfg"
 _LARGEST = 10_000_000  # bytes; a controller's has some ten thousand
 _NEAR, _TURNED = 1e-3, 1e-3  # m, rad: frames that are measured and printed differ by that, and ranges by less
@@ -42,7 +45,7 @@ def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[Notic
     try:
         if moc.stat().st_size > _LARGEST:
             raise OSError(0, f"larger than {_LARGEST / 1e6:g} MB")
-        mechanics = read_moc(moc.read_bytes().decode("utf-8-sig", "replace"), str(moc))
+        mechanics = read_moc(decode(moc.read_bytes())[0], str(moc))
     except OSError as error:
         return None, (*told, Notice(NoticeKind.NOT_READ, f"cannot be read: {error.strerror}", str(moc)))
     return mechanics, (*told, *mechanics.notices)
@@ -54,7 +57,8 @@ def shipped_robot(kind: str) -> str | None:
     if len(parts) < 3 or not parts[1].replace(".", "", 1).isdigit():
         return None
     model, reach, payload = parts[:3]
-    names = (f"irb{model}_{payload}_{round(float(reach) * 100)}", f"irb{model}", f"crb{model}")
+    size = f"{model}_{payload}_{round(float(reach) * 100)}"
+    names = (f"irb{size}", f"irb{model}", f"crb{size}")
     return next((name for name in names if name in robot_names()), None)
 
 
@@ -65,8 +69,11 @@ def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable
     """
     mechanics, told = read_mechanics(paths)
     places = " ".join(str(Path(file).resolve()) for file in files)
-    if mechanics is None or (arm := mechanics.robot_of(places)) is None:
+    if mechanics is None:
         return told
+    if (arm := mechanics.robot_of(places)) is None:
+        what = "names no robot in a section ROBOT, so the cell file is not held against it"
+        return (*told, Notice(NoticeKind.NOT_READ, what, mechanics.file))
     out = [*told]
     if len(mechanics.robots) > 1:
         names = ", ".join(one.name for one in mechanics.robots)
@@ -100,9 +107,10 @@ def travel(track: External) -> Array:
 
 def _of_robot(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
     robot = plant.robot
-    kind = shipped_robot(arm.type)
-    if kind is not None and robot.name in robot_names() and robot.name.removesuffix("_rail") != kind:
-        yield "robot", f"{robot.name}, the controller's {arm.name} is {arm.type}, {kind} ({mechanics.place(arm.line)})"
+    kind, own = shipped_robot(arm.type), robot.name.removesuffix("_rail")
+    if robot.name in robot_names() and own != kind and (kind is not None or _FULL_TYPE.match(arm.type)):
+        its = f"{arm.type}, {kind or 'which does not ship'} ({mechanics.place(arm.line)})"
+        yield "robot", f"{robot.name}, the controller's {arm.name} is {its}"
     joints = zip(robot.axis_names[-6:], plant.limits.lower[-6:], plant.limits.upper[-6:], arm.ranges, strict=True)
     beyond: dict[str, list[str]] = {}
     for name, lower, upper, there in joints:
@@ -113,14 +121,19 @@ def _of_robot(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Itera
     for key, parts in beyond.items():
         yield key, f"joints may go beyond the controller's ranges: {'; '.join(parts)}; set lower and upper under limits"
     key = "rail.frame" if cell.rail is not None else "base"
-    X, at = robot.X_WB0, " with the rail at 0" if cell.rail is not None else ""
-    there_p, here_p = shown(arm.X[:3, 3], 6), shown(X[:3, 3], 6)
-    place = mechanics.place(arm.line)
-    if np.linalg.norm(arm.X[:3, 3] - X[:3, 3]) > _NEAR:
-        yield key, f"the arm's base{at} stands at [{here_p}] m, that of {arm.name} at [{there_p}] m ({place})"
-    _, angle = axis_angle(X[:3, :3].T @ arm.X[:3, :3])
+    at = " with the rail at 0" if cell.rail is not None else ""
+    its = f"of {arm.name} ({mechanics.place(arm.line)})"
+    yield from _of_frame(key, f"the arm's base{at}", robot.X_WB0, arm.X, its)
+
+
+def _of_frame(key: str, name: str, X: Array, there: Array, its: str) -> Iterator[tuple[str, str]]:
+    """Where a frame X (4, 4) differs from the controller's; its: whose that is."""
+    if np.linalg.norm(there[:3, 3] - X[:3, 3]) > _NEAR:
+        own, other = shown(X[:3, 3], 6), shown(there[:3, 3], 6)
+        yield key, f"{name} stands at [{own}] m, that {its} at [{other}] m"
+    _, angle = axis_angle(X[:3, :3].T @ there[:3, :3])
     if abs(angle) > _TURNED:
-        yield key, f"the arm's base{at} is turned by {abs(angle) / DEG:.4g} deg from that of {arm.name} ({place})"
+        yield key, f"{name} is turned by {abs(angle) / DEG:.4g} deg from that {its}"
 
 
 def _of_rail(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
@@ -138,7 +151,8 @@ def _of_rail(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Iterat
         return
     place = mechanics.place(track.line)
     if track.eax is not None and track.eax != rail.eax:
-        yield "rail.eax", f"{LETTERS[rail.eax]}, {track.name} is driven by eax_{LETTERS[track.eax]} ({place})"
+        its = f"eax_{LETTERS[track.eax]} ({mechanics.place(track.eax_line)})"
+        yield "rail.eax", f"{LETTERS[rail.eax]}, {track.name} is driven by {its}"
     if (there := track.range) is not None and wider(*rail.stroke, there, 1e-6):
         (low, high), at = rail.stroke, mechanics.place(there.line)
         beyond = f"{low:g}..{high:g} m goes beyond what the controller allows {track.name}"
@@ -163,7 +177,11 @@ def _of_positioners(mechanics: Mechanics, cell: Cell) -> Iterator[tuple[str, str
         (axis,), place = axes, mechanics.place(there.line)
         key = f"positioners.{name}"
         if there.eax is not None and there.eax != axis.eax:
-            yield key, f"eax {LETTERS[axis.eax]}, the controller has eax_{LETTERS[there.eax]} ({place})"
+            its = f"the controller has eax_{LETTERS[there.eax]} ({mechanics.place(there.eax_line)})"
+            yield key, f"eax {LETTERS[axis.eax]}, {its}"
+        if not there.moved_by:
+            X = pose(rotation_from_wxyz(axis.q), axis.p)
+            yield from _of_frame(key, "its frame", X, there.X, f"of {there.name} ({place})")
         if there.range is not None and there.slides is False and wider(*axis.range, there.range, _TURNED):
             its = f"{there.range.lower:g}..{there.range.upper:g} rad ({mechanics.place(there.range.line)})"
             yield key, f"range {axis.range[0]:g}..{axis.range[1]:g} rad goes beyond the controller's {its}"

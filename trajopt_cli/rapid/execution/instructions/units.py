@@ -62,7 +62,7 @@ def _alone(*required: str) -> Instruction:
         if name.lower() in run.units.axes or run.units.rail_unnamed:
             advice = "no plan knows where it is; use MoveExtJ, or leave it out"
             if name.lower() not in run.units.axes:
-                advice = f"if {name} is not the rail, name the rail's unit in the cell file ('rail: {{unit: ...}}')"
+                advice = f"{name} may be the rail: name the rail's unit in the cell file ('rail: {{unit: ...}}')"
             run.refuse("independent axes", node, f"{what}, beside the program; {advice}")
         else:
             run.ignored[node.name] += 1
