@@ -116,7 +116,7 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         )
     stops = stopped_fly_bys(program)
     passed = [not m.zone.stop and i not in stops for i, m in enumerate(program.motions) if isinstance(m, Move)]
-    ends = zip(moves, [False, *passed[:-1]], passed, strict=True)
+    ends = zip(moves, [False, *passed], passed, strict=False)  # before each move, and at its end
     if timed := sum(move.duration is not None and (before or end) for move, before, end in ends):
         lines.append(f"programmed times (\\T, {timed}) of moves beside a fly-by are planned as the speeds they make")
     if beside := [one.beside for one in program.motions if isinstance(one, Wait) and one.beside]:
