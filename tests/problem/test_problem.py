@@ -379,3 +379,17 @@ def test_a_programmed_time_of_a_turn_in_place_beside_a_fly_by_is_a_speed_of_turn
     assert [leg.duration for leg in problem.legs] == [None, None, None]
     assert [leg.v_ori for leg in problem.legs[1:]] == pytest.approx(np.radians([30, 24]) / 0.5)
     assert all(leg.v_tcp > 0 for leg in problem.legs)
+
+
+@pytest.mark.parametrize("conf_l", ["On", "Off"])
+def test_the_arm_that_external_axes_carry_is_where_the_point_before_leaves_it(conf_l: str) -> None:
+    """A line in place to the joints' own pose, which leaves joint_6 open to whole turns, and the rail goes on alone."""
+    target = "[[506.291651,0,679.5],[0.5,0,0.866025404,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]]"
+    program = rapid(
+        f"ConfL \\{conf_l};\nMoveAbsJ j_home, v1000, fine, tool0;\nMoveL {target}, v1000, fine, tool0;\n"
+        "MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[400,9E9,9E9,9E9,9E9,9E9]], v1000, fine;",
+    )
+    problem = problem_of(program, plant_with_rail())
+    arms = np.array([point.q[-6:] for point in problem.waypoints if point.q is not None])
+    assert len(arms) == 4
+    np.testing.assert_allclose(arms, np.tile(HOME, (4, 1)), atol=1e-6)

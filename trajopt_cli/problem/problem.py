@@ -333,6 +333,7 @@ class _Build:
         self._written = float(plant.layout.place(plant.start))
         self.waypoints = [self._at_joints(-1, plant.start)]
         self.legs: list[Leg] = []
+        self._demanded: dict[int, ConfData] = {}  # confdata that the program demands, by motion
 
     def add(self, index: int, motion: Motion) -> None:
         """The next motion. Raises _Impossible for what the program itself asks for and cannot be."""
@@ -408,11 +409,32 @@ class _Build:
             return
         self._take_rail(index, motion)
         before = self.waypoints[-1]
-        q, layout = _as_written(before, self._plant), self._plant.layout
+        q, layout = self._as_written(before), self._plant.layout
         rail = float(layout.place(q))
         self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
         v_rail = motion.speed.v_leax if motion.duration is None else np.inf
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
+
+    def _as_written(self, waypoint: Waypoint) -> Array:
+        """All axes at a waypoint as the program writes it: its rail value, and of the postures that may be taken one of
+        its confdata where the program demands that, nearest to the joints that were given last."""
+        if waypoint.q is not None:
+            return waypoint.q
+        robot, rail = self._plant.robot, waypoint.written if self._plant.robot.has_rail else None
+        demanded = self._demanded.get(waypoint.motion)
+        near = next(point.q for point in reversed(self.waypoints) if point.q is not None)[-6:]
+        found = [q for _, q in solutions(robot, waypoint.X_WF, rail, self._plant.limits)]
+        found = [q for q in found if waypoint.conf is None or confdata_admits(robot, waypoint.conf, q)]
+        if not found:
+            raise InputError(
+                "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its"
+                " own rail value; correct eax or confdata there"
+            )
+
+        def apart(q: Array) -> tuple[bool, float]:
+            return demanded is not None and not confdata_admits(robot, demanded, q), float(np.abs(q - near).max())
+
+        return np.asarray(np.r_[[] if rail is None else [rail], min(found, key=apart)])
 
     def _way(self, index: int, motion: MoveL | MoveC) -> None:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
@@ -483,7 +505,9 @@ class _Build:
         self._take_rail(index, motion)
         free = index in self._changes.values
         rail = self._stroke if free and not self._pinned else (self._written, self._written)
-        demanded = demands_configuration(motion, self._plant.robot) and not (free and self._freedom.configuration)
+        if demands_configuration(motion, self._plant.robot):
+            self._demanded[index] = motion.conf
+        demanded = index in self._demanded and not (free and self._freedom.configuration)
         return Waypoint(
             index,
             motion.X_WT @ inverse_pose(motion.tool.X_FT),
@@ -528,20 +552,6 @@ def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float
 def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
     """Whether two ranges of the rail have no position in common, so that it has to move between them."""
     return a[1] < b[0] or b[1] < a[0]
-
-
-def _as_written(waypoint: Waypoint, plant: Plant) -> Array:
-    """All axes at a waypoint as the program writes it: its rail value and its confdata."""
-    if waypoint.q is not None:
-        return waypoint.q
-    rail = waypoint.written if plant.robot.has_rail else None
-    for _, q in solutions(plant.robot, waypoint.X_WF, rail, plant.limits):
-        if waypoint.conf is None or confdata_admits(plant.robot, waypoint.conf, q):
-            return np.asarray(np.r_[[] if rail is None else [rail], q])
-    raise InputError(
-        "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its own rail"
-        " value; correct eax or confdata there"
-    )
 
 
 def _stations(legs: list[Leg], count: int) -> tuple[tuple[int, int], ...]:
