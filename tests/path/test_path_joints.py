@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from path_checks import STEPS, seeds
 
-from trajopt_cli.geometry import Array
-from trajopt_cli.path.joint_corner import JointCorner, JointCornerSymbols
-from trajopt_cli.path.joint_move import JointMove, JointMoveSymbols
+from trajopt_cli.path.joint_corner import JointCorner
+from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.segment import JointSegment
 
 S = np.linspace(0, 1, 21)
@@ -29,17 +27,6 @@ def check_slopes(segment: JointSegment, k: int) -> None:
         np.testing.assert_allclose(bend, segment.rate_change(s), rtol=0, atol=1e-14 / h)
 
 
-def check_expression(symbols: JointMoveSymbols | JointCornerSymbols, p: Array, segment: JointSegment) -> None:
-    P, s = ca.SX.sym("p", symbols.size), ca.SX.sym("s")
-    axes = symbols.axes(P, s)
-    rate = ca.jacobian(axes, s)
-    f = ca.Function("f", [P, s], [axes, rate, ca.jacobian(rate, s)])
-    numbers = segment.axes(S), segment.rate(S), segment.rate_change(S)
-    for i, share in enumerate(S):
-        for got, wanted in zip(f(p, share), numbers, strict=True):
-            np.testing.assert_allclose(got.full().ravel(), wanted[i], rtol=0, atol=1e-13)
-
-
 @pytest.mark.parametrize("k", [6, 7])
 def test_a_joint_move_is_straight(k: int) -> None:
     q_0, q_1 = np.random.default_rng(k).normal(size=(2, k))
@@ -47,8 +34,6 @@ def test_a_joint_move_is_straight(k: int) -> None:
     np.testing.assert_allclose(move.axes(S), np.linspace(q_0, q_1, 21), rtol=0, atol=1e-15)
     assert move.breaks.shape == (0,)
     check_slopes(move, k)
-    symbols = JointMoveSymbols(k)
-    check_expression(symbols, symbols.vector(move), move)
 
 
 def two_moves(rng: np.random.Generator, k: int = 6) -> tuple[JointMove, JointMove]:
@@ -80,8 +65,6 @@ def test_a_corner_meets_any_two_ends_with_their_rates(k: int) -> None:
     np.testing.assert_allclose(corner.rate(np.array([0.0, 1.0])), [rate_0, rate_1], rtol=0, atol=1e-14)
     assert corner.breaks.shape == (0,)
     check_slopes(corner, k)
-    symbols = JointCornerSymbols(k)
-    check_expression(symbols, symbols.vector(corner), corner)
 
 
 def test_what_is_no_corner_is_refused() -> None:

@@ -3,7 +3,7 @@ a time, where arrays cost twenty times the arithmetic."""
 
 from __future__ import annotations
 
-from math import atan2, cos, pi, sin, sqrt
+from math import atan2, pi, sqrt
 from typing import NamedTuple
 
 Point = tuple[float, float, float]
@@ -40,15 +40,6 @@ def arc_length(course: Circle, start: Point) -> float:
     """Length of an arc that begins at start."""
     first = _minus(start, course.centre)
     return sqrt(_dot(first, first)) * course.angle
-
-
-def point_on(course: Circle, start: Point, share: float) -> Point:
-    """The point at a share 0..1 of an arc that begins at start."""
-    first = _minus(start, course.centre)
-    side = _cross(course.axis, first)
-    c, s = cos(share * course.angle), sin(share * course.angle)
-    x, y, z = (o + c * a + s * b for o, a, b in zip(course.centre, first, side, strict=True))
-    return x, y, z
 
 
 def _minus(a: Point, b: Point) -> Point:

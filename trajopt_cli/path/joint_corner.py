@@ -4,17 +4,12 @@ where it is left, with both sides' rates. Between two joint moves it is a quadra
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.path.segment import POINT, JointSegment, check_shares
-from trajopt_cli.path.symbols import Layout
-
-if TYPE_CHECKING:
-    import casadi as ca
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,29 +63,3 @@ class JointCorner:
 
     def _at(self, s: Array) -> tuple[Array, Array, Array]:
         return hermite(self.q_0, self.rate_0, self.q_1, self.rate_1, s[:, None])
-
-
-@dataclass(frozen=True)
-class JointCornerSymbols:
-    """A corner of k axes as an expression of its ends and s."""
-
-    k: int
-
-    @property
-    def layout(self) -> Layout:
-        """As the fields of JointCorner, each (k,)."""
-        return Layout({name: (self.k,) for name in ("q_0", "rate_0", "q_1", "rate_1")})
-
-    @property
-    def size(self) -> int:
-        """How many parameters."""
-        return 4 * self.k
-
-    def vector(self, corner: JointCorner) -> Array:
-        """Parameters (size,) of a corner."""
-        return self.layout.vector({name: getattr(corner, name) for name in self.layout.shapes})
-
-    def axes(self, p: ca.SX, s: ca.SX) -> ca.SX:
-        """Axis positions (k,) at share s."""
-        part = self.layout.split(p)
-        return hermite(part["q_0"], part["rate_0"], part["q_1"], part["rate_1"], s)[0]
