@@ -157,9 +157,9 @@ def _count(number: int, what: str, plural: str = "s") -> str:
 
 
 def change(before: float, after: float) -> str:
-    """What becomes of a time, in per cent: "−26.5 %"."""
+    """What becomes of a time, in per cent: "−26.5 %", or "unchanged"."""
     percent = f"{100 * (after / before - 1):+.1f}" if before > 0 else "+0.0"
-    return f"{percent.replace('-', '−')} %"
+    return "unchanged" if percent[1:] == "0.0" else f"{percent.replace('-', '−')} %"
 
 
 def motions_table(answer: Optimised) -> Table:
