@@ -166,6 +166,11 @@ class CirPathMode(Enum):
     WRIST_46 = "Wrist46"
     WRIST_56 = "Wrist56"
 
+    @property
+    def wrist_alone(self) -> bool:
+        """Whether two wrist axes turn the tool, which no plan does."""
+        return self.value.startswith("Wrist")
+
 
 @dataclass(frozen=True)
 class Settings:

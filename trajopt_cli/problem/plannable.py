@@ -28,8 +28,8 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.problem.circles import WRIST_MODES, Starts
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.starts import Starts
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
@@ -194,7 +194,7 @@ def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
             "holds axis 4 and leaves its orientation (SingArea \\LockAxis4)",
             "plans keep the exact orientation: set SingArea \\Off before it",
         )
-    if isinstance(motion, MoveC) and settings.circle in WRIST_MODES:
+    if isinstance(motion, MoveC) and settings.circle.wrist_alone:
         yield (
             "CirPathMode",
             f"turns with wrist axes alone (CirPathMode \\{settings.circle.value})",

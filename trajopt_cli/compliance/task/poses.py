@@ -27,7 +27,6 @@ from trajopt_cli.motion import (
     Wait,
     instruction_name,
 )
-from trajopt_cli.problem.circles import WRIST_MODES
 from trajopt_cli.rapid.zones import fly_bys
 from trajopt_cli.yaml_file import line_of
 
@@ -194,7 +193,7 @@ def _check_plain(motion: MoveL | MoveC | MoveJ) -> None:
         "PathAccLim or WorldAccLim": caps != (None, None, None),
         "SingArea": settings.singularity is not Singularity.OFF,
         "GripLoad": settings.load is not None,
-        "CirPathMode \\Wrist": settings.circle in WRIST_MODES,
+        "CirPathMode \\Wrist": settings.circle.wrist_alone,
     }
     for instruction, active in asked.items():
         if active:

@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.motion import CirPathMode, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
+from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.circle import Point, circle_through
 from trajopt_cli.path.of_motion import segment_of, turns_of
@@ -25,7 +25,6 @@ from trajopt_cli.units import MM
 
 NEAR = 0.1 * MM  # m; a controller refuses circles with points nearer than this
 LEAST_SHARE = 0.25  # of the arc: CirPointOri wants its circle point between this and 1 - this (manual: CirPathMode)
-WRIST_MODES = frozenset({CirPathMode.WRIST_45, CirPathMode.WRIST_46, CirPathMode.WRIST_56})
 _TURNS = radians(0.01)  # rad between the orientations at both ends; less is the rounding of quaternions
 _MOVES = 1e-3 * MM  # m of rail
 
@@ -108,7 +107,7 @@ def _points(motion: MoveC, X_WF: Array) -> dict[str, Point]:
 
 def _unclear(motion: MoveC, X_WF: Array) -> tuple[str, str] | None:
     """What is wrong with the orientation of the circle point."""
-    if motion.tool.stationary or motion.settings.circle in WRIST_MODES:  # refused as such
+    if motion.tool.stationary or motion.settings.circle.wrist_alone:  # refused as such
         return None
     way = segment_of(motion, X_WF @ motion.tool.X_FT)
     arc = way.way if isinstance(way, Turning) else way
