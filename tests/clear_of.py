@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from link_poses import link_poses
 
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import MeshFile
 from trajopt_cli.trajectory import Trajectory
 

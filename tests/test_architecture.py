@@ -16,17 +16,17 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
-    ("errors", "units", "geometry", "decimals", "beside", "door"),
+    ("errors", "units", "geometry", "decimals", "workers", "settings"),
     (
         "motion",
-        "notices",
+        "warnings",
         "limits",
         "trajectory",
         "scenario",
         "kinematics",
         "joint_csv",
         "moc",
-        "printed",
+        "print_resolution",
         "sheet",
         "shapes",
         "findings",
@@ -36,29 +36,32 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ),
     # segments of paths: rapid measures arcs with it
     ("path", "native"),
-    ("rapid", "robot", "cell", "timing", "collision"),
+    ("rapid", "robot", "cell", "timing", "proximity"),
     ("problem",),
-    ("runs",),
-    ("optimize", "verify", "export", "report", "page", "measured", "adopt"),
+    ("runs", "trajectories"),
+    # the engines side by side, and what looks at plans from outside
+    ("graph_search", "path_timing", "nlp", "collision", "bound"),
+    # one ladder over the engines; the judge, exporters, pictures and pages
+    ("plan", "judge", "exporters", "report", "page", "measured", "adopt"),
     # what is worked on: a program and its cell, or those of a results folder
     ("job",),
-    ("pipeline", "compliance"),
+    ("pipeline", "iiwa"),
     # the widest composition: everything the pipeline can do, many times over
     ("study",),
     ("cli",),
 )
 # The plain data on floors 0 and 1 is a short stack of its own.
 STACK = {
-    "beside": {"errors"},
-    "door": set[str](),
-    "motion": {"geometry", "notices"},
-    "notices": set[str](),
+    "workers": {"errors"},
+    "settings": set[str](),
+    "motion": {"geometry", "warnings"},
+    "warnings": set[str](),
     "limits": {"geometry"},
     "trajectory": {"geometry"},
-    "joint_csv": {"errors", "geometry", "printed", "sheet", "trajectory", "units"},
-    "moc": {"errors", "geometry", "notices"},
+    "joint_csv": {"errors", "geometry", "print_resolution", "sheet", "trajectory", "units"},
+    "moc": {"errors", "geometry", "warnings"},
     "sheet": {"errors", "geometry"},
-    "printed": {"geometry"},
+    "print_resolution": {"geometry"},
     "errors": set[str](),
     "units": set[str](),
     "decimals": {"geometry"},
@@ -73,46 +76,52 @@ STACK = {
 }
 # Rooms with floors of their own inside.
 INNER: dict[str, tuple[tuple[str, ...], ...]] = {
-    "compliance": (("task",), ("controller", "world"), ("report",), ("job",), ("experiments",)),
+    "iiwa": (("judge",), ("task",), ("controller", "world"), ("report",), ("job",), ("experiments",)),
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
-    "casadi": ("robot/symbolic*.py", "path/*", "native/*", "optimize/*"),
+    "casadi": ("robot/symbolic*.py", "path/*", "native/*", "nlp/*"),
     "llvmlite": ("native/*",),
     "platformdirs": ("native/*",),
-    "pinocchio": ("robot/*", "verify/geometry.py", "verify/mechanism.py"),
-    "coal": ("collision/*",),
+    "pinocchio": ("robot/*", "judge/geometry.py", "judge/mechanism.py"),
+    "coal": ("proximity/*",),
     "toppra": ("timing/*",),
-    "qdldl": ("optimize/interior_point.py",),
+    "qdldl": ("nlp/interior_point.py",),
     "ruckig": ("timing/*",),
     "scipy": (
         "adopt/*",
-        "optimize/*",
+        "bound/*",
+        "collision/*",
+        "graph_search/*",
+        "nlp/*",
+        "path_timing/*",
+        "plan/*",
+        "trajectories/*",
         "timing/*",
         "measured/*",
-        "compliance/controller/*",
-        "compliance/task/arm_plan.py",
+        "iiwa/controller/*",
+        "iiwa/task/arm_plan.py",
         "report/obstacles.py",
     ),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
-    "matplotlib": ("report/*", "compliance/report/*"),
+    "matplotlib": ("report/*", "iiwa/report/*"),
     "mpl_toolkits": ("report/arm.py",),  # of matplotlib
-    "mujoco": ("compliance/world/*",),
+    "mujoco": ("iiwa/world/*",),
     # What reads files people write by hand (cells, robots, tasks) and records that trajopt wrote.
     "pydantic": (
         "cell/*",
         "robot/*",
         "runs/*",
-        "compliance/task/*",
-        "compliance/job/folder.py",
+        "iiwa/task/*",
+        "iiwa/job/folder.py",
         "validation.py",
         "yaml_file.py",
     ),
     "pydantic_core": ("cell/*", "runs/*", "quantity.py", "validation.py", "yaml_file.py"),
     "ruamel": ("robot/*", "yaml_file.py"),
-    "mcap_ros2": ("export/mcap.py",),
-    "pyarrow": ("export/parquet.py",),
+    "mcap_ros2": ("exporters/mcap.py",),
+    "pyarrow": ("exporters/parquet.py",),
     "numpy": ("*",),
 }
 
@@ -218,39 +227,39 @@ def test_every_room_stands_on_a_floor() -> None:
         ("rapid/reader.py", "from trajopt_cli.robot.model import load_robot", "rapid imports robot"),
         ("rapid/reader.py", "def f():\n    import trajopt_cli.problem.plan", "rapid imports problem"),
         (
-            "verify/judge.py",
-            "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from trajopt_cli.optimize import optimize",
-            "verify imports optimize",
+            "judge/verify.py",
+            "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from trajopt_cli.plan import optimize",
+            "judge imports plan",
         ),
-        ("verify/judge.py", "from trajopt_cli import optimize", "verify imports optimize"),
-        ("verify/judge.py", "from ..optimize import legs", "verify imports optimize"),
-        ("verify/judge.py", "import casadi as ca", "casadi lives in"),
-        ("optimize/search.py", "from trajopt_cli.pipeline import solve", "optimize imports pipeline"),
+        ("judge/verify.py", "from trajopt_cli import plan", "judge imports plan"),
+        ("judge/verify.py", "from ..plan import solve", "judge imports plan"),
+        ("judge/verify.py", "import casadi as ca", "casadi lives in"),
+        ("graph_search/search.py", "from trajopt_cli.pipeline import solve", "graph_search imports pipeline"),
         ("errors.py", "from trajopt_cli.units import MM", "errors imports units"),
         ("path/line.py", "from trajopt_cli.rapid.zones import ways", "path imports rapid"),
-        ("pipeline/optimise.py", "import rich.table", "rich lives in cli/*"),
+        ("pipeline/optimize.py", "import rich.table", "rich lives in cli/*"),
         ("cell/loader.py", "import yaml", "yaml has no address"),
         ("robot/model.py", "import casadi", "casadi lives in robot/symbolic*.py"),
-        ("robot/model.py", "import coal", "coal lives in collision/*"),
-        ("collision/pair.py", "from trajopt_cli.robot.model import RobotModel", "collision imports robot"),
+        ("robot/model.py", "import coal", "coal lives in proximity/*"),
+        ("proximity/pair.py", "from trajopt_cli.robot.model import RobotModel", "proximity imports robot"),
         ("shapes.py", "from trajopt_cli.motion import Source", "shapes imports motion"),
         ("__init__.py", "from trajopt_cli.pipeline import solve", "the package imports"),
         ("__init__.py", "import numpy", "the package imports numpy"),
         ("__init__.py", "def f():\n    from trajopt_cli.errors import InputError", "the package imports"),
-        ("runs/results.py", "from trajopt_cli.export.rapid_diff import patch", "runs imports export"),
-        ("runs/folder.py", "from trajopt_cli.compliance.task.model import Task", "runs imports compliance"),
+        ("runs/results.py", "from trajopt_cli.exporters.rapid_diff import patch", "runs imports exporters"),
+        ("runs/folder.py", "from trajopt_cli.iiwa.task.model import Task", "runs imports iiwa"),
         ("cli/export.py", "import pydantic", "pydantic lives in"),
         (
-            "compliance/task/model.py",
-            "from trajopt_cli.compliance.controller.state import State",
-            "compliance/task imports controller, which is not under it",
+            "iiwa/task/model.py",
+            "from trajopt_cli.iiwa.controller.state import State",
+            "iiwa/task imports controller, which is not under it",
         ),
         (
-            "compliance/world/contact.py",
-            "from trajopt_cli.compliance.controller import state",
-            "compliance/world imports controller",
+            "iiwa/world/contact.py",
+            "from trajopt_cli.iiwa.controller import state",
+            "iiwa/world imports controller",
         ),
-        ("compliance/report/forces.py", "from trajopt_cli.compliance import job", "compliance/report imports job"),
+        ("iiwa/report/forces.py", "from trajopt_cli.iiwa import job", "iiwa/report imports job"),
     ],
 )
 def test_the_rules_see_what_they_forbid(path: str, text: str, expected: str) -> None:
@@ -266,7 +275,7 @@ SHARED: dict[str, tuple[str, ...]] = {
     "geometry": ("Array", "BoolArray", "IndexArray"),
     "limits": (),
     "motion": (),
-    "notices": (),
+    "warnings": (),
     "problem.plan": ("Target",),
     "shapes": (),
     "trajectory": ("Trajectory",),
@@ -275,25 +284,23 @@ SHARED: dict[str, tuple[str, ...]] = {
 # What else it may import: its own answer, the reader of files, distances, and libraries for advice. Nothing of the
 # optimiser leads there.
 APART: dict[str, tuple[str, ...]] = {
-    "collision.pair": ("Pair",),
+    "proximity.pair": ("Pair",),
     "findings": (),
     "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
-    "printed": ("Digits",),
+    "print_resolution": ("Digits",),
     "sheet": ("TIME", "TIMES", "Head", "Sheet", "missing_rows"),
     "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
     "timing.topp": ("shortest_time",),
 }
-# Meshes are read into the plant, where the judge finds them, and looked into by collision.pair.
-MESHES = "collision.meshes"
+# Meshes are read into the plant, where the judge finds them, and looked into by proximity.pair.
+MESHES = "proximity.meshes"
 # Of a module with computing names, what the shared modules themselves may use.
 PLAIN = {"geometry": (*SHARED["geometry"], "readonly"), "trajectory": SHARED["trajectory"]}
-# Lets a package be called; what it opens is the package's own function, named by the package itself.
-DOOR = "door"
-OPTIMISERS = ("optimize", "path")
+OPTIMISERS = ("plan", "bound", "collision", "graph_search", "nlp", "path_timing", "trajectories", "path")
 
 # The judge of the compliant job, and what it may import besides itself: data, its own answer, what reads folders, YAML
 # and joint CSV, where a robot's files are, and of the other judge the robot by pin, wording and differences of rows.
-COMPLIANT = "verify.compliant"
+COMPLIANT = "iiwa.judge"
 COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
     "errors": ("ErrorKind", "InputError", "of_kind"),
     "findings": ("Finding", "Report"),
@@ -302,18 +309,18 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
     "motion": ("Source",),
     "robot.catalogue": ("find_robot",),
     "runs": ("SUMMARY",),
-    "runs.folder": ("TASK", "Run", "read_bytes", "read_run"),
+    "runs.folder": ("TASK", "ResultsFolder", "read_bytes", "read_run"),
     "runs.record": ("RunRecord",),
     "trajectory": ("Trajectory",),
-    "verify.findings": ("finding",),
-    "verify.mechanism": ("Mechanism",),
-    "verify.rows": ("second_differences",),
-    "verify.tolerances": ("COMPUTED",),
+    "judge.findings": ("finding",),
+    "judge.mechanism": ("Mechanism",),
+    "judge.samples": ("second_differences",),
+    "judge.tolerances": ("COMPUTED",),
     "yaml_file": ("line_of", "parse", "read_text"),
 }
 # All that this judge and the job it judges have in common: plain data, and readers with what they stand on.
 COMPLIANT_SHARED = {
-    "errors", "findings", "geometry", "joint_csv", "limits", "motion", "notices", "printed", "quantity",
+    "errors", "findings", "geometry", "joint_csv", "limits", "motion", "print_resolution", "warnings", "quantity",
     "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "sheet", "trajectory",
     "units", "validation", "yaml_file",
 }  # fmt: skip
@@ -368,16 +375,16 @@ def of_compliant_job(modules: Mapping[str, str]) -> set[str]:
 
 def judge_violations(modules: Mapping[str, str]) -> list[str]:
     """What ties the judge to the optimiser, or to anything that no list above allows."""
-    judge = rooms(modules, "verify") - of_compliant_job(modules)
+    judge = rooms(modules, "judge")
     allowed = SHARED | APART
     found = []
     for module in sorted(judge):
         for line, name, what in inner_imports(module, modules[module], modules):
-            if name.split(".")[0] == "verify" or (module, name) == ("verify", DOOR):
+            if name.split(".")[0] == "judge":
                 continue
             if name not in allowed or what == "*" or (allowed[name] and what not in allowed[name]):
                 found.append(f"{module}:{line}: the judge may not import {what or 'anything'} from {name}")
-    everything = reached(judge, modules) - {DOOR}
+    everything = reached(judge, modules)
     for module in sorted(everything):
         for line, name in imports(modules[module], f"trajopt_cli.{module}"):
             if name.split(".")[0] in ("casadi", "importlib", "runpy"):
@@ -387,8 +394,6 @@ def judge_violations(modules: Mapping[str, str]) -> list[str]:
                 found.append(f"{module}:{line}: {name}.{what} computes, and the judge reaches this module")
     found += [f"the judge reaches {m}" for m in sorted(everything - judge - set(allowed) - {MESHES})]
     both = everything & reached(rooms(modules, *OPTIMISERS), modules)
-    doors = [text for module in ("verify",) if "open_door" in (text := modules.get(module, ""))]
-    found += ["verify's door leads elsewhere" for text in doors if '"trajopt_cli.verify.judge:verify"' not in text]
     return found + [f"judge and optimiser both reach {m}" for m in sorted(both - set(SHARED) - {MESHES})]
 
 
@@ -396,34 +401,38 @@ def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() ->
     modules = sources()
     assert judge_violations(modules) == []
     # and the lists say no more than is true
-    judge = reached(rooms(modules, "verify") - of_compliant_job(modules), modules) - {DOOR}
-    optimiser = reached(rooms(modules, *OPTIMISERS), modules) - {DOOR}
-    assert judge - rooms(modules, "verify") == {*SHARED, *APART, MESHES}
+    judge = reached(rooms(modules, "judge"), modules)
+    optimiser = reached(rooms(modules, *OPTIMISERS), modules)
+    assert judge - rooms(modules, "judge") == {*SHARED, *APART, MESHES}
     assert judge & optimiser == {*SHARED, MESHES}
 
 
 @pytest.mark.parametrize(
     ("module", "text", "expected"),
     [
-        ("verify.judge", "from trajopt_cli.geometry import axis_angle", "may not import axis_angle from geometry"),
-        ("verify.judge", "from trajopt_cli import geometry", "may not import anything from geometry"),
-        ("verify.rows", "from trajopt_cli.trajectory import hermite", "may not import hermite from trajectory"),
-        ("verify.rows", "import trajopt_cli.robot.arm", "may not import anything from robot.arm"),
-        ("verify.rows", "from ..robot import kinematics", "may not import anything from robot.kinematics"),
-        ("verify.rows", "def f():\n    from trajopt_cli.path.line import Line", "may not import Line from path.line"),
-        ("verify.rows", "from trajopt_cli.problem.along import follow", "may not import follow from problem.along"),
-        ("verify.rows", "from trajopt_cli.motion import *", "may not import * from motion"),
+        ("judge.verify", "from trajopt_cli.geometry import axis_angle", "may not import axis_angle from geometry"),
+        ("judge.verify", "from trajopt_cli import geometry", "may not import anything from geometry"),
+        ("judge.samples", "from trajopt_cli.trajectory import hermite", "may not import hermite from trajectory"),
+        ("judge.samples", "import trajopt_cli.robot.arm", "may not import anything from robot.arm"),
+        ("judge.samples", "from ..robot import kinematics", "may not import anything from robot.kinematics"),
+        ("judge.samples", "def f():\n    from trajopt_cli.path.line import Line", "may not import Line from path.line"),
         (
-            "verify.machine",
+            "judge.samples",
+            "from trajopt_cli.problem.path_ik import follow",
+            "may not import follow from problem.path_ik",
+        ),
+        ("judge.samples", "from trajopt_cli.motion import *", "may not import * from motion"),
+        (
+            "judge.machine",
             "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from trajopt_cli.problem.plant import Plant",
             "may not import Plant from problem.plant",
         ),
-        ("verify.machine", "import importlib", "importlib is out of the judge's reach"),
+        ("judge.machine", "import importlib", "importlib is out of the judge's reach"),
         ("motion", "from trajopt_cli.geometry import rotation_about", "geometry.rotation_about computes"),
         ("findings", "from trajopt_cli import trajectory", "trajectory. computes"),
-        ("collision.pair", "from trajopt_cli.robot.chain import pin_model", "the judge reaches robot.chain"),
+        ("proximity.pair", "from trajopt_cli.robot.chain import pin_model", "the judge reaches robot.chain"),
         ("timing.topp", "import casadi", "casadi is out of the judge's reach"),
-        ("optimize.solve", "from trajopt_cli.timing.topp import x", "judge and optimiser both reach timing.topp"),
+        ("plan.solve", "from trajopt_cli.timing.topp import x", "judge and optimiser both reach timing.topp"),
         ("problem", "from trajopt_cli.robot.model import RobotModel", "the judge reaches robot.model"),
     ],
 )
@@ -444,12 +453,12 @@ def compliant_violations(modules: Mapping[str, str]) -> list[str]:
                 found.append(f"{module}:{line}: this judge may not import {what or 'anything'} from {name}")
     everything = reached(judge, modules)
     for module in sorted(everything):
-        if module.split(".")[0] == "compliance" or module.startswith("robot.srs"):
+        if (module.split(".")[0] == "iiwa" and module not in judge) or module.startswith("robot.srs"):
             found.append(f"this judge reaches {module}")
         for line, name in imports(modules[module], f"trajopt_cli.{module}"):
-            if name.split(".")[0] in ("importlib", "runpy") and "metadata" not in name and module != DOOR:
+            if name.split(".")[0] in ("importlib", "runpy") and "metadata" not in name:
                 found.append(f"{module}:{line}: {name} is out of this judge's reach")
-    both = everything & reached(rooms(modules, "compliance"), modules) - {DOOR}
+    both = everything & reached(rooms(modules, "iiwa") - of_compliant_job(modules), modules)
     return found + [f"judge and job both reach {m}" for m in sorted(both - COMPLIANT_SHARED)]
 
 
@@ -462,26 +471,33 @@ def test_the_judge_of_the_compliant_job_shares_data_and_readers_with_it_and_noth
     assert {(name, what) for name, what in taken if name not in {*judge, COMPLIANT}} == {
         (name, what) for name, names in COMPLIANT_MAY.items() for what in names
     }
-    assert reached(judge, modules) & reached(rooms(modules, "compliance"), modules) - {DOOR} == COMPLIANT_SHARED
+    assert (
+        reached(judge, modules) & reached(rooms(modules, "iiwa") - of_compliant_job(modules), modules)
+        == COMPLIANT_SHARED
+    )
 
 
 @pytest.mark.parametrize(
     ("module", "text", "expected"),
     [
-        ("verify.compliant.path", "from trajopt_cli.compliance.task.legs import legs", "may not import legs from"),
-        ("verify.compliant.arm", "from trajopt_cli.robot.srs import load_srs", "may not import load_srs from"),
+        ("iiwa.judge.path", "from trajopt_cli.iiwa.task.legs import legs", "may not import legs from"),
+        ("iiwa.judge.arm", "from trajopt_cli.robot.srs import load_srs", "may not import load_srs from"),
         (
-            "verify.compliant.arm",
+            "iiwa.judge.arm",
             "def f():\n    import trajopt_cli.robot.srs_inverse",
             "this judge reaches robot.srs_inv",
         ),
         (
-            "verify.compliant.rows",
+            "iiwa.judge.samples",
             "from trajopt_cli.geometry import rotation_from_wxyz",
             "may not import rotation_from",
         ),
-        ("verify.compliant.judge", "from importlib import import_module", "importlib is out of this judge's reach"),
-        ("verify.rows", "from trajopt_cli.timing.point_to_point import x", "judge and job both reach timing.point_to_"),
+        ("iiwa.judge.verify", "from importlib import import_module", "importlib is out of this judge's reach"),
+        (
+            "judge.samples",
+            "from trajopt_cli.timing.point_to_point import x",
+            "judge and job both reach timing.point_to_",
+        ),
         ("robot.catalogue", "from trajopt_cli.robot.srs import load_srs", "this judge reaches robot.srs"),
     ],
 )

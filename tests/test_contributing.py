@@ -28,8 +28,8 @@ def test_the_floors_are_those_of_the_test_on_imports() -> None:
     assert told == {i: set(floor) for i, floor in enumerate(FLOORS)}
 
 
-def test_the_rooms_inside_compliance_are_told_in_their_order() -> None:
-    inner = [room for floor in INNER["compliance"] for room in floor]
+def test_the_rooms_inside_iiwa_are_told_in_their_order() -> None:
+    inner = [room for floor in INNER["iiwa"] for room in floor]
     places = [re.search(rf"the iiwa job:[^|]*?\b{room}\b", TEXT) for room in inner]
     assert all(places)
     assert [place.end() for place in places if place] == sorted(place.end() for place in places if place)

@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli.cell.loader import load_cell
-from trajopt_cli.compliance.job.folder import open_folder
-from trajopt_cli.compliance.task.equilibrium_csv import read_angles_csv
-from trajopt_cli.compliance.task.loader import load_task, parse_task
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
+from trajopt_cli.iiwa.job.folder import open_folder
+from trajopt_cli.iiwa.task.equilibrium_csv import read_angles_csv
+from trajopt_cli.iiwa.task.loader import load_task, parse_task
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.pipeline.folder import verify_results
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.robot.model import load_robot
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 P = "CONST robtarget p:=[[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
 CELL = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
@@ -110,8 +110,10 @@ def test_notices_of_a_program_have_a_kind_and_a_place(tmp_path: Path) -> None:
     )
     file = str(path)
     assert read_program(path).warnings == (
-        Notice(NoticeKind.ASSUMED, "Stop waits for the operator; the program goes on here", Source(file, 4, 1)),
-        Notice(NoticeKind.NO_EFFECT, "\\TLoad changes nothing here; the cell's limits hold for any load",
+        ProgramWarning(
+            WarningKind.ASSUMED, "Stop waits for the operator; the program goes on here", Source(file, 4, 1)
+        ),
+        ProgramWarning(WarningKind.NO_EFFECT, "\\TLoad changes nothing here; the cell's limits hold for any load",
                Source(file, 6, 32)),
-        Notice(NoticeKind.UNUSED, "marked as optional, but no move ran there", Source(file, 5, 1)),
+        ProgramWarning(WarningKind.UNUSED, "marked as optional, but no move ran there", Source(file, 5, 1)),
     )  # fmt: skip

@@ -31,9 +31,9 @@ from unrefined import IMPROVED, as_it_comes
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import app, run
-from trajopt_cli.compliance.task.document import TaskDocument
-from trajopt_cli.compliance.task.loader import parse_task
-from trajopt_cli.optimize.sequence import best_order
+from trajopt_cli.graph_search.sequence import best_order
+from trajopt_cli.iiwa.task.document import TaskDocument
+from trajopt_cli.iiwa.task.loader import parse_task
 from trajopt_cli.rapid.language.parser import parse_module
 
 REPOSITORY = Path(__file__).parents[1]
@@ -168,9 +168,9 @@ def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
     monkeypatch.chdir(root)
     for name in ("PLANNED", "_NEAR"):  # orders of which no page shows a figure
         monkeypatch.setattr(f"trajopt_cli.study.order.{name}", 0)
-    monkeypatch.setattr("trajopt_cli.optimize.sequence.SEARCH_APART", 0.4)  # nor of their model
+    monkeypatch.setattr("trajopt_cli.graph_search.sequence.SEARCH_APART", 0.4)  # nor of their model
     # nor of the nearest neighbour's plan: its order is the model's best, which is planned anyway
-    monkeypatch.setattr("trajopt_cli.optimize.sequence.nearest_order", lambda steps: best_order(steps)[1])
+    monkeypatch.setattr("trajopt_cli.graph_search.sequence.nearest_order", lambda steps: best_order(steps)[1])
     for name, shown in (("PICTURES", ("rail",)), ("STEP_PICTURES", ())):  # pictures that no page calls by their file
         table = getattr(pictures, name)
         monkeypatch.setattr(pictures, name, {picture: table[picture] for picture in shown})

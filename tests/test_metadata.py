@@ -12,8 +12,8 @@ from hatchling.build import build_wheel
 from packaging.metadata import Metadata
 
 import trajopt_cli
-from trajopt_cli.compliance.experiments.folder import ExperimentsRecord
-from trajopt_cli.compliance.job.folder import TaskRecord
+from trajopt_cli.iiwa.experiments.folder import ExperimentsRecord
+from trajopt_cli.iiwa.job.folder import TaskRecord
 from trajopt_cli.runs.results import PlanRecord
 
 REPOSITORY = Path(__file__).parents[1]

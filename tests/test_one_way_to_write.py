@@ -11,10 +11,10 @@ from pathlib import Path
 PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 ALLOWED = {
     "runs/files.py": "the way itself",
-    "runs/together.py": "the way of several files at once",
+    "runs/transaction.py": "the way of several files at once",
     "runs/rows.py": "files without a name, gone with their process",
     "native/store.py": "a cache, that may be lost at any time, on the floor below",
-    "collision/meshes.py": "a copy of a mesh for the library, in a temporary folder",
+    "proximity/meshes.py": "a copy of a mesh for the library, in a temporary folder",
     "cli/health.py": "a trial run in a temporary folder",
     "cli/__init__.py": "opens /dev/null where stdout is closed",
 }

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import app
-from trajopt_cli.compliance.task.document import TaskDocument
+from trajopt_cli.iiwa.task.document import TaskDocument
 from trajopt_cli.problem.plant import build_plant
 
 REPOSITORY = Path(__file__).parents[1]
@@ -23,7 +23,7 @@ README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
 DOCS = {page.name: page.read_text(encoding="utf-8") for page in (REPOSITORY / "docs").glob("*.md")}
 KEYS = {
     "cell": (REPOSITORY / "trajopt_cli/cell/keys.md").read_text(encoding="utf-8"),
-    "task": (REPOSITORY / "trajopt_cli/compliance/task/keys.md").read_text(encoding="utf-8"),
+    "task": (REPOSITORY / "trajopt_cli/iiwa/task/keys.md").read_text(encoding="utf-8"),
 }
 CI = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
 

@@ -14,9 +14,9 @@ from typer.testing import CliRunner
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import app
-from trajopt_cli.compliance.task.document import TaskDocument
-from trajopt_cli.compliance.task.loader import load_task
 from trajopt_cli.errors import InputError
+from trajopt_cli.iiwa.task.document import TaskDocument
+from trajopt_cli.iiwa.task.loader import load_task
 
 REPOSITORY = Path(__file__).parents[1]
 PROGRAMS = REPOSITORY / "programs"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from trajopt_cli.collision import meshes
+from trajopt_cli.proximity import meshes
 from trajopt_cli.runs import folder
-from trajopt_cli.runs.together import JOURNAL
+from trajopt_cli.runs.transaction import JOURNAL
 
 REPOSITORY = Path(__file__).parents[1]
 TEXT = (REPOSITORY / "SECURITY.md").read_text(encoding="utf-8")

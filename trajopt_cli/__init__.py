@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.errors import InputError
-    from trajopt_cli.export.files import export
-    from trajopt_cli.optimize import optimize
+    from trajopt_cli.exporters.files import export
+    from trajopt_cli.judge.verify import verify
+    from trajopt_cli.plan import optimize
     from trajopt_cli.problem.plan import Infeasible, Target
     from trajopt_cli.problem.plant import build_plant
     from trajopt_cli.problem.problem import build_problem
     from trajopt_cli.rapid.reader import read_program
-    from trajopt_cli.verify.judge import verify
 
 __version__ = "0.2.0"
 __all__ = [
@@ -32,15 +32,15 @@ __all__ = [
     "verify",
 ]
 
-# Where each stands. A step without a colon is a package that can be called, see trajopt_cli.door.
+# Where each stands.
 _DOORS = {
     "read_program": "trajopt_cli.rapid.reader:read_program",
     "load_cell": "trajopt_cli.cell.loader:load_cell",
     "build_plant": "trajopt_cli.problem.plant:build_plant",
     "build_problem": "trajopt_cli.problem.problem:build_problem",
-    "optimize": "trajopt_cli.optimize",
-    "verify": "trajopt_cli.verify",
-    "export": "trajopt_cli.export",
+    "optimize": "trajopt_cli.plan:optimize",
+    "verify": "trajopt_cli.judge.verify:verify",
+    "export": "trajopt_cli.exporters.files:export",
     "Target": "trajopt_cli.problem.plan:Target",
     "Infeasible": "trajopt_cli.problem.plan:Infeasible",
     "InputError": "trajopt_cli.errors:InputError",
@@ -50,9 +50,8 @@ _DOORS = {
 def __getattr__(name: str) -> object:
     if name not in _DOORS:
         raise AttributeError(f"module 'trajopt_cli' has no attribute '{name}'")
-    module, _, attribute = _DOORS[name].partition(":")
-    found = import_module(module)
-    return getattr(found, attribute) if attribute else found
+    module, attribute = _DOORS[name].split(":")
+    return getattr(import_module(module), attribute)
 
 
 def __dir__() -> list[str]:

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind, printable
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.runs import RUN
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell
     from trajopt_cli.kinematics import Kinematics
-    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.runs.results import Results
     from trajopt_cli.scenario import Scenario
@@ -151,7 +151,7 @@ def read_job(
     """
     start = perf_counter()
     from trajopt_cli.cell.model import minimal_cell
-    from trajopt_cli.problem.bodies import bodies_on, never
+    from trajopt_cli.problem.collision_objects import bodies_on, never
     from trajopt_cli.problem.controller import differences
     from trajopt_cli.problem.plannable import check_plannable, rail_doubts
     from trajopt_cli.problem.plant import build_plant, unwatched
@@ -186,7 +186,7 @@ def read_job(
             raise loaded.error(f"attach.{i}.{which}", message)
         bodies_on(plant, flat, -1)
     flat = _with_partners(flat, plant)
-    doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
+    doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
     doubts += differences(paths, loaded, plant, flat.files)
     return Job(
         program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),
@@ -207,8 +207,8 @@ def _with_partners(program: Program, plant: Plant) -> Program:
     moves = {i: one for i, one in moves.items() if one.partner is None}
     if not moves:
         return program
-    from trajopt_cli.optimize import NoCleanPlan, optimize
-    from trajopt_cli.problem.freedom import AS_WRITTEN
+    from trajopt_cli.plan import NoCleanPlan, optimize
+    from trajopt_cli.problem.decision_scope import AS_WRITTEN
     from trajopt_cli.problem.plan import Infeasible, Plan, Target
     from trajopt_cli.problem.plannable import unpartnered
 
@@ -224,7 +224,7 @@ def _with_partners(program: Program, plant: Plant) -> Program:
     so = "they keep at least the time as written, so nothing is saved in them, and they may take longer"
     if not known:
         so = "they may take longer, and no time as written is kept, because the program cannot be driven as written"
-    told = Notice(NoticeKind.ASSUMED, unpartnered(list(moves.values()), so))
+    told = ProgramWarning(WarningKind.ASSUMED, unpartnered(list(moves.values()), so))
     return replace(program, motions=tuple(motions), warnings=(*program.warnings, told))
 
 
@@ -257,7 +257,7 @@ def read_program_or_results(
 
     loops: of a program, KEEP for None; a results folder brings its run's. Raises InputError as read_job.
     """
-    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.editable import Loops
 
     results = [path for path in programs if is_results(path)]
     if not results:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.printed import Digits
+from trajopt_cli.print_resolution import Digits
 from trajopt_cli.sheet import TIME, TIMES, Head, Sheet
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM

@@ -18,7 +18,7 @@ import numpy as np
 
 from trajopt_cli.errors import printable
 from trajopt_cli.geometry import Array, pose, rotation_from_wxyz
-from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _SECTION = re.compile(r"([A-Z][A-Z0-9_]*):")
 _TOKEN = re.compile(r'"[^"]*"|[^\s"]+')
@@ -86,7 +86,7 @@ class External:
 
 
 @dataclass(frozen=True)
-class Arm:
+class ConfiguredRobot:
     """A robot: its line, its type, its base frame X (4, 4) in the world, with what moves that at 0, its joints' ranges
     (None where not told), and what moves its base frame: the name, and the axis where there is one."""
 
@@ -104,11 +104,11 @@ class Mechanics:
     """The robots and external axes of a MOC.cfg, and what was not understood in it."""
 
     file: str
-    robots: tuple[Arm, ...]
+    robots: tuple[ConfiguredRobot, ...]
     externals: tuple[External, ...]
-    notices: tuple[Notice, ...]
+    notices: tuple[ProgramWarning, ...]
 
-    def robot_of(self, places: str) -> Arm | None:
+    def robot_of(self, places: str) -> ConfiguredRobot | None:
         """The robot that a program at these places belongs to: the only one, or that of its task, ROB_2 of T_ROB2; else
         the first."""
         tasks = set(re.findall(r"\bT_ROB_?(\w+?)\b", places.upper()))
@@ -128,12 +128,12 @@ def read_moc(text: str, file: str) -> Mechanics:
 class _Reader:
     def __init__(self, text: str, file: str):
         self.file = file
-        self.notices: list[Notice] = []
+        self.notices: list[ProgramWarning] = []
         self.sections: dict[str, list[Entry]] = {}
         self._read(text)
 
     def _say(self, line: int, text: str) -> None:
-        self.notices.append(Notice(NoticeKind.NOT_READ, text, f"{self.file}:{line}"))
+        self.notices.append(ProgramWarning(WarningKind.NOT_READ, text, f"{self.file}:{line}"))
 
     def _read(self, text: str) -> None:
         entries: list[Entry] | None = None
@@ -277,14 +277,16 @@ class _Reader:
             externals[single.name] = self._external(single, units.get(single.name))
         robots, told = tuple(self._robots(externals)), self.notices[:_MOST_TOLD]
         if more := len(self.notices) - len(told):
-            told.append(Notice(NoticeKind.NOT_READ, f"and {more} more like these", self.file))
+            told.append(ProgramWarning(WarningKind.NOT_READ, f"and {more} more like these", self.file))
         return Mechanics(self.file, robots, tuple(externals.values()), tuple(told))
 
-    def _robots(self, externals: Mapping[str, External]) -> Iterator[Arm]:
+    def _robots(self, externals: Mapping[str, External]) -> Iterator[ConfiguredRobot]:
         for robot in self.sections.get("ROBOT", ()):
             number = robot.name.upper().removeprefix("ROB").lstrip("_").lower()
             joints = [robot.text(f"use_joint_{i}") or f"rob{number}_{i + 1}" for i in range(6)]
             ranges = tuple(self._range(self._arm_of(joint), _MOST_TURNED, "rad") for joint in joints)
             mover = robot.text("base_frame_coordinated")
             carries = next((one for name, one in externals.items() if mover in (name, one.name) and mover), None)
-            yield Arm(robot.name, robot.line, robot.text("use_robot_type"), self._frame(robot), ranges, mover, carries)
+            yield ConfiguredRobot(
+                robot.name, robot.line, robot.text("use_robot_type"), self._frame(robot), ranges, mover, carries
+            )

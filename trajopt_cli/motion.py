@@ -14,8 +14,8 @@ from math import inf
 from typing import NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.notices import Notice
-from trajopt_cli.notices import Source as Source
+from trajopt_cli.warnings import ProgramWarning
+from trajopt_cli.warnings import Source as Source
 
 
 class Span(NamedTuple):
@@ -480,7 +480,7 @@ class Program:
     name: str
     motions: tuple[Motion, ...]
     files: Mapping[str, TextFile]
-    warnings: tuple[Notice, ...] = field(default=())
+    warnings: tuple[ProgramWarning, ...] = field(default=())
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()

@@ -10,9 +10,9 @@ from loose_arm import LOOSE, written
 
 from trajopt_cli.adopt.add import new_robot
 from trajopt_cli.errors import InputError
+from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.robot.urdf import chain_of
-from trajopt_cli.verify.mechanism import Mechanism
 
 AXES = ["base_yaw", "shoulder_pitch", "elbow_pitch", "fore_roll", "wrist_pitch", "hand_roll"]
 

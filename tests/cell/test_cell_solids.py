@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from trajopt_cli.cell.loader import load_cell, parse_cell
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.problem.plant import build_plant, unwatched
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.shapes import Box, Capsule, Cue, Grip, Mesh
 

@@ -9,7 +9,7 @@ import pytest
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import cell_of_results, read_job, read_results_job
-from trajopt_cli.pipeline.optimise import Optimised, inputs_of, optimise, robot_place
+from trajopt_cli.pipeline.optimize import Optimised, inputs_of, optimise, robot_place
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import build_plant
 

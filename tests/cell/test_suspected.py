@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli.cell.loader import parse_cell
-from trajopt_cli.compliance.task.loader import parse_task
 from trajopt_cli.errors import InputError
+from trajopt_cli.iiwa.task.loader import parse_task
 from trajopt_cli.problem.plant import build_plant
 
 REPOSITORY = Path(__file__).parents[2]

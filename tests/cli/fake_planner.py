@@ -12,8 +12,8 @@ import pytest
 from trajopt_cli.cli import run
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.problem.changes import Changes
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
+from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
@@ -96,10 +96,10 @@ def plan(program: Program, plant: Plant, target: Target, speed: float) -> Plan:
 @pytest.fixture
 def planner(monkeypatch: pytest.MonkeyPatch) -> Planner:
     stand_in = Planner()
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", stand_in)
-    monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *question: None)
-    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
-    for place in ("trajopt_cli.beside.cores", "trajopt_cli.pipeline.optimise.cores"):
+    monkeypatch.setattr("trajopt_cli.plan.optimize", stand_in)
+    monkeypatch.setattr("trajopt_cli.plan.slow_plan", lambda *question: None)
+    monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
+    for place in ("trajopt_cli.workers.cores", "trajopt_cli.pipeline.optimize.cores"):
         monkeypatch.setattr(place, lambda: 1)  # another process takes longer than such a plan
     return stand_in
 

@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from trajopt_cli.runs import together
+from trajopt_cli.runs import transaction
 
 DEADLY = ("replace", "link", "rename", "chmod", "utime", "unlink", "ftruncate", "fsync", "open", "write")
 
@@ -60,8 +60,8 @@ def dying_at(step: int, call: Callable[[], object]) -> bool:
 
     code = 1
     try:
-        fill = together.fill
-        together.fill = deadly(fill)
+        fill = transaction.fill
+        transaction.fill = deadly(fill)
         Path.unlink = deadly(Path.unlink)  # type: ignore[method-assign]
         for name in DEADLY:
             setattr(os, name, deadly(getattr(os, name)))

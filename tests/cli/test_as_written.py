@@ -12,14 +12,14 @@ from fake_planner import Planner
 from trajopt_cli.cli import run
 from trajopt_cli.findings import Report
 from trajopt_cli.job import read_job
-from trajopt_cli.optimize import Memory, legal, optimize, search_estimate
-from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.judge.findings import finding
 from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import changes_of
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
+from trajopt_cli.plan import Memory, initial_plan, optimize, search_estimate
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.verify.findings import finding
+from trajopt_cli.trajectories.axes import Axes
 
 
 def test_the_answer_begins_with_what_was_saved(
@@ -61,7 +61,7 @@ def test_a_program_that_cannot_be_driven_as_written_is_told_so(
                 return Infeasible(0, program.motions[0].source, "MoveAbsJ j_side cannot be reached")
             return right(program, plant, target, *arguments, **more)
 
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", Picky())
+    monkeypatch.setattr("trajopt_cli.plan.optimize", Picky())
     assert run(["optimize", str(program)]) == 0
     first = capsys.readouterr().out.splitlines()[0]
     assert first.startswith("as written it cannot be driven (tiny.mod:6:9: MoveAbsJ j_side cannot be reached) → ")
@@ -105,13 +105,13 @@ def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path, monke
     )
     job = read_job(tmp_path / "m.mod")
     changes = changes_of(job, Target.RAPID)
-    memory, checked, check = Memory(), list[Problem](), legal.check_reach
+    memory, checked, check = Memory(), list[Problem](), initial_plan.check_reach
 
     def counted(axes: Axes, problem: Problem) -> Infeasible | None:
         checked.append(problem)
         return check(axes, problem)
 
-    monkeypatch.setattr(legal, "check_reach", counted)
+    monkeypatch.setattr(initial_plan, "check_reach", counted)
     optimize(job.program, job.plant, Target.RAPID, bounded=False, changes=changes, memory=memory)
     assert (Target.RAPID, AS_WRITTEN) in memory.answers
     first, second = [

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import InputError
+from trajopt_cli.workers import Worker, give_back
 
 Tell = Callable[[int], None]
 
@@ -25,7 +25,7 @@ def test_messages_and_answer_arrive_in_order() -> None:
             tell(i)
         return os.getpid()
 
-    with Beside(work, heard.append) as beside:
+    with Worker(work, heard.append) as beside:
         assert beside.answer() != os.getpid()
     assert heard == [0, 1, 2, 3, 4]
 
@@ -36,7 +36,7 @@ def test_listening_does_not_wait() -> None:
         return 0
 
     start = time.perf_counter()
-    with Beside(work, print) as beside:
+    with Worker(work, print) as beside:
         beside.listen()
     assert time.perf_counter() - start < 10
 
@@ -45,7 +45,7 @@ def test_an_input_error_comes_back_with_its_place() -> None:
     def work(tell: Tell) -> int:
         raise InputError("no such target", file="a.mod", line=3, column=5)
 
-    with Beside(work, print) as beside, pytest.raises(InputError, match=r"^a\.mod:3:5: no such target$"):
+    with Worker(work, print) as beside, pytest.raises(InputError, match=r"^a\.mod:3:5: no such target$"):
         beside.answer()
 
 
@@ -54,7 +54,7 @@ def test_a_process_that_dies_is_noticed() -> None:
         os._exit(7)
 
     with (
-        Beside(work, print) as beside,
+        Worker(work, print) as beside,
         pytest.raises(RuntimeError, match=r"^a process beside this one ended by exit code 7$"),
     ):
         beside.answer()

@@ -11,11 +11,11 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.findings import Report
-from trajopt_cli.optimize import NoCleanPlan
+from trajopt_cli.judge.findings import finding
 from trajopt_cli.pipeline import planning
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.plan import NoCleanPlan
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.verify.findings import finding
 
 HIT = "link_1 self clearance -0.1 m at t = 0.200 s, limit 0"
 OF_STREAM = f"stream: the plan is the rapid plan: a stream plan that was found collides: {HIT}"
@@ -113,7 +113,7 @@ def test_a_plan_that_the_judge_rejects_gives_way_to_a_legal_one(
     notes: list[tuple[str, str]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", Spoiling(*spoiled))
+    monkeypatch.setattr("trajopt_cli.plan.optimize", Spoiling(*spoiled))
     assert run(["optimize", str(program), "--jobs", "1"]) == 0
     assert run(["verify", "results/tiny"]) == 0
     told = [one for one in json.loads(Path("results/tiny/summary.json").read_text())["notes"] if "not legal" in one]
@@ -126,7 +126,7 @@ def test_a_plan_that_the_judge_rejects_gives_way_to_a_legal_one(
 def test_where_the_judge_rejects_every_plan_nothing_is_written(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", Spoiling("stream", "rapid", "written"))
+    monkeypatch.setattr("trajopt_cli.plan.optimize", Spoiling("stream", "rapid", "written"))
     assert run(["optimize", str(program), "--jobs", "1"]) == 1
     assert "NOTHING WRITTEN: the judge rejects the stream plan:" in capsys.readouterr().err
     assert not Path("results").exists()
@@ -143,7 +143,7 @@ def test_a_stream_plan_that_is_not_found_is_told_as_a_failure(
                 raise NoCleanPlan("rows would pass a limit")
             return right(program, plant, target, *arguments, **more)
 
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", Failing())
+    monkeypatch.setattr("trajopt_cli.plan.optimize", Failing())
     assert run(["optimize", str(program), "--jobs", "1"]) == 0
     summary = json.loads(Path("results/tiny/summary.json").read_text())
     assert summary["plans"]["stream"]["cycle_time_s"] == summary["plans"]["rapid"]["cycle_time_s"]

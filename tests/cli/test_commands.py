@@ -22,8 +22,8 @@ from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.robot.model import robot_names
 from trajopt_cli.study.case import Case
 from trajopt_cli.study.table import BASELINES
@@ -240,7 +240,7 @@ def test_a_verdict_in_a_line_asks_for_no_advice(
     program: Path, results: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[bool] = []
-    monkeypatch.setattr("trajopt_cli.verify.judge.advise", lambda *_: asked.append(True) or [])
+    monkeypatch.setattr("trajopt_cli.judge.verify.advise", lambda *_: asked.append(True) or [])
     for file in ([], ["--program", str(program)]):
         where = "results/tiny/stream.csv" if file else "results/tiny"
         capsys.readouterr()
@@ -494,7 +494,7 @@ def test_the_help_loads_nothing_heavy() -> None:
 def test_optimize_leaves_advice_to_verify(program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its libraries take longer to load than a short program to judge."""
     asked: list[object] = []
-    monkeypatch.setattr("trajopt_cli.verify.judge.advise", lambda *given: asked.append(given) or [])
+    monkeypatch.setattr("trajopt_cli.judge.verify.advise", lambda *given: asked.append(given) or [])
     assert run(["optimize", str(program), "--jobs", "1"]) == 0
     assert not asked
     assert run(["verify", "results/tiny"]) == 0
@@ -508,7 +508,7 @@ def test_the_option_offers_every_target() -> None:
 # Planners that are interrupted: one sleeps, one does as CasADi does and takes the interrupt for a solver's stop.
 INTERRUPTED = """
 import os, sys, time
-import trajopt_cli.optimize
+import trajopt_cli.plan
 from trajopt_cli.cli import main
 from trajopt_cli.problem.progress import Progress
 
@@ -523,7 +523,7 @@ def swallowing(program, plant, target, progress, **more):
         progress(Progress("solve"))
         os.write(1, b"went on\\n")
 
-trajopt_cli.optimize.optimize = {planner}
+trajopt_cli.plan.optimize = {planner}
 sys.argv = ["trajopt", "optimize", "tiny.mod"]
 main()
 """
@@ -565,7 +565,7 @@ def test_ctrl_c_with_a_plan_at_hand_says_what_it_kept(
         return planner(*given, **named)
 
     monkeypatch.setattr(
-        "trajopt_cli.optimize.optimize",
+        "trajopt_cli.plan.optimize",
         lambda *given, **named: interrupted(*given, **named) if "patience" in named else planner(*given, **named),
     )
     assert run(["optimize", str(program), "--jobs", "1", *more]) == 0

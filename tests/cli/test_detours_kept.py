@@ -40,7 +40,7 @@ def around(planner: object, monkeypatch: pytest.MonkeyPatch) -> None:
         ways = detours(program, target)
         return folded(parabolas(with_detours(program, plant, ways), plant, target, SPEED), program, ways)
 
-    monkeypatch.setattr("trajopt_cli.optimize.optimize", optimize)
+    monkeypatch.setattr("trajopt_cli.plan.optimize", optimize)
 
 
 @pytest.fixture

@@ -42,7 +42,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def fail(*_: object) -> NoReturn:
         raise AssertionError("the results were read before the place was looked at")
 
-    monkeypatch.setattr("trajopt_cli.export.recorded.recorded", fail)
+    monkeypatch.setattr("trajopt_cli.exporters.recorded.recorded", fail)
     monkeypatch.chdir(tmp_path)
 
 

@@ -21,8 +21,8 @@ import pytest
 from fake_planner import CELL, TEXT, Planner
 
 from trajopt_cli.cli import run
-from trajopt_cli.compliance.job.folder import add_to_folder, open_folder, read_summary
 from trajopt_cli.errors import InputError
+from trajopt_cli.iiwa.job.folder import add_to_folder, open_folder, read_summary
 from trajopt_cli.runs import files
 from trajopt_cli.runs.folder import read_run, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord
@@ -232,7 +232,7 @@ def test_no_answer_rests_on_the_clock(
             return datetime(1970, 1, 2, tzinfo=UTC)
 
     monkeypatch.setattr("trajopt_cli.runs.folder.datetime", Past)
-    monkeypatch.setattr("trajopt_cli.pipeline.optimise.datetime", Past)
+    monkeypatch.setattr("trajopt_cli.pipeline.optimize.datetime", Past)
     monkeypatch.setattr("time.time", lambda: -1e9)
     for command in commands:
         assert run([*command, "--quiet"]) == 0, capsys.readouterr().err

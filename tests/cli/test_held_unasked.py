@@ -28,7 +28,7 @@ def test_what_holds_the_rail_unasked_is_said_once(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     for name, few in (("POLISH", 0), ("REFINE_ROUNDS", 1)):  # how good a plan is does not matter
-        monkeypatch.setattr(f"trajopt_cli.optimize.rail.{name}", few)
+        monkeypatch.setattr(f"trajopt_cli.plan.rail_refinement.{name}", few)
     Path("held.mod").write_text(HELD, encoding="utf-8")
     Path("held.yaml").write_text(CELL + ("" if gripper else "hold_rail: {gripper: false}\n"), encoding="utf-8")
     sentence = (

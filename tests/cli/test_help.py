@@ -110,10 +110,11 @@ def test_the_example_of_a_help_works(
     def stand_in(*_: object) -> None:
         raise InputError("a minute is saved")
 
-    monkeypatch.setattr("trajopt_cli.compliance.experiments.catalogue.run_experiments", stand_in)
+    monkeypatch.setattr("trajopt_cli.iiwa.experiments.catalogue.run_experiments", stand_in)
     for place, few in (
         ("study.place.EACH", 3), ("study.place.FEW", 1), ("study.order.PLANNED", 0), ("study.order._NEAR", 0),
-        ("optimize.sequence.SEARCH_APART", 0.4), ("optimize.rail.POLISH", 0), ("optimize.rail.REFINE_ROUNDS", 1),
+        ("graph_search.sequence.SEARCH_APART", 0.4), ("plan.rail_refinement.POLISH", 0),
+        ("plan.rail_refinement.REFINE_ROUNDS", 1),
     ):  # fmt: skip
         monkeypatch.setattr(f"trajopt_cli.{place}", few)
     for line in lines:

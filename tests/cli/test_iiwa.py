@@ -150,7 +150,7 @@ def test_an_arm_angle_is_chosen_told_and_drawn(
     assert f"{100 * steady:.2f}" in shown.out
     assert said["optimal"]["speed_share_rms"] < said["fixed"]["speed_share_rms"]
     before = (folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes()
-    monkeypatch.setattr("trajopt_cli.compliance.report.pictures.joints", lambda *_: {})  # drawn once is enough of it
+    monkeypatch.setattr("trajopt_cli.iiwa.report.pictures.joints", lambda *_: {})  # drawn once is enough of it
     assert run(["iiwa", "joints", str(folder), *options, "--plots", str(plots)]) == 0
     assert before == ((folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes())
     assert run(["iiwa", "joints", str(folder)]) == 0
@@ -165,7 +165,7 @@ def test_long_sequences_tell_what_is_worked_on(
     assert run(["iiwa", "joints", str(folder)]) == 0
     assert capsys.readouterr().err == ""
     rows = len(table(folder / "equilibrium.csv")[1])
-    monkeypatch.setattr("trajopt_cli.compliance.job.joints.LONG", rows)
+    monkeypatch.setattr("trajopt_cli.iiwa.job.joints.LONG", rows)
     monkeypatch.setattr("trajopt_cli.cli.progress.log_pause", lambda spent: 0.0)
     assert run(["iiwa", "joints", str(folder)]) == 0
     assert [line.split(" s: ")[1] for line in capsys.readouterr().err.splitlines()] == [
@@ -232,7 +232,7 @@ def test_springs_in_place_of_mujoco_are_told(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr("trajopt_cli.compliance.world.mujoco_world.available", lambda: installed)
+    monkeypatch.setattr("trajopt_cli.iiwa.world.mujoco_world.available", lambda: installed)
     stiff = TASK.replace("500, 500, 500, 20, 20, 20", "1000, 1000, 1000, 40, 40, 40")  # so the end is soon reached
     stiff = stiff.replace("1000, 1000, 1000, 30, 30, 30", "9000, 9000, 9000, 120, 120, 120")
     task.write_text(stiff.replace("h: 4", "h: 8").replace("0.1, 0, 0, 0, 20 deg]", "0.01, 0, 0, 0, 0]"))

@@ -16,7 +16,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.pipeline.folder import rapid_export
 from trajopt_cli.runs.results import RapidModule, write_in_place
-from trajopt_cli.runs.together import replace_files
+from trajopt_cli.runs.transaction import replace_files
 
 OLD, NEW = b"MODULE m\r\nENDMODULE", b"MODULE m\r\n! edited\r\nENDMODULE"
 

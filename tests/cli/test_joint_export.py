@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicHermiteSpline
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.joint import resample
+from trajopt_cli.exporters.joint import resample
 from trajopt_cli.trajectory import Trajectory
 
 KNOTS = np.array([0.0, 0.3, 0.7, 1.2345678])

@@ -14,7 +14,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import NoPlan, changes_of, may_change
-from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.runs.results import Judged
 
@@ -67,7 +67,7 @@ def test_loops_stay_unless_they_are_unrolled(
 ) -> None:
     """The pick is best served from the left when it comes from there and goes there, and from the right likewise."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 1.0)
+    monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda *_, **__: 1.0)
     monkeypatch.setattr(planning, "solve", rapid_alone)
     monkeypatch.setattr(planning, "as_written", lambda *_: "not asked")
     coarse_search(monkeypatch)  # the saving is far larger than what that misses

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli import cli
-from trajopt_cli.beside import Beside, ProcessEnded
 from trajopt_cli.cli.process import out_of_memory
+from trajopt_cli.workers import ProcessEnded, Worker
 
 ROOT = Path(__file__).parents[2]
 linux = pytest.mark.skipif(sys.platform != "linux", reason="ulimit -v, /proc")
@@ -85,7 +85,7 @@ def test_memory_that_ends_beside_is_told_here() -> None:
     def work(tell: object) -> int:
         raise MemoryError("of 3 GB")
 
-    with Beside(work, print) as beside, pytest.raises(MemoryError, match="of 3 GB"):
+    with Worker(work, print) as beside, pytest.raises(MemoryError, match="of 3 GB"):
         beside.answer()
 
 
@@ -97,7 +97,7 @@ def test_a_process_that_the_system_ends_is_named(
         return 0
 
     def ends(*_: object, **__: object) -> int:
-        with Beside(work, print) as beside:
+        with Worker(work, print) as beside:
             return beside.answer()
 
     monkeypatch.setattr(cli, "_commands", lambda: ends)

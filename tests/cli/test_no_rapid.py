@@ -10,9 +10,9 @@ from fake_planner import CELL, Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_write import RapidExport
+from trajopt_cli.exporters.rapid_write import RapidExport
 from trajopt_cli.motion import TextFile
-from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 REASON = "tiny.mod:6:9: cannot carry it"
 
@@ -22,7 +22,7 @@ def refused(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> None:
         raise InputError("cannot carry it", file="tiny.mod", line=6, column=9)
 
-    monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", refuse)
+    monkeypatch.setattr("trajopt_cli.exporters.rapid.export_rapid", refuse)
 
 
 @pytest.mark.parametrize(("target", "code"), [("stream", 0), ("rapid", 1)])
@@ -61,7 +61,7 @@ def test_moves_kept_as_programmed_are_told_by_a_diff_without_changes(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     kept = "any words: tiny.mod:6 (hangs on signal di1); a statement of its own would free it"
-    monkeypatch.setattr("trajopt_cli.export.rapid_writable._Text.kept", lambda *_: [kept])
+    monkeypatch.setattr("trajopt_cli.exporters.rapid_writable._Text.kept", lambda *_: [kept])
     assert run(["optimize", str(program)]) == 0
     summary = json.loads(Path("results/tiny/summary.json").read_text())
     assert (summary["notes"], summary["kept"]) == ([kept], [kept])
@@ -74,9 +74,9 @@ def test_a_new_module_is_called_by_its_place(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     flat = TextFile("main_flat.mod", "MODULE main_flat\nENDMODULE\n", "utf-8")
-    notes = (Notice(NoticeKind.NEW_MODULE, "a new module; load it with the program", "main_flat.mod"),)
+    notes = (ProgramWarning(WarningKind.NEW_MODULE, "a new module; load it with the program", "main_flat.mod"),)
     export = RapidExport({"tiny.mod": program.read_text()}, notes, {flat.path: flat})
-    monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", lambda *_: export)
+    monkeypatch.setattr("trajopt_cli.exporters.rapid.export_rapid", lambda *_: export)
     assert run(["optimize", str(program)]) == 0
     place = "results/tiny/program/main_flat.mod"
     assert f"note: {place}: a new module; load it with the program\n" in capsys.readouterr().out
@@ -93,7 +93,7 @@ def test_the_way_back_of_a_loop_that_ran_once_is_not_planned(
     program.write_text(text)
     Path("tiny.yaml").write_text(f"{CELL}endless_passes: {passes}\n")
     export = RapidExport({"tiny.mod": text.replace("[[20,", "[[21,") if edit else text})
-    monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", lambda *_: export)
+    monkeypatch.setattr("trajopt_cli.exporters.rapid.export_rapid", lambda *_: export)
     assert run(["optimize", str(program)]) == 0
     warnings = json.loads(Path("results/tiny/summary.json").read_text())["warnings"]
     back = "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"

@@ -11,7 +11,7 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.runs.results import read_results
 from trajopt_cli.study import comparison
 

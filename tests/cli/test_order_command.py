@@ -10,9 +10,9 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.job import read_job
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import read_run
 from trajopt_cli.study.order import Ordered, OrderRecord, order_of
 from trajopt_cli.study.order_text import group_of

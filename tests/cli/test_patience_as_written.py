@@ -8,12 +8,12 @@ import pytest
 
 from trajopt_cli.cli.tables import saving_line
 from trajopt_cli.job import Job, read_job
-from trajopt_cli.optimize import Memory
-from trajopt_cli.pipeline.optimise import Optimised, optimise
+from trajopt_cli.pipeline.optimize import Optimised, optimise
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.plan import Memory
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.results import NOT_TIMED
 
 PROGRAM = """MODULE t

@@ -45,8 +45,8 @@ def test_nothing_is_solved_for_a_place_that_cannot_be_written(
     def solve(*_: object, **__: object) -> None:
         raise AssertionError("it is solved")
 
-    monkeypatch.setattr("trajopt_cli.compliance.experiments.catalogue.run_experiments", solve)
-    monkeypatch.setattr("trajopt_cli.compliance.job.segments.read_task", solve)
+    monkeypatch.setattr("trajopt_cli.iiwa.experiments.catalogue.run_experiments", solve)
+    monkeypatch.setattr("trajopt_cli.iiwa.job.segments.read_task", solve)
     bad = {"tiny.mod/below": "a file where a folder should be"}
     if Path("/proc").is_dir():
         bad["/proc/nowhere" if kind != "into" else "/proc"] = "a place of the system"

@@ -11,7 +11,7 @@ from fake_planner import ACCELERATION, CELL
 
 from trajopt_cli.cli import run
 from trajopt_cli.cli.export import egm_stream
-from trajopt_cli.export.recorded import Recorded
+from trajopt_cli.exporters.recorded import Recorded
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 
@@ -70,7 +70,7 @@ def test_the_rail_stands_in_the_place_of_its_external_axis(tmp_path: Path, monke
     moved = np.zeros((2, 7))
     moved[1, 0] = 0.004
     motion = Recorded("a plan", Trajectory(names, np.array([0.0, 0.5]), moved, np.zeros((2, 7))))
-    monkeypatch.setattr("trajopt_cli.export.recorded.recorded", lambda _: motion)
+    monkeypatch.setattr("trajopt_cli.exporters.recorded.recorded", lambda _: motion)
     monkeypatch.setattr(
         "trajopt_cli.runs.results.read_results", lambda _: SimpleNamespace(cell=tmp_path / "cell.yaml", robot=None)
     )

@@ -10,8 +10,8 @@ import pytest
 
 from trajopt_cli.cli import progress
 from trajopt_cli.cli.progress import ProgressView, line
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 
 
 class Terminal(StringIO):

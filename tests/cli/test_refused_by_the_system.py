@@ -17,7 +17,7 @@ import pytest
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs.files import write_file
-from trajopt_cli.runs.together import replace_files
+from trajopt_cli.runs.transaction import replace_files
 
 
 def refusal(number: int, path: Path | None = None) -> OSError:

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.beside import Beside
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.problem.plan import Plan, Target
@@ -18,6 +17,7 @@ from trajopt_cli.runs.files import write_folder
 from trajopt_cli.runs.record import sha256
 from trajopt_cli.runs.rows import RowsFile, without_rows
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.workers import Worker
 
 NAMES = ("rail", "joint_1", "joint_2")
 
@@ -60,7 +60,7 @@ def test_they_go_without_a_word_and_rows_that_were_read_stay(tmp_path: Path) -> 
 
 def test_another_process_writes_them_and_this_one_reads_them(tmp_path: Path) -> None:
     kept, plan = RowsFile(tmp_path / "results"), a_plan(50)
-    with Beside(lambda _: without_rows(kept.keep(plan)), lambda _: None) as beside:
+    with Worker(lambda _: without_rows(kept.keep(plan)), lambda _: None) as beside:
         told = beside.answer()
     assert len(told.trajectory.t) == 2
     assert same(kept.kept(told).trajectory, plan.trajectory)

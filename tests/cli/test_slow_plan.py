@@ -12,8 +12,8 @@ import pytest
 from unrefined import coarse_search
 
 from trajopt_cli.cli import run
-from trajopt_cli.optimize import NoCleanPlan, plain, solve
-from trajopt_cli.optimize.incumbent import NotDriven
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven
+from trajopt_cli.plan import NoCleanPlan, fallback_plan, solve
 from trajopt_cli.problem.plan import MOST_GAP, MOST_TIMES, Infeasible, Plan, Target
 from trajopt_cli.trajectory import Trajectory
 
@@ -57,12 +57,12 @@ def _disconnected(program: object, *_: object, **__: object) -> Infeasible:
 
 
 FAILURES: dict[str, tuple[str, Callable[..., object]]] = {
-    "the search finds no chain": ("trajopt_cli.optimize.legal.search", _none),
-    "no law drives a run": ("trajopt_cli.optimize.around.timed", _not_driven),
-    "windows fail": ("trajopt_cli.optimize.solve.improved", _no_clean_plan),
-    "rows are not legal": ("trajopt_cli.optimize.solve._rows", None),  # but those of the slow plan
-    "the whole optimiser says that there is no way": ("trajopt_cli.optimize.optimize", _disconnected),
-    "the whole optimiser fails": ("trajopt_cli.optimize.optimize", _no_clean_plan),
+    "the search finds no chain": ("trajopt_cli.plan.initial_plan.search", _none),
+    "no law drives a run": ("trajopt_cli.plan.detour_planner.timed", _not_driven),
+    "windows fail": ("trajopt_cli.plan.solve.improved", _no_clean_plan),
+    "rows are not legal": ("trajopt_cli.plan.solve._rows", None),  # but those of the slow plan
+    "the whole optimiser says that there is no way": ("trajopt_cli.plan.optimize", _disconnected),
+    "the whole optimiser fails": ("trajopt_cli.plan.optimize", _no_clean_plan),
 }  # type: ignore[dict-item]
 
 
@@ -87,13 +87,13 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
         def failing(axes, draft, end):  # type: ignore[no-untyped-def]
             return right(axes, draft, end) if plainly else None
 
-        motion = plain.plain_motion
+        motion = fallback_plan.plain_motion
 
         def then(*arguments):  # type: ignore[no-untyped-def]
             plainly.append(True)
             return motion(*arguments)
 
-        monkeypatch.setattr("trajopt_cli.optimize.solve.plain_motion", then)
+        monkeypatch.setattr("trajopt_cli.plan.solve.plain_motion", then)
     monkeypatch.setattr(place, failing)
     coarse_search(monkeypatch)
     assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
@@ -125,7 +125,7 @@ def test_a_bound_that_a_plan_refutes_takes_no_plan_away(
     program: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(
-        "trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: 2 * plan.duration
+        "trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: 2 * plan.duration
     )  # fmt: skip
     assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
     assert "no lower bound is told" in capsys.readouterr().out
@@ -136,7 +136,7 @@ def test_a_plan_far_from_its_bound_is_told_as_suspicious(
     program: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(
-        "trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: plan.duration / 151
+        "trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: plan.duration / 151
     )  # fmt: skip
     assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
     out = capsys.readouterr().out

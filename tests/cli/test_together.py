@@ -18,9 +18,9 @@ from killed import dying_at, killed_at
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs import together
+from trajopt_cli.runs import transaction
 from trajopt_cli.runs.results import RapidModule, write_in_place
-from trajopt_cli.runs.together import JOURNAL, put_back, replace_files, write_files
+from trajopt_cli.runs.transaction import JOURNAL, put_back, replace_files, write_files
 
 MODULE = "MODULE {0}\n PROC {0}_go()\n ENDPROC\nENDMODULE\n"
 
@@ -86,16 +86,16 @@ def test_a_journal_that_says_done_too_early_is_taken_back_first(modules: dict[st
     """The disk fills up as the end is noted; the process is killed while it undoes everything."""
     old = tree(modules["root"])
 
-    def done(journal: together._Journal) -> None:
-        journal._append(together._DONE)
+    def done(journal: transaction._Journal) -> None:
+        journal._append(transaction._DONE)
         raise OSError(28, os.strerror(28))
 
     def change() -> None:
-        together._Journal.done = done  # type: ignore[method-assign]
-        together._undo = undo_one  # type: ignore[assignment]
+        transaction._Journal.done = done  # type: ignore[method-assign]
+        transaction._undo = undo_one  # type: ignore[assignment]
         replace_files(modules["wanted"], modules["added"])
 
-    whole_undo, undone = together._undo, 0
+    whole_undo, undone = transaction._undo, 0
 
     def undo_one(*args: Any) -> bool:
         nonlocal undone
@@ -179,13 +179,13 @@ def test_a_run_that_is_at_it_is_waited_for_and_then_said(
     pid = os.fork()
     if not pid:
         try:
-            together.sync = lambda folder: (os.write(go, b"."), sleep(30)) if folder.name == "sys" else None
+            transaction.sync = lambda folder: (os.write(go, b"."), sleep(30)) if folder.name == "sys" else None
             replace_files(modules["wanted"], {})
         finally:
             os._exit(1)
     os.read(ready, 1)
     before = tree(modules["root"])
-    monkeypatch.setattr(together, "PATIENCE", 0.1)
+    monkeypatch.setattr(transaction, "PATIENCE", 0.1)
     with pytest.raises(InputError, match=r"cell: another run is writing here; run this again when it has ended"):
         put_back(modules["wanted"])
     with pytest.raises(InputError, match="another run is writing here"):

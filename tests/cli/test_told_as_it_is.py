@@ -12,7 +12,7 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.cli import run
 from trajopt_cli.motion import Hold, Program
-from trajopt_cli.optimize import check_feasible
+from trajopt_cli.plan import check_feasible
 from trajopt_cli.problem.progress import Progress
 
 FAR = "CONST robtarget p_far:=[[500,1900,450],[0,0,1,0],[0,0,0,0],[1900,9E9,9E9,9E9,9E9,9E9]];"

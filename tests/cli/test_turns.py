@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
+from trajopt_cli.workers import cores, in_turns
 
 
 def test_answers_come_under_their_names_in_order_and_all_that_is_told_is_heard() -> None:
@@ -65,7 +65,7 @@ def test_as_many_processes_work_as_are_asked_for(jobs: int) -> None:
 
 ORPHAN = """
 import os, signal, sys, time
-from trajopt_cli.beside import Beside
+from trajopt_cli.workers import Worker
 
 def work(tell):
     tell(os.getpid())
@@ -76,7 +76,7 @@ def hear(pid):
     os.write(1, f"{pid}\\n".encode())
     os.kill(os.getpid(), signal.SIGKILL)
 
-with Beside(work, hear) as beside:
+with Worker(work, hear) as beside:
     beside.answer()
 """
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trajopt_cli.pipeline.optimise import _said_once
+from trajopt_cli.pipeline.optimize import _said_once
 from trajopt_cli.problem.plan import Target
 
 COLUMN, BOTH = "t.mod:4:1: MoveJ p goes around 'column'", "t.mod:6:1: MoveJ q goes around 'column', 'fence'"

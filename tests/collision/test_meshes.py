@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.collision.meshes import load_mesh
 from trajopt_cli.errors import InputError
+from trajopt_cli.proximity.meshes import load_mesh
 from trajopt_cli.shapes import MeshFile
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trajopt_cli.collision.near import WORLD, NearPairs
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.geometry import Array, pose, rotation_about
+from trajopt_cli.proximity.near import WORLD, NearPairs
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape
 
 CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / 2.0

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.collision.meshes import convex, inside, load_mesh
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
+from trajopt_cli.proximity.meshes import convex, inside, load_mesh
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape, outline
 
 CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / 2.0

@@ -142,9 +142,9 @@ class Workspace:
 
 def workspace(folder: Path) -> Workspace:
     """Make it, in a second of processor."""
-    from trajopt_cli.compliance.job.segments import make_segments
+    from trajopt_cli.iiwa.job.segments import make_segments
     from trajopt_cli.job import read_job
-    from trajopt_cli.pipeline.optimise import Optimised, optimise
+    from trajopt_cli.pipeline.optimize import Optimised, optimise
     from trajopt_cli.problem.plan import Target
 
     here = Workspace(folder)
@@ -429,13 +429,13 @@ def _judge_plan_folder(path: Path) -> object:
 
 
 def _read_task_folder(path: Path) -> object:
-    from trajopt_cli.compliance.job.folder import open_folder
+    from trajopt_cli.iiwa.job.folder import open_folder
 
     return open_folder(path)
 
 
 def _judge_task_folder(path: Path) -> object:
-    from trajopt_cli.verify.compliant.judge import verify_folder
+    from trajopt_cli.iiwa.judge.verify import verify_folder
 
     return verify_folder(path)
 
@@ -467,20 +467,20 @@ def _read_iiwa_csv(path: Path) -> object:
 
 
 def _judge_iiwa_csv(path: Path) -> object:
-    from trajopt_cli.verify.compliant.judge import verify_joints
+    from trajopt_cli.iiwa.judge.verify import verify_joints
 
     return verify_joints(path, None)
 
 
 def _read_task(path: Path) -> object:
-    from trajopt_cli.compliance.task.loader import load_task
+    from trajopt_cli.iiwa.task.loader import load_task
 
     return load_task(path)
 
 
 def _read_poses(path: Path) -> object:
-    from trajopt_cli.compliance.task.model import AngleMeaning
-    from trajopt_cli.compliance.task.path_csv import read_path, read_text
+    from trajopt_cli.iiwa.task.model import AngleMeaning
+    from trajopt_cli.iiwa.task.path_csv import read_path, read_text
 
     return read_path(read_text(str(path)), path.name, AngleMeaning.RELATIVE, np.eye(3))
 
@@ -523,7 +523,7 @@ def _fit_log(path: Path) -> object:
 
 
 def _read_mesh(path: Path) -> object:
-    from trajopt_cli.collision.meshes import convex, load_mesh
+    from trajopt_cli.proximity.meshes import convex, load_mesh
     from trajopt_cli.shapes import MeshFile
 
     mesh = load_mesh(MeshFile("part", path, np.eye(4), 1.0))

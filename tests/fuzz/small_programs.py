@@ -22,7 +22,7 @@ from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.folder import rapid_export, verify_file, verify_results
-from trajopt_cli.pipeline.optimise import Optimised, optimise
+from trajopt_cli.pipeline.optimize import Optimised, optimise
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.runs.results import CSV

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cell.schema import cell_schema
-from trajopt_cli.compliance.task.loader import parse_task
+from trajopt_cli.iiwa.task.loader import parse_task
 from trajopt_cli.joint_csv import read_csv_text
 
 

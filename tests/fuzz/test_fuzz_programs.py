@@ -13,11 +13,11 @@ from small_programs import Small, check_same_motions, program, round_trip
 
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.job import read_job
-from trajopt_cli.optimize import optimize
 from trajopt_cli.pipeline.folder import verify_file
-from trajopt_cli.pipeline.optimise import Optimised, optimise
-from trajopt_cli.problem.changes import everything
-from trajopt_cli.problem.freedom import Freedom
+from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import Freedom
+from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Problem, build_problem
 

@@ -1,5 +1,5 @@
 """Limits from simulated logs: the truth inside the interval, nothing said of what is not shown. The hundred runs are
-tests/benchmarks/bench_identify.py."""
+benchmarks/bench_identify.py."""
 
 from __future__ import annotations
 

@@ -10,19 +10,21 @@ from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize import exchange, looks
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.binding import binding_limits
-from trajopt_cli.optimize.course import Course, courses_of
-from trajopt_cli.optimize.exchange import check_leg
-from trajopt_cli.optimize.incumbent import about, duration, timed
-from trajopt_cli.optimize.leg_times import Times
-from trajopt_cli.optimize.looks import looked_at
-from trajopt_cli.optimize.pace import Shares, fastest, law_of, least_times, motions
-from trajopt_cli.optimize.rail import polished, refined
-from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.path_timing import run_check
+from trajopt_cli.path_timing.edge_times import Times
+from trajopt_cli.path_timing.path_parameterized_plan import about, duration, timed
+from trajopt_cli.path_timing.path_timing import Shares, fastest, law_of, least_times, motions
+from trajopt_cli.path_timing.run_check import looked_at
+from trajopt_cli.path_timing.sampled_path import SampledPath, courses_of
+from trajopt_cli.plan.rail_refinement import polished, refined
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Coupling, Problem
+from trajopt_cli.trajectories import dense_check
+from trajopt_cli.trajectories.active_limits import binding_limits
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import check_leg
+from trajopt_cli.trajectories.route import Route
 
 DATA = "CONST zonedata z_t:=[FALSE,12,18,25,9E9,9E9,9E9];"
 BODY = """MoveJ p_in, v1000, z_t, tool0;
@@ -34,7 +36,7 @@ MoveL p_low, v500, z_t, tool0;
 MoveL Offs(p_low,0,-60,20), v800, fine, tool0;"""
 
 
-def chain_of(body: str = BODY) -> tuple[Axes, Problem, Chain]:
+def chain_of(body: str = BODY) -> tuple[Axes, Problem, Route]:
     problem = problem_of(rapid(body, data=DATA), plant_with_rail(), Target.RAPID)
     axes = Axes.of(problem.plant)
     with pytest.MonkeyPatch.context() as patch:
@@ -44,7 +46,7 @@ def chain_of(body: str = BODY) -> tuple[Axes, Problem, Chain]:
     return axes, problem, replace(chain, w=np.zeros_like(chain.w))
 
 
-def courses(axes: Axes, problem: Problem, chain: Chain) -> list[Course]:
+def courses(axes: Axes, problem: Problem, chain: Route) -> list[SampledPath]:
     cfx = [label.cfx for label in chain.labels]
     shifted = chain.q.copy()
     shifted[problem.runs[0][1], 0] += 0.1  # the arm does not end there: no course, which the others must not feel
@@ -79,10 +81,10 @@ def test_runs_driven_together_are_driven_as_alone() -> None:
 
 def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same ratios at the same places, of ways of the tool, joint moves and corners between them."""
-    monkeypatch.setattr(looks, "COURSE_LOOKS", 12)
-    monkeypatch.setattr(looks, "CORNER_LOOKS", 1)
+    monkeypatch.setattr(run_check, "COURSE_LOOKS", 12)
+    monkeypatch.setattr(run_check, "CORNER_LOOKS", 1)
     for name, value in (("BRIEF", 12), ("NEAR_LOOK", 1e3)):
-        monkeypatch.setattr(exchange, name, value)
+        monkeypatch.setattr(dense_check, name, value)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
         law = law_of(axes, problem, course, Shares.full(len(course.part)))
@@ -119,7 +121,7 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     assert law is not None
     every = np.arange(len(course.part))
     found = looked_at(axes, problem, course, law, every).tool
-    monkeypatch.setattr(looks, "COURSE_LOOKS", 100)
+    monkeypatch.setattr(run_check, "COURSE_LOOKS", 100)
     assert found == pytest.approx(looked_at(axes, problem, course, law, every).tool, rel=4e-5)
 
 

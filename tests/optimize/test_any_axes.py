@@ -10,19 +10,19 @@ import numpy as np
 import pytest
 from small_cells import HOME, plant_with_rail, problem_of, rapid
 
+from trajopt_cli.bound.lower_bound import lower_bound
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.improve import improved
-from trajopt_cli.optimize.legal import Legal, legal_of
-from trajopt_cli.optimize.library import Maps, library
-from trajopt_cli.optimize.solve import _rows
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.nlp.block_cache import Maps, library
+from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.local_refinement import improved
+from trajopt_cli.plan.solve import _rows
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import Trajectory
 
 pytestmark = pytest.mark.usefixtures("coarse", "few_places")
@@ -122,7 +122,7 @@ def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(
     problem = problem_of(rapid(body + "MoveAbsJ j_home, v2500, fine, tool0;"), plant, target)
     plans, bounds = [], []
     for one, evaluated in ((problem, library), (rail_last(problem), Maps)):  # to compile it would take longer
-        monkeypatch.setattr("trajopt_cli.optimize.formulation.users_library", evaluated)
+        monkeypatch.setattr("trajopt_cli.nlp.formulation.users_library", evaluated)
         axes = Axes.of(one.plant)
         plans.append(planned(axes, one))
         trajectory = plans[-1]

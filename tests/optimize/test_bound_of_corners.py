@@ -10,15 +10,16 @@ import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from unrefined import IMPROVED, as_it_comes
 
+from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import bound, optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.tuning import BOUND_LEVELS
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.enclosure import Range
+from trajopt_cli.settings import BOUND_LEVELS
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import hermite
 
 pytestmark = pytest.mark.usefixtures("few_places")
@@ -47,7 +48,7 @@ def case(name: str, zone: str) -> tuple[Program, Plant]:
 def solved(name: str, zone: str, target: Target) -> tuple[Plan, Problem]:
     program, plant = case(name, zone)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("trajopt_cli.optimize.rail.POLISH", 30)  # more saves no more than 0.3 % here
+        patch.setattr("trajopt_cli.plan.rail_refinement.POLISH", 30)  # more saves no more than 0.3 % here
         patch.setattr(IMPROVED, as_it_comes)  # these streams are hardly improved
         plan = optimize(program, plant, target)
     assert isinstance(plan, Plan), plan
@@ -65,9 +66,9 @@ def crossing(axes: Axes, plan: Plan, X_WF: Array, begin: float, end: float) -> f
     return float(t[i])
 
 
-def shrunk(cells: bound._Cells, keep: Array) -> bound._Cells:
+def shrunk(cells: lower_bound._Cells, keep: Array) -> lower_bound._Cells:
     pick = lambda r: Range(r.lo[:, keep], r.hi[:, keep])  # noqa: E731
-    return bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
+    return lower_bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
 @pytest.mark.parametrize("level", range(BOUND_LEVELS - 1))
@@ -78,7 +79,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
 ) -> None:
     plan, problem = solved(name, "z20", target)
     axes = Axes.of(problem.plant)
-    chain = bound._chain(axes, problem)
+    chain = lower_bound._chain(axes, problem)
     assert sum(place.gate is not None for place in chain.places) == 3
     ends = np.array([0.0, *(m.t_1 for m in plan.motions)])
     times, held = [], []
@@ -86,7 +87,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
         gate = place.gate
         t = ends[place.k] if gate is None else crossing(axes, plan, gate.X_WF, ends[gate.leg], ends[gate.leg + 1])
         q, qd, _ = hermite(plan.trajectory, np.array([t]))
-        cells = bound._cells(axes, problem, place, bound._grid(axes, problem, place), level, None, {})
+        cells = lower_bound._cells(axes, problem, place, lower_bound._grid(axes, problem, place), level, None, {})
         slack, slack_v = (1e-9, 1e-6) if gate is None else (1e-3, 2e-2)  # found within 2e-4 m, m/s
         inside = (cells.q.lo - slack <= q[0, :4, None]) & (q[0, :4, None] <= cells.q.hi + slack)
         inside &= (cells.v.lo - slack_v <= qd[0, :4, None]) & (qd[0, :4, None] <= cells.v.hi + slack_v)
@@ -97,7 +98,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
     stretches = [(k, k + 1, run) for k, run in enumerate(chain.hops)] + [(*ij, run) for ij, run in chain.direct.items()]
     for i, j, run in stretches:
         a, b = held[i], held[j]
-        T = bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.min(T) <= times[j] - times[i] + 1e-3, (i, j)
 
 
@@ -106,13 +107,13 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
 def test_the_bound_stays_under_the_plan_and_falls_as_zones_grow(name: str, target: Target) -> None:
     plan, problem = solved(name, "z20", target)
     axes = Axes.of(problem.plant)
-    assert bound.lower_bound(axes, problem, 1.3 * plan.duration) <= plan.duration
+    assert lower_bound.lower_bound(axes, problem, 1.3 * plan.duration) <= plan.duration
     assert plan.lower_bound is not None
     assert plan.lower_bound > 0.7 * plan.duration
     bounds = []
     for zone in ("fine", "z1", "z20", "z100"):
         program, plant = case(name, zone)
-        bounds.append(bound.lower_bound(axes, problem_of(program, plant, target), 2 * plan.duration))
+        bounds.append(lower_bound.lower_bound(axes, problem_of(program, plant, target), 2 * plan.duration))
     assert bounds == sorted(bounds, reverse=True)
 
 
@@ -131,7 +132,7 @@ def test_a_contour_of_many_points_takes_its_way(target: Target) -> None:
     chord = 2 * 0.06 * np.sin(np.pi / 60)
     cut = 2 * 0.001 * (1 - np.cos(np.pi / 60))
     least = (60 * chord - 59 * cut) / 0.1 + 0.1 / problem.plant.tcp.acceleration
-    first = bound.lower_bound(Axes.of(problem.plant), replace(problem, waypoints=problem.waypoints[:2],
+    first = lower_bound.lower_bound(Axes.of(problem.plant), replace(problem, waypoints=problem.waypoints[:2],
                                                               legs=problem.legs[:1]), 100.0)  # fmt: skip
-    whole = bound.lower_bound(Axes.of(problem.plant), problem, 100.0)
+    whole = lower_bound.lower_bound(Axes.of(problem.plant), problem, 100.0)
     assert whole - first == pytest.approx(least, abs=1e-6)

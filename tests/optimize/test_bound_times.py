@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from trajopt_cli.optimize.bound import _least_of_axis
-from trajopt_cli.optimize.double_integrator import shortest_time
+from trajopt_cli.bound.lower_bound import _least_of_axis
+from trajopt_cli.timing.double_integrator import shortest_time
 
 V, A, N = 1.5, 4.0, 4000
 RNG = np.random.default_rng(3)

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from small_cells import plant_with_rail, rapid
 
-from trajopt_cli.optimize.clear import looks
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, Pieces
-from trajopt_cli.optimize.surroundings import Surroundings
-from trajopt_cli.optimize.tuning import CLEAR_AT_ONCE, CLEAR_EVERY, CLEAR_MOST
+from trajopt_cli.collision.collision_scene import CollisionScene
+from trajopt_cli.settings import CLEAR_AT_ONCE, CLEAR_EVERY, CLEAR_MOST
 from trajopt_cli.shapes import Capsule, Solid
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, Pieces, sample_times
 
 DAY = 86_400.0
 POST = Solid(Capsule("post", np.array([0.45, 0.3, 0.0]), np.array([0.45, 0.3, 0.7]), 0.05))
@@ -31,8 +30,8 @@ def rest(T: float, n: int = 7) -> JointProfiles:
 
 
 def test_a_way_and_a_days_rest_is_looked_at_as_the_way_alone() -> None:
-    alone, first = looks(way(1.0), CLEAR_EVERY, 1)
-    t, begins = looks(Pieces((way(1.0), rest(DAY))), CLEAR_EVERY, 1)
+    alone, first = sample_times(way(1.0), CLEAR_EVERY, 1)
+    t, begins = sample_times(Pieces((way(1.0), rest(DAY))), CLEAR_EVERY, 1)
     np.testing.assert_array_equal(t[: len(alone)], alone)
     np.testing.assert_array_equal(t[len(alone) :], [1.0 + DAY])
     np.testing.assert_array_equal(t[begins], [0.0, 0.25, 0.75, 1.0])
@@ -42,7 +41,7 @@ def test_a_way_and_a_days_rest_is_looked_at_as_the_way_alone() -> None:
 
 
 def test_a_motion_of_a_day_is_looked_at_so_often_and_no_more() -> None:
-    t, begins = looks(way(DAY), CLEAR_EVERY, 1)
+    t, begins = sample_times(way(DAY), CLEAR_EVERY, 1)
     assert len(t) == 3 * CLEAR_MOST + 1
     np.testing.assert_allclose(t[begins], [0.0, 0.25 * DAY, 0.75 * DAY])
     assert (t[0], t[-1]) == (0.0, DAY)
@@ -51,7 +50,7 @@ def test_a_motion_of_a_day_is_looked_at_so_often_and_no_more() -> None:
 @pytest.mark.parametrize("question", ["distances", "contacts"])
 def test_many_places_take_the_memory_of_some(question: str) -> None:
     plant = replace(plant_with_rail(), obstacles=(POST,), clearance=0.02)
-    around = Surroundings(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
+    around = CollisionScene(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
     q = np.random.default_rng(3).uniform(plant.limits.lower, plant.limits.upper, (4 * CLEAR_AT_ONCE, 7))
 
     def peak(rows: int) -> int:
@@ -68,7 +67,7 @@ def test_many_places_take_the_memory_of_some(question: str) -> None:
 
 def test_places_in_parts_answer_as_all_at_once() -> None:
     plant = replace(plant_with_rail(), obstacles=(POST,), clearance=0.02)
-    around = Surroundings(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
+    around = CollisionScene(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
     q = np.random.default_rng(4).uniform(plant.limits.lower, plant.limits.upper, (CLEAR_AT_ONCE + 50, 7))
     tail = slice(CLEAR_AT_ONCE - 20, None)
     np.testing.assert_array_equal(around.distances(q, 0)[tail], around.distances(q[tail], 0))

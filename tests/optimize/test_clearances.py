@@ -11,24 +11,24 @@ import pytest
 from link_poses import link_poses
 from small_cells import down, plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.collision.pair import Pair
+from trajopt_cli.collision.collision_scene import CollisionScene, collision_scene_of
 from trajopt_cli.geometry import Array, pose
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.clearances import Clearances, Tangents
-from trajopt_cli.optimize.draft import Draft, Margins
-from trajopt_cli.optimize.driver import LONG, NotConverged, Refiner, on_grid
-from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.incumbent import duration
-from trajopt_cli.optimize.legal import Legal, legal_of
-from trajopt_cli.optimize.legs import JointNodes, PathLeg
-from trajopt_cli.optimize.surroundings import Surroundings
-from trajopt_cli.optimize.tuning import CLEAR_MARGIN, HAIR, PAIRS
+from trajopt_cli.judge.clearance import check_clearance
+from trajopt_cli.nlp.clearances import Clearances, Tangents
+from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, on_grid
+from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path.line import Line, LineSymbols
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.path_timing.path_parameterized_plan import duration
+from trajopt_cli.plan.initial_plan import Legal, legal_of
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.proximity.pair import Pair
+from trajopt_cli.settings import CLEAR_MARGIN, HAIR, PAIRS
 from trajopt_cli.shapes import Box, Capsule, Solid
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate, Margins
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.clearance import check_clearance
 
 PROGRAM = rapid("""MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
@@ -53,13 +53,13 @@ def legal() -> Legal:
     return found
 
 
-def solved(plant: Plant) -> Draft:
+def solved(plant: Plant) -> Iterate:
     problem, grids = problem_of(PROGRAM, plant), LONG.rough
     start = on_grid(AXES, problem, legal().draft, grids)
-    return Refiner(AXES, FORMULATION, problem, Patience(), grids).run(start)
+    return Refiner(AXES, FORMULATION, problem, Patience(), grids, collision_scene_of(problem)).run(start)
 
 
-def missing(plant: Plant, draft: Draft) -> float:
+def missing(plant: Plant, draft: Iterate) -> float:
     """By how much the judge finds that a motion comes nearer than wanted [m]; the rows are 2 ms apart."""
     t, q, qd, now = [], [], [], 0.0
     for motion in draft.legs:
@@ -73,11 +73,11 @@ def missing(plant: Plant, draft: Draft) -> float:
 
 
 @pytest.fixture(scope="module")
-def roomy() -> Draft:
+def roomy() -> Iterate:
     return solved(ROOMY)
 
 
-def test_a_window_beside_a_body_gains_and_is_free(roomy: Draft) -> None:
+def test_a_window_beside_a_body_gains_and_is_free(roomy: Iterate) -> None:
     """Without the cube the fastest motion goes 54 mm into it; first answers go there, too."""
     plant = beside_box(0.2, 0.8, 0.1)
     assert missing(plant, legal().draft) < 0 < 0.05 < missing(plant, roomy)
@@ -92,7 +92,7 @@ def test_a_window_beside_a_body_gains_and_is_free(roomy: Draft) -> None:
         assert np.array_equal(one.sample(AXES, times).q, other.sample(AXES, times).q)
 
 
-def test_a_window_far_from_everything_is_the_same_with_bodies_and_without(roomy: Draft) -> None:
+def test_a_window_far_from_everything_is_the_same_with_bodies_and_without(roomy: Iterate) -> None:
     found = solved(beside_box(3.0, 3.0, 3.0))
     assert duration(found) == duration(roomy)
     assert np.array_equal(found.q, roomy.q)
@@ -104,7 +104,7 @@ def test_where_nothing_stands_a_program_has_no_rows_of_distances() -> None:
     start = on_grid(AXES, problem, legal().draft, LONG.rough)
     margins = [Margins.full(motion.N, AXES.n, 1.0) for motion in start.legs]
     assert ROOMY.self_pairs
-    assert Clearances(AXES, problem).tangents(start, margins) == {}
+    assert Clearances(AXES, problem, collision_scene_of(problem)).tangents(start, margins) == {}
 
 
 def test_what_the_program_itself_brings_too_near_has_no_answer() -> None:
@@ -128,7 +128,7 @@ def distances(pair: Pair, q: Array) -> Array:
 
 def tangents(plant: Plant, k: int, q: Array) -> Iterator[tuple[int, dict[str, Array]]]:
     """Of leg k at axes q (m, n): of each node with something near."""
-    found = Tangents.about(Surroundings(plant, PROGRAM), problem_of(PROGRAM, plant).legs[k], q, np.zeros(len(q)))
+    found = Tangents.about(CollisionScene(plant, PROGRAM), problem_of(PROGRAM, plant).legs[k], q, np.zeros(len(q)))
     assert found is not None
     assert not found.gradient[:, 1:].any()
     assert (found.least[:, 1:] == -1).all()
@@ -200,7 +200,8 @@ def test_nodes_keep_farther_off_where_a_motion_dips_between_them() -> None:
     assert middle < 0 < ends.min()
     swing = JointNodes(1.0, np.array([0.0, 1.0]), q, np.zeros_like(q), np.zeros_like(q[:1]))
     draft, margins = replace(legal().draft, legs=(None, swing, None, None)), Margins.full(1, AXES.n, 1.0)
-    clearances = Clearances(AXES, problem_of(PROGRAM, plant))
+    problem = problem_of(PROGRAM, plant)
+    clearances = Clearances(AXES, problem, collision_scene_of(problem))
     assert clearances.make_room(draft, [None, margins, None, None])
     assert margins.room.min() > ends.min() - middle
     assert (margins.refined().room == margins.room[0]).all()

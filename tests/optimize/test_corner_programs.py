@@ -14,15 +14,15 @@ from scipy.spatial import cKDTree
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.geometry import Array
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Move, MoveJ, MoveL, Program, TextFile
-from trajopt_cli.optimize import optimize
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.trajectory import hermite
-from trajopt_cli.verify.judge import verify
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 MM = 1e-3

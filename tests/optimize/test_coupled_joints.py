@@ -10,14 +10,14 @@ from small_cells import STROKE, plant_with_rail, plant_without_rail, rapid
 from unrefined import IMPROVED, as_it_comes
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import CoupledRange, TcpCaps
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import optimize
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

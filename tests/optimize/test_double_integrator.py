@@ -9,13 +9,7 @@ import pytest
 from ruckig import InputParameter, Result, Ruckig, Trajectory
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize.double_integrator import (
-    cruise_profile,
-    gentlest_profile,
-    reach,
-    shortest_time,
-    trapezoid_time,
-)
+from trajopt_cli.timing.double_integrator import cruise_profile, gentlest_profile, reach, shortest_time, trapezoid_time
 
 
 def ruckig_time(D: Array, v0: Array, v1: Array, V: Array, A: Array, least: float | None = None) -> float:

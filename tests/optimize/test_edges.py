@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.optimize.edges import Band, Dense, Lazy
+from trajopt_cli.graph_search.edges import Band, Dense, Lazy
 
 LABELS, RAILS = 3, 9
 

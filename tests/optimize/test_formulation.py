@@ -8,17 +8,17 @@ from heavy_cells import heavy_on_rail
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import BlockNlp
-from trajopt_cli.optimize.formulation import Formulation, ToolCap
-from trajopt_cli.optimize.library import Maps
-from trajopt_cli.optimize.relation import Relation
+from trajopt_cli.nlp.block_cache import Maps
+from trajopt_cli.nlp.constraint import Relation
+from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
+from trajopt_cli.trajectories.axes import Axes
 
 X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
 

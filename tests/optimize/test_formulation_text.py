@@ -26,20 +26,20 @@ def defined(path: Path) -> set[str]:
 
 @pytest.mark.parametrize(("file", "name"), NAMED, ids=lambda part: part)
 def test_what_the_text_names_exists(file: str, name: str) -> None:
-    path = ROOT / file if "/" in file else ROOT / "trajopt_cli" / "optimize" / file
+    path = ROOT / file
     assert path.exists()
     assert name in defined(path)
 
 
 def test_the_text_names_every_relation() -> None:
-    formulation = defined(ROOT / "trajopt_cli" / "optimize" / "formulation.py")
+    formulation = defined(ROOT / "trajopt_cli" / "nlp" / "formulation.py")
     public = {name for name in formulation if re.fullmatch(r"Formulation\.[a-z]\w*", name)}
     assert len(public) > 10
     assert public <= {name for _, name in NAMED}
 
 
-def test_the_tuning_names_it_quotes_exist() -> None:
-    table = (ROOT / "trajopt_cli" / "optimize" / "tuning.py").read_text(encoding="utf-8")
+def test_the_settings_it_quotes_exist() -> None:
+    table = (ROOT / "trajopt_cli" / "settings.py").read_text(encoding="utf-8")
     quoted = set(re.findall(r"\b[A-Z]{4,}\b", TEXT)) - {"RAPID", "TOPP"}
     assert quoted
     assert all(re.search(rf"^{name} = ", table, flags=re.M) for name in quoted), quoted

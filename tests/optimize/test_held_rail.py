@@ -9,11 +9,11 @@ import pytest
 from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import IMPROVED, as_it_comes
 
+from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.search import search
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.trajectories.axes import Axes
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.optimize.interior_point import Bounds, InteriorPoint, NlpResult
+from trajopt_cli.nlp.interior_point import Bounds, InteriorPoint, NlpResult
 
 INF = float("inf")
 

@@ -11,19 +11,19 @@ from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.joint_csv import write_csv_text
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.library import Maps
-from trajopt_cli.optimize.smooth import rest_time
+from trajopt_cli.nlp.block_cache import Maps
+from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path_timing.smooth import rest_time
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.timing.point_to_point import point_to_point
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.trajectories.axes import Axes
 
 pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
@@ -121,7 +121,7 @@ def test_a_limit_that_no_rows_show_changes_nothing() -> None:
 
 
 def test_lines_are_driven_faster_than_by_one_profile(monkeypatch: pytest.MonkeyPatch) -> None:
-    from trajopt_cli.optimize import solve
+    from trajopt_cli.plan import solve
 
     program, plant = rapid(LINE, data=POINTS), limited(plant_without_rail())
     plan = without_rail(LINE, Target.RAPID)

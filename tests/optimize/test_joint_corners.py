@@ -12,15 +12,15 @@ from scipy.spatial.transform import Rotation, Slerp
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import FlyBy, MoveL, Program
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import course_of
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import Trajectory, hermite
-from trajopt_cli.verify.judge import verify
 
 DATA = """PERS tooldata a:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
 PERS tooldata b:=[TRUE,[[30,0,140],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];

@@ -10,24 +10,24 @@ import pytest
 from arms import abb_like, on_rail, urdf_joints
 from small_cells import HOME
 
-from trajopt_cli.collision.pair import Pair
+from trajopt_cli.collision.collision_scene import CollisionScene, links
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.gltf import gltf
+from trajopt_cli.exporters.gltf import gltf
 from trajopt_cli.geometry import Array, inverse_pose, pose
+from trajopt_cli.judge.continuous_collision import Body, Near, Sweep
+from trajopt_cli.judge.mechanism import Mechanism
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import CoupledRange, TcpCaps
 from trajopt_cli.motion import MoveAbsJ, MoveL, Program, TextFile
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.surroundings import Surroundings, links
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.judge import verify
-from trajopt_cli.verify.mechanism import Mechanism
-from trajopt_cli.verify.sweep import Body, Near, Sweep
 
 pytestmark = pytest.mark.usefixtures("coarse")
 
@@ -203,7 +203,7 @@ def test_links_of_planner_and_drawings_stand_where_pin_has_them(tmp_path) -> Non
 def test_distances_change_with_the_axes_as_their_gradients_say(tmp_path) -> None:
     plant = with_bodies(tmp_path)
     around, q = (
-        Surroundings(plant, program(STAY, plant)),
+        CollisionScene(plant, program(STAY, plant)),
         postures(20),
     )
     at = around.contacts(q, 0, 5.0)
@@ -221,7 +221,7 @@ def test_a_way_that_axis_2_alone_turns_into_a_touch_is_not_free(tmp_path) -> Non
     plant = with_bodies(tmp_path)
     foot = Capsule("link_2", np.zeros(3), np.zeros(3), 0.1)
     robot = replace(plant.robot, capsules={"link_2": foot, "link_4": UPPER})
-    around = Surroundings(replace(plant, robot=robot, obstacles=()), program(STAY, plant))
+    around = CollisionScene(replace(plant, robot=robot, obstacles=()), program(STAY, plant))
     ends = np.radians([[0, 0, 0, 0, 0, 0], [0, -175, 0, 0, 0, 0]])
     assert around.free(ends, 0).all()
     assert not around.free_between(ends[:1], ends[1:], 0)[0]

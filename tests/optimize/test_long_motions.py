@@ -7,12 +7,12 @@ import pytest
 from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.assemble import rows_of
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.legs import JointNodes
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.nlp.assemble import rows_of
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.leg_trajectories import JointNodes
 
 
 @pytest.mark.parametrize(("T", "apart"), [(6.0, 1e-3), (600.0, 1e-2), (3600.0, 2e-2)])

@@ -9,17 +9,17 @@ import pytest
 from small_cells import down, plant_with_rail, problem_of, rapid
 from unrefined import coarse_search
 
+from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import wxyz_from_rotation
-from trajopt_cli.optimize import bound
-from trajopt_cli.optimize import search as searching
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import duration, timed
-from trajopt_cli.optimize.rail import refined
-from trajopt_cli.optimize.search import search
+from trajopt_cli.graph_search import search as searching
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
+from trajopt_cli.plan.rail_refinement import refined
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Problem
 from trajopt_cli.robot.inverse import inverse
+from trajopt_cli.trajectories.axes import Axes
 
 
 def places(ys: list[float], plant: Plant, target: Target = Target.RAPID) -> Problem:
@@ -88,13 +88,13 @@ def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypat
     chain = search(axes, replace(problem, coupling=Coupling.COORDINATED))
     assert chain is not None
     legal = duration(timed(axes, problem, refined(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
-    whole = bound.lower_bound(axes, problem, legal)
-    monkeypatch.setattr(bound, "BOUND_HOPS", 8)
-    monkeypatch.setattr(bound, "BOUND_WINDOW", 4)
+    whole = lower_bound.lower_bound(axes, problem, legal)
+    monkeypatch.setattr(lower_bound, "BOUND_HOPS", 8)
+    monkeypatch.setattr(lower_bound, "BOUND_WINDOW", 4)
     for aim in (legal, 1.5 * legal):
-        parts = bound.lower_bound(axes, problem, aim)
+        parts = lower_bound.lower_bound(axes, problem, aim)
         assert 0.95 * whole < parts < legal
-    assert bound.lower_bound(axes, problem, 0.5 * whole) == 0.5 * whole
+    assert lower_bound.lower_bound(axes, problem, 0.5 * whole) == 0.5 * whole
 
 
 def test_a_rail_of_forty_metres_is_searched_where_the_arm_reaches() -> None:

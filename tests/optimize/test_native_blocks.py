@@ -11,19 +11,19 @@ import pytest
 from heavy_cells import heavy, heavy_on_rail
 from small_cells import plant_with_rail, problem_of, rapid
 
+from trajopt_cli.graph_search.search import search
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.native.machine import machine
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import Block, Expressed, NlpResult
-from trajopt_cli.optimize.draft import Margins
-from trajopt_cli.optimize.driver import first_draft
-from trajopt_cli.optimize.formulation import Formulation, ToolCap
-from trajopt_cli.optimize.library import Library, Maps, library
-from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.nlp.block_cache import Library, Maps, library
+from trajopt_cli.nlp.driver import first_draft
+from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.nlp_assembly import Block, Expressed, NlpResult
+from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Margins
 
 SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]

@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from small_cells import down, plant_with_rail, problem_of, rapid
 
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.double_integrator import trapezoid_time
-from trajopt_cli.optimize.driver import on_grid
-from trajopt_cli.optimize.incumbent import timed
-from trajopt_cli.optimize.legs import JointNodes, PathLeg
-from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.tuning import ELBOW
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.judge.verify import verify
+from trajopt_cli.nlp.driver import on_grid
+from trajopt_cli.path_timing.path_parameterized_plan import timed
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.settings import ELBOW
+from trajopt_cli.timing.double_integrator import trapezoid_time
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

@@ -10,15 +10,16 @@ import pytest
 from small_cells import plant_with_rail, rapid
 from unrefined import coarse_search
 
+from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import legal, optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.pipeline.planning import out_of_order, streamed
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.plan import initial_plan, optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.progress import Progress, never_worse
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.route import Route
 
 
 def random_cell(seed: int) -> Program:
@@ -61,11 +62,11 @@ def test_more_freedom_is_never_slower_on_random_cells(seed: int) -> None:
 
 
 def test_where_the_search_finds_nothing_a_lesser_freedom_answers(monkeypatch: pytest.MonkeyPatch) -> None:
-    def poor(axes: Axes, problem: Problem) -> Chain | None:
+    def poor(axes: Axes, problem: Problem) -> Route | None:
         return None if problem.freedom.rail is RailFreedom.STOP else search(axes, problem)
 
     fixed = rapid_time(1, FIXED_RAIL)
-    monkeypatch.setattr(legal, "search", poor)
+    monkeypatch.setattr(initial_plan, "search", poor)
     found = rapid_plan(1, EVERYTHING)
     assert found is not None
     assert fixed is not None

@@ -13,17 +13,18 @@ import pytest
 from arms import KNOWN, PARALLEL, Chain, on_rail, random_chain
 from small_cells import problem_of, rapid
 
+from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import Array, wxyz_from_rotation
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import bound, optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.robot.model import RobotModel
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.trajectories.axes import Axes
 
 pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
@@ -98,7 +99,7 @@ def test_the_plan_is_legal_and_no_faster_than_the_bound(case: str) -> None:
     report = verify(program, plant, plan.trajectory, target=Target.STREAM, advice=False)
     assert [f"{f.check} {f.subject} {f.value} > {f.limit}" for f in report.findings if not f.passed] == []
     problem = problem_of(program, plant)
-    value = bound.lower_bound(Axes.of(plant), problem, 1.5 * plan.duration)
+    value = lower_bound.lower_bound(Axes.of(plant), problem, 1.5 * plan.duration)
     assert 0.5 * plan.duration < value <= plan.duration
     written = optimize(program, plant, Target.STREAM, AS_WRITTEN, bounded=False)
     assert isinstance(written, Plan)

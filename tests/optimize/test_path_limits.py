@@ -9,11 +9,11 @@ import pytest
 from small_cells import plant_without_rail, rapid
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import lower_bound_of, optimize
+from trajopt_cli.plan import lower_bound_of, optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

@@ -16,16 +16,16 @@ from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.cli import run
-from trajopt_cli.optimize import windows
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import BlockNlp, make_block
-from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import Refiner, Stage, Stopped
-from trajopt_cli.optimize.improve import improved
-from trajopt_cli.optimize.incumbent import duration
-from trajopt_cli.optimize.legal import Legal, legal_of
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.nlp.driver import Refiner, Stage, Stopped
+from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
+from trajopt_cli.path_timing.path_parameterized_plan import duration
+from trajopt_cli.plan import subproblems
+from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.local_refinement import improved
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
 
 BODY = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
@@ -59,7 +59,7 @@ STATION = "\n".join([*BODY.split("\n")[:4], "MoveAbsJ j_home, v2500, fine, tool0
 def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """One station, whose bound is not asked for."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 0.1)
+    monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda *_, **__: 0.1)
     Path("t.mod").write_text(f"MODULE T\n{DATA}\nPROC main()\n{STATION}\nENDPROC\nENDMODULE\n")
     Path("t.yaml").write_text(CELL)
     return Path("t.mod")
@@ -93,7 +93,7 @@ def test_the_first_legal_motion_is_an_answer_that_an_end_leaves(stopped: bool, m
 def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     patience, first = Patience(), True
 
-    def solve(self: Refiner, stage: Stage) -> Draft:
+    def solve(self: Refiner, stage: Stage) -> Iterate:
         nonlocal first
         draft = stage.draft
         if not first:
@@ -101,13 +101,13 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
             raise Stopped
         first = False
         legs = [type(motion)(**{**vars(motion), "T": 0.9 * motion.T}) for motion in draft.legs if motion is not None]
-        return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
+        return Iterate(draft.q, draft.qd, draft.cfx, tuple(legs))
 
-    monkeypatch.setattr(windows, "WINDOW", 4)
+    monkeypatch.setattr(subproblems, "WINDOW", 4)
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
     monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", solve)
-    monkeypatch.setattr("trajopt_cli.optimize.improve.search", lambda *_: None)
+    monkeypatch.setattr("trajopt_cli.plan.local_refinement.search", lambda *_: None)
     base = legal()
     _, draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
     assert duration(draft) < base.duration

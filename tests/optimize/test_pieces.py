@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 from small_cells import plant_without_rail, problem_of, rapid
 
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import timed
-from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.windows import Window
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.path_timing.path_parameterized_plan import timed
+from trajopt_cli.plan.subproblems import Window
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.trajectories.axes import Axes
 
 TO = "MoveJ p_near, v500, fine, tool0;\n"
 ARC = TO + "MoveC Offs(p_near,{aside},0,20), Offs(p_near,0,0,40), v500, fine, tool0;"

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trajopt_cli.optimize import bounded
+from trajopt_cli.plan import bounded
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.trajectory import Trajectory
 

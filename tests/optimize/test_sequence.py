@@ -8,9 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.job import Job, read_job
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.sequence import (
+from trajopt_cli.graph_search.sequence import (
     NotApart,
     Steps,
     best_order,
@@ -20,10 +18,12 @@ from trajopt_cli.optimize.sequence import (
     nearest_order,
     steps_of,
 )
-from trajopt_cli.problem.changes import everything
-from trajopt_cli.problem.freedom import EVERYTHING
+from trajopt_cli.job import Job, read_job
+from trajopt_cli.problem.decision_scope import EVERYTHING
+from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.trajectories.axes import Axes
 
 CELL = """robot: irb140_rail
 rail: {eax: a, stroke: [0, 2]}

@@ -10,17 +10,18 @@ import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
+from trajopt_cli.graph_search.ik_tables import rail_grid, station_table
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import check_feasible, optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.reach import rail_grid, station_table
-from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.tuning import LINE_NODES, SEARCH_COARSE
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom
+from trajopt_cli.plan import check_feasible, optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.settings import LINE_NODES, SEARCH_COARSE
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.route import Route
 
 ZEROS = "[[0,0,0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]]"
 AT_ZERO = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0.0]])  # of the flange, with all joints at zero
@@ -38,7 +39,7 @@ def joints_data(name: str, degrees: tuple[float, ...], eax: float = 0) -> str:
     return f"CONST jointtarget {name}:=[[{','.join(map(str, degrees))}],[{eax},9E9,9E9,9E9,9E9,9E9]];"
 
 
-def chain_of(program: Program, plant: Plant, target: Target, freedom: Freedom = EVERYTHING) -> Chain:
+def chain_of(program: Program, plant: Plant, target: Target, freedom: Freedom = EVERYTHING) -> Route:
     assert check_feasible(program, plant, target, freedom) is None
     chain = search(Axes.of(plant), problem_of(program, plant, target, freedom))
     assert chain is not None

@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
 
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import slowed
-from trajopt_cli.optimize.incumbent import timed
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, PathLeg, Pieces
-from trajopt_cli.optimize.search import search
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.nlp.driver import slowed
+from trajopt_cli.path_timing.path_parameterized_plan import timed
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, PathLeg, Pieces
 
 MOVES = "MoveAbsJ j_home,v1000,fine,tool0;MoveJ p_in,v1000,fine,tool0;MoveL p_low,v200,fine,tool0;WaitTime 0.4;"
 
 
 @pytest.fixture(scope="module")
-def legal() -> tuple[Axes, Problem, Draft]:
+def legal() -> tuple[Axes, Problem, Iterate]:
     plant = plant_with_rail()
     axes, problem = Axes.of(plant), problem_of(rapid(MOVES), plant)
     chain = search(axes, problem)
@@ -28,7 +28,7 @@ def legal() -> tuple[Axes, Problem, Draft]:
     return axes, problem, timed(axes, problem, chain)
 
 
-def test_the_same_places_at_times_as_many_times_later(legal: tuple[Axes, Problem, Draft]) -> None:
+def test_the_same_places_at_times_as_many_times_later(legal: tuple[Axes, Problem, Iterate]) -> None:
     axes, problem, draft = legal
     moving = [k for k, leg in enumerate(problem.legs) if leg.duration is None]
     for k in moving:
@@ -42,7 +42,7 @@ def test_the_same_places_at_times_as_many_times_later(legal: tuple[Axes, Problem
         np.testing.assert_allclose(now.qdd, was.qdd / 1.25**2, atol=1e-7)
 
 
-def test_a_motion_of_several_pieces_is_slowed_with_them(legal: tuple[Axes, Problem, Draft]) -> None:
+def test_a_motion_of_several_pieces_is_slowed_with_them(legal: tuple[Axes, Problem, Iterate]) -> None:
     """As beside corners: all of a plan goes slower, or speeds would jump there."""
     _, problem, draft = legal
     k = next(k for k, leg in enumerate(problem.legs) if leg.duration is None)
@@ -54,14 +54,14 @@ def test_a_motion_of_several_pieces_is_slowed_with_them(legal: tuple[Axes, Probl
     assert pytest.approx(2.5 * motion.T) == slow.T
 
 
-def test_a_wait_keeps_its_time(legal: tuple[Axes, Problem, Draft]) -> None:
+def test_a_wait_keeps_its_time(legal: tuple[Axes, Problem, Iterate]) -> None:
     _, problem, draft = legal
     wait = slowed(problem, draft, 2.0).legs[-1]
     assert wait is not None
     assert wait.T == 0.4
 
 
-def test_ends_that_a_window_holds_in_motion_keep_their_velocity(legal: tuple[Axes, Problem, Draft]) -> None:
+def test_ends_that_a_window_holds_in_motion_keep_their_velocity(legal: tuple[Axes, Problem, Iterate]) -> None:
     _, problem, draft = legal
     qd = np.full_like(draft.qd, 0.01)
     points = [replace(one, q=draft.q[k]) if k == 0 else replace(one, q=None) for k, one in enumerate(problem.waypoints)]

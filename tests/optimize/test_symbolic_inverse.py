@@ -8,9 +8,9 @@ import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import pose, rotation_about
-from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.robot.arm import forward
 from trajopt_cli.robot.symbolic_inverse import BranchSigns, inverse_arm
+from trajopt_cli.trajectories.axes import Axes
 
 TURN = 2 * np.pi
 

@@ -10,15 +10,15 @@ import pytest
 from small_cells import DATA, plant_without_rail, rapid
 
 from trajopt_cli.job import read_job
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.optimize import lower_bound_of, optimize
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.plan import lower_bound_of, optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import analyse
 from trajopt_cli.scenario import Scenario
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")
 

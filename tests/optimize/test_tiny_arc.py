@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from trajopt_cli.cell.loader import load_cell
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import TextFile
-from trajopt_cli.optimize import optimize
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.verify.judge import verify
 
 BENCH = Path(__file__).parents[2] / "programs" / "bench_irb140.yaml"
 PROGRAM = r"""MODULE Tiny

@@ -11,24 +11,24 @@ import pytest
 from heavy_cells import START, first_axis_inertia, heavy
 from small_cells import problem_of, rapid
 
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import course_of
-from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.pace import Shares, in_force
-from trajopt_cli.optimize.torque import of_room
-from trajopt_cli.problem.course import follow
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.path_timing.path_timing import Shares, in_force
+from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.loads import torques_along
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan_series import follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.report.over_time import joints
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.torque import of_room
 from trajopt_cli.trajectory import hermite
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 
@@ -187,7 +187,7 @@ def test_the_measure_of_a_torque_is_what_gravity_leaves() -> None:
 
 
 def test_a_given_time_and_limited_jerk_keep_torques_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("trajopt_cli.optimize.gentle.EASE_ROUNDS", 1)  # how gentle it is does not matter
+    monkeypatch.setattr("trajopt_cli.plan.min_effort.EASE_ROUNDS", 1)  # how gentle it is does not matter
     program, plant = rapid(BODY, data=DATA), heavy()
     slow = planned(program, plant, Target.RAPID, objective=LeastEffort(1.4))
     assert slow.duration == pytest.approx(1.4)

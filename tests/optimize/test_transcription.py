@@ -10,18 +10,18 @@ import pytest
 from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.draft import Margins
-from trajopt_cli.optimize.driver import first_draft
-from trajopt_cli.optimize.formulation import Formulation, ToolCap
-from trajopt_cli.optimize.legs import JointNodes, PathLeg
-from trajopt_cli.optimize.library import library
-from trajopt_cli.optimize.relation import Relation
-from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.transcription import Transcription
-from trajopt_cli.optimize.tuning import DAMPED_AS_MUCH, DAMPING
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.nlp.block_cache import library
+from trajopt_cli.nlp.constraint import Relation
+from trajopt_cli.nlp.driver import first_draft
+from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind
+from trajopt_cli.settings import DAMPED_AS_MUCH, DAMPING
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Margins
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
 
 N_JOINT = 5
 

@@ -11,13 +11,14 @@ from small_cells import problem_of, rapid
 
 from trajopt_cli.cli import run
 from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.graph_search import search
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import JointLimits, TcpCaps
-from trajopt_cli.optimize import optimize, search
-from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.trajectories.axes import Axes
 
 pytestmark = pytest.mark.usefixtures("few_places")
 
@@ -84,7 +85,7 @@ def test_a_new_program_is_planned_judged_and_exported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 0.1)  # other tests ask for it
+    monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda *_, **__: 0.1)  # other tests ask for it
     assert run(["new", "first", "--robot", "ur10e_rail"]) == 0
     assert run(["optimize", "first.mod", "--time-limit", "0", "--json", "--quiet", "--jobs", "1"]) == 0
     answer = json.loads(capsys.readouterr().out.split("\n", 2)[2])

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.optimize import optimize
+from trajopt_cli.judge.verify import verify
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

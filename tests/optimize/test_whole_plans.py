@@ -10,20 +10,21 @@ from ruckig import InputParameter, Ruckig
 from ruckig import Trajectory as RuckigTrajectory
 from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, rapid
 
+from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import Array, wxyz_from_rotation
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import bound, optimize
-from trajopt_cli.optimize.assemble import rows_of
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.profiles import profiles
-from trajopt_cli.optimize.solve import _passing
-from trajopt_cli.optimize.tuning import BOUND_LEVELS
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
+from trajopt_cli.nlp.assemble import rows_of
+from trajopt_cli.plan import optimize
+from trajopt_cli.plan.solve import _passing
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.enclosure import Range
+from trajopt_cli.settings import BOUND_LEVELS
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.profiles import profiles
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("few_places")
 
@@ -123,9 +124,9 @@ def test_motions_tell_where_and_when_they_end(case: str) -> None:
 # ---- the lower bound
 
 
-def shrunk(cells: bound._Cells, keep: Array) -> bound._Cells:
+def shrunk(cells: lower_bound._Cells, keep: Array) -> lower_bound._Cells:
     pick = lambda r: Range(r.lo[:, keep], r.hi[:, keep])  # noqa: E731
-    return bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
+    return lower_bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
 @pytest.mark.parametrize("level", range(BOUND_LEVELS))
@@ -140,8 +141,8 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
     held = []
     for k, stop in enumerate(problem.waypoints):
         q, qd = trajectory.q[rows[k], :4, None], trajectory.qd[rows[k], :4, None]
-        place = bound._Place(k, None, stop.rail)
-        cells = bound._cells(axes, problem, place, bound._grid(axes, problem, place), level, None, {})
+        place = lower_bound._Place(k, None, stop.rail)
+        cells = lower_bound._cells(axes, problem, place, lower_bound._grid(axes, problem, place), level, None, {})
         inside = (cells.q.lo - 1e-9 <= q) & (q <= cells.q.hi + 1e-9)
         inside &= (cells.v.lo - 1e-6 <= qd) & (qd <= cells.v.hi + 1e-6)
         keep = np.flatnonzero(np.all(inside, axis=0))
@@ -149,8 +150,8 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         held.append(shrunk(cells, keep))
     for k, leg in enumerate(problem.legs):
         a, b = held[k], held[k + 1]
-        run = bound._run(axes, problem, k, k + 1)
-        T = bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        run = lower_bound._run(axes, problem, k, k + 1)
+        T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
         if level == BOUND_LEVELS - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])
@@ -162,7 +163,7 @@ def test_the_bound_stays_under_the_plan_whatever_it_is_told_to_aim_at(target: Ta
     plan, problem, axes = solved(target), problem_of(program, plant, target), Axes.of(plant)
     least = []
     for factor in (1.0, 1.3):
-        value = bound.lower_bound(axes, problem, factor * plan.duration)
+        value = lower_bound.lower_bound(axes, problem, factor * plan.duration)
         assert value <= plan.duration + 1e-9
         least.append(value)
     assert plan.lower_bound <= plan.duration
@@ -178,7 +179,7 @@ def test_more_rail_never_raises_the_bound(target: Target) -> None:
     for stroke in (ROOMY, (-0.4, 1.2)):
         plant = plant_with_rail((stroke[0] + 1e-12, stroke[1] - 1e-12))
         problem = problem_of(program, plant, target)
-        bounds.append(bound.lower_bound(Axes.of(plant), problem, 1.5 * solved(target).duration))
+        bounds.append(lower_bound.lower_bound(Axes.of(plant), problem, 1.5 * solved(target).duration))
     assert bounds[1] <= bounds[0] + 1e-4
 
 
@@ -191,7 +192,7 @@ def test_the_bound_of_a_rail_alone_is_its_trapezoid(target: Target, way: float) 
     plant = plant_with_rail()
     wanted = 2 * np.sqrt(way / 3) if way < 1 / 3 else way + 1 / 3
     problem = problem_of(program, plant, target)
-    got = bound.lower_bound(Axes.of(plant), problem, 2 * wanted)
+    got = lower_bound.lower_bound(Axes.of(plant), problem, 2 * wanted)
     assert got == pytest.approx(wanted, abs=1e-7)
 
 
@@ -203,7 +204,7 @@ def test_the_bound_of_a_target_with_a_fixed_rail_is_the_slowest_axis() -> None:
     turn = ",".join(repr(float(x)) for x in wxyz_from_rotation(X[:3, :3]))
     data = f"CONST robtarget p_there:=[[{place}],[{turn}],[0,0,0,0],[500,9E9,9E9,9E9,9E9,9E9]];"
     problem = problem_of(rapid("MoveJ p_there, v2500, fine, tool0;", data=data), plant)
-    got = bound.lower_bound(Axes.of(plant), problem, 3.0)
+    got = lower_bound.lower_bound(Axes.of(plant), problem, 3.0)
     assert got == pytest.approx(0.5 + 1 / 3, abs=1e-5)
 
 

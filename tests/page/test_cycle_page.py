@@ -19,7 +19,7 @@ from trajopt_cli.page.cell import program_section
 from trajopt_cli.page.compared import Cause, Compared, compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
-from trajopt_cli.page.optimised import Provenance, optimised_page
+from trajopt_cli.page.optimized import Provenance, optimised_page
 from trajopt_cli.page.samples import GAP, sample_times
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Dip, Stretch, Why

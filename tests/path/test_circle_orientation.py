@@ -13,14 +13,14 @@ from small_cells import plant_without_rail, rapid
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array, pose
+from trajopt_cli.judge.geometry import Arc as JudgesArc
+from trajopt_cli.judge.geometry import Line as JudgesLine
 from trajopt_cli.motion import CirPathMode, MoveC, MoveL, Program
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.plannable import check_plannable, planned_otherwise
-from trajopt_cli.verify.geometry import Arc as JudgesArc
-from trajopt_cli.verify.geometry import Line as JudgesLine
 
 S = np.linspace(0.0, 1.0, 33)
 N = "[9E9,9E9,9E9,9E9,9E9,9E9]"

@@ -13,8 +13,8 @@ from some_motions import BENCH, RAIL, move_abs_j, move_c, move_ext_j, move_j, mo
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Motion, MoveL, Settings, Singularity
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.along import ArmLine, follow
 from trajopt_cli.problem.configurations import ConfigurationFinding, Misfit, check_configurations
+from trajopt_cli.problem.path_ik import ArmLine, follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.robot.inverse import confdata

@@ -13,9 +13,9 @@ from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.moc import read_moc
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.controller import differences, shipped_robot
 from trajopt_cli.problem.plant import build_plant
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 MOC = """MOC:CFG_1.0:6:0::
 # a comment
@@ -112,7 +112,7 @@ def backup(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return Path("b")
 
 
-def told(backup: Path, cell: str) -> list[Notice]:
+def told(backup: Path, cell: str) -> list[ProgramWarning]:
     Path("b.yaml").write_text(cell)
     loaded = load_cell("b.yaml")
     return [*differences([backup], loaded, build_plant(loaded), [str(backup)])]
@@ -177,7 +177,7 @@ def test_the_robot_of_a_task_is_taken() -> None:
 def test_what_is_broken_is_told_by_its_line_and_the_rest_is_read(old: str, new: str, at: str) -> None:
     text = MOC.replace(old, new)
     moc = read_moc(text, "MOC.cfg")
-    assert {(one.kind, one.place) for one in moc.notices} == {(NoticeKind.NOT_READ, f"MOC.cfg:{line(at, text)}")}
+    assert {(one.kind, one.place) for one in moc.notices} == {(WarningKind.NOT_READ, f"MOC.cfg:{line(at, text)}")}
     assert (len(moc.robots), len(moc.externals)) == (1, 2)
 
 
@@ -194,7 +194,7 @@ def test_a_table_may_go_round_and_round_and_a_joint_may_not() -> None:
 
 def test_of_several_robots_is_told_which(backup: Path) -> None:
     (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("#\nSINGLE", '\n      -name "ROB_2"\n#\nSINGLE'))
-    assert [one.kind for one in told(backup, SAME)] == [NoticeKind.NOT_READ]
+    assert [one.kind for one in told(backup, SAME)] == [WarningKind.NOT_READ]
 
 
 def test_the_task_is_told_by_the_folder_also_from_inside(backup: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -246,7 +246,7 @@ def test_a_cell_file_that_says_the_same_is_not_spoken_of(backup: Path) -> None:
 )
 def test_a_contradiction_is_told_by_both_lines(backup: Path, old: str, new: str, at: int, there: int) -> None:
     found = [one for one in told(backup, SAME.replace(old, new)) if f"MOC.cfg:{there}" in one.text]
-    assert [(one.kind, one.place) for one in found] == [(NoticeKind.DOUBTFUL, f"b.yaml:{at}")]
+    assert [(one.kind, one.place) for one in found] == [(WarningKind.DOUBTFUL, f"b.yaml:{at}")]
 
 
 def test_a_rail_that_runs_another_way_is_told(backup: Path) -> None:
@@ -301,7 +301,7 @@ def test_the_cell_file_that_is_proposed_says_what_the_controller_says(
         ("rail", "velocity"): 1.2,
         ("rail", "acceleration"): 2.25,
     }
-    assert [one.kind for one in told(backup, text)] == [NoticeKind.NOT_READ]
+    assert [one.kind for one in told(backup, text)] == [WarningKind.NOT_READ]
     assert run(["parse", "b", "--quiet"]) == 0
     assert run(["new", "b", "--from", "b"]) == 2  # nothing is overwritten
     filled = "positioners:\n" + "\n".join(one[2:] for one in text.split("# positioners:")[1].splitlines()[1:])

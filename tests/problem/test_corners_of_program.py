@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.pipeline.optimise import fly_bys_told
+from trajopt_cli.pipeline.optimize import fly_bys_told
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.trajectory import Trajectory

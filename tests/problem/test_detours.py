@@ -9,14 +9,14 @@ import pytest
 from small_cells import HOME, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import inverse_pose
+from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program
-from trajopt_cli.optimize import optimize
-from trajopt_cli.optimize.again import Again
-from trajopt_cli.problem.changes import Changes, everything
+from trajopt_cli.plan import optimize
+from trajopt_cli.plan.plan_sensitivity import Again
 from trajopt_cli.problem.detours import Detour, Numbering, Via, folded, radii, unfolded, why_unsaid, with_detours
+from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.robot.inverse import confdata_admits, solutions
-from trajopt_cli.verify.mechanism import mechanism_of
 
 PLANT = plant_with_rail()
 DATA = "CONST robtarget pVia_30:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"

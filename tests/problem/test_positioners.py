@@ -13,15 +13,15 @@ from unrefined import coarse_search
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
-from trajopt_cli.export.joint import resample
+from trajopt_cli.exporters.joint import resample
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveJ, Program
-from trajopt_cli.optimize import check_feasible, optimize
-from trajopt_cli.problem.changes import everything
+from trajopt_cli.plan import check_feasible, optimize
+from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.scenario import PositionerAxis, RailUnit, Scenario
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 

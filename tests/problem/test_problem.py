@@ -10,9 +10,9 @@ from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, r
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent, motion_name
-from trajopt_cli.optimize.windows import pieces
-from trajopt_cli.problem.changes import Changes, droppable, everything
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
+from trajopt_cli.plan.subproblems import pieces
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
+from trajopt_cli.problem.editable import Changes, droppable, everything
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Coupling, LegKind, build_problem
 from trajopt_cli.scenario import Scenario

@@ -14,20 +14,20 @@ from small_cells import plant_with_rail, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.egm import stream_of
-from trajopt_cli.export.joint import resample
-from trajopt_cli.export.recorded import Recorded
+from trajopt_cli.exporters.egm import stream_of
+from trajopt_cli.exporters.joint import resample
+from trajopt_cli.exporters.recorded import Recorded
 from trajopt_cli.findings import Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveC, MoveL, Program
-from trajopt_cli.optimize import optimize
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.scenario import PositionerAxis, Scenario
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
 
@@ -64,7 +64,7 @@ PROGRAM = program()
 @cache
 def plan(target: Target) -> Plan:
     with pytest.MonkeyPatch.context() as patch:  # what leads to its end takes at most 42, the rest leads nowhere
-        patch.setattr("trajopt_cli.optimize.driver.MOST_ITERATIONS", 45)
+        patch.setattr("trajopt_cli.nlp.driver.MOST_ITERATIONS", 45)
         coarse_search(patch)
         found = optimize(PROGRAM, PLANT, target)
     assert isinstance(found, Plan)

@@ -9,14 +9,14 @@ import pytest
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
+from trajopt_cli.judge.program_points import points_of
 from trajopt_cli.motion import Move, Program, TextFile, Wait
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.scenario import Scenario
-from trajopt_cli.verify.course import points_of
+from trajopt_cli.warnings import WarningKind
 
 NONE = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 CELL = {
@@ -95,7 +95,7 @@ def test_behind_a_corner_only_the_way_between_the_zones_counts() -> None:
     long = program(start + line(600, "z50", "\\Conc,") + "WaitTime 2;\nWaitTime 0.5;\n" + line(300, "fine"))
     assert times(long) == [(0.2, 2, True), (0.5, 0.5, True)]
     assert lasting(long) == [0, 0, 0, 0]
-    assert [(one.kind, one.place and one.place[1]) for one in long.warnings] == [(NoticeKind.ASSUMED, 6)]
+    assert [(one.kind, one.place and one.place[1]) for one in long.warnings] == [(WarningKind.ASSUMED, 6)]
 
 
 def test_a_programmed_time_is_the_time_of_the_move() -> None:

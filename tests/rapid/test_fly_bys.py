@@ -11,12 +11,12 @@ import pytest
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.geometry import pose, rotation_from_wxyz
+from trajopt_cli.judge.program_points import points_of
 from trajopt_cli.motion import FlyBy, Program, TextFile
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.zones import effective_radii, fly_bys, stopped_fly_bys, ways
-from trajopt_cli.verify.course import points_of
 
 TRUTH = json.loads((Path(__file__).parents[1] / "data/truth/irb140_fk.json").read_text(encoding="utf-8"))
 NONE = "[9E9,9E9,9E9,9E9,9E9,9E9]"

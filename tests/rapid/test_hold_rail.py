@@ -7,7 +7,7 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Hold, Program, SignalEvent, TextFile
-from trajopt_cli.rapid.execution.holding import held_after_outputs
+from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario
 

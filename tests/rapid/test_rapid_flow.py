@@ -10,9 +10,9 @@ import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Program, TextFile, Wait
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.warnings import WarningKind
 
 
 def run(body: str, data: str = "", rest: str = "", scenario: Scenario | None = None) -> Program:
@@ -164,7 +164,7 @@ def test_an_error_finds_its_handler_up_the_calls(
 def test_a_long_jump_says_whose_undo_handler_it_leaves_out() -> None:
     one = "UNDO\nWaitTime 3;"
     warnings = run("one; ERROR (55) RETURN;", rest=CHAIN.format(one, "RAISE 55;", "ERROR\nRAISE;")).warnings
-    assert [str(w.place) for w in warnings if w.kind is NoticeKind.ASSUMED] == ["m.mod:9:1"]
+    assert [str(w.place) for w in warnings if w.kind is WarningKind.ASSUMED] == ["m.mod:9:1"]
 
 
 def test_every_booked_error_has_a_number_of_its_own_that_no_program_raises_as_it_is() -> None:
@@ -224,7 +224,7 @@ def test_five_failures_in_five_passes_are_no_failure_in_a_row() -> None:
 def test_undo_does_not_run_and_that_is_said() -> None:
     program = run("go;", rest="PROC go()\nWaitTime 1;\nUNDO\nWaitTime 2;\nENDPROC")
     assert len(program.motions) == 1
-    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:8:1", NoticeKind.NO_EFFECT)]
+    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:8:1", WarningKind.NO_EFFECT)]
 
 
 # ------------------------------------------------------------------------------------------------------------- calls
@@ -333,7 +333,7 @@ def test_a_routine_of_the_program_goes_before_an_instruction() -> None:
 def test_stops_are_passed_and_said_once() -> None:
     program = run("Stop; Stop\\NoRegain; Break; WaitTime 1;")
     told = [(one.kind, one.place and one.place[1]) for one in program.warnings]
-    assert told == [(NoticeKind.ASSUMED, 4), (NoticeKind.ASSUMED, 4)]
+    assert told == [(WarningKind.ASSUMED, 4), (WarningKind.ASSUMED, 4)]
     assert not program.ignored
 
 

@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.motion import CirPathMode, Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
-from trajopt_cli.notices import NoticeKind, Source
 from trajopt_cli.path.circle import arc_length, circle_through
 from trajopt_cli.path.line import Line
-from trajopt_cli.rapid.data.courses import between
+from trajopt_cli.rapid.data.line_fractions import between
 from trajopt_cli.rapid.execution.equipment import frame, matrix
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import effective_radii
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.warnings import Source, WarningKind
 
 N = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 SINGLE = 2e-6  # what the 24 bits of a num make of four metre-long frames in a row [m]
@@ -299,7 +299,7 @@ def test_settings_are_as_the_manual_says() -> None:
     ],
 )
 def test_what_a_ramp_to_stop_points_does_not_do_is_told_once_by_its_line(body: str, places: list[int]) -> None:
-    told = [one for one in run_main(body).warnings if one.kind is NoticeKind.NO_EFFECT]
+    told = [one for one in run_main(body).warnings if one.kind is WarningKind.NO_EFFECT]
     assert [one.place.line for one in told if isinstance(one.place, Source)] == places
 
 
@@ -470,7 +470,7 @@ def test_weld_speed_that_nobody_tells_is_said() -> None:
     program = run_main(body)
     (move,) = moves(program)
     assert move.speed.v_tcp == 0.1
-    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:4:1", NoticeKind.ASSUMED)]
+    assert [(str(w.place), w.kind) for w in program.warnings] == [("m.mod:4:1", WarningKind.ASSUMED)]
     record = "RECORD welddata\nnum sched;\nnum weld_speed;\nENDRECORD\nPERS welddata weld1:=[3,12.5];\n"
     (move,) = moves(run_main(body, record))
     assert move.speed.v_tcp == pytest.approx(0.0125)

@@ -16,13 +16,13 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import rotation_from_wxyz
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveJ, MoveL, Program, TextFile
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.units import Units
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.warnings import WarningKind
 
 TRUTH = Path(__file__).parents[1] / "data" / "truth"
 N = "[9E9,9E9,9E9,9E9,9E9,9E9]"
@@ -271,7 +271,7 @@ _TO = f"[[500,0,500],[0,0,1,0],[0,0,0,0],{N}],v100,"
 _ON = f"[[500,100,500],[0,0,1,0],[0,0,0,0],{N}]"
 
 
-def told(body: str) -> list[tuple[NoticeKind, int]]:
+def told(body: str) -> list[tuple[WarningKind, int]]:
     """Kinds and lines of what is said of a program whose main begins at line 4."""
     data = "VAR robtarget p; VAR pos q; VAR jointtarget j; VAR num n;"
     program = run_main(body, data, robot(), Scenario(searches={"p": 0.5}, answers={"n": 1}))
@@ -291,7 +291,7 @@ def told(body: str) -> list[tuple[NoticeKind, int]]:
 )
 def test_a_position_that_is_read_right_behind_a_fly_by_is_told_by_line(read: str) -> None:
     for move, stop in (("MoveL ", "z10"), ("MoveL \\Conc,", "fine")):
-        assert told(f"{move}{_TO}{stop},tool0;\nSetDO do1,1;\n{read}") == [(NoticeKind.ASSUMED, 6)]
+        assert told(f"{move}{_TO}{stop},tool0;\nSetDO do1,1;\n{read}") == [(WarningKind.ASSUMED, 6)]
     for behind in ("WaitRob \\InPos;", "WaitTime 0.1;", "TPReadNum n,p0;"):
         assert not told(f"VAR string p0;\nMoveL {_TO}z10,tool0;\n{behind}\n{read}")
     assert not told(f"MoveL {_TO}fine,tool0;\n{read}")
@@ -304,12 +304,12 @@ def test_a_point_that_is_given_is_none_that_is_read() -> None:
 
 def test_a_search_begins_at_a_stop_and_stiffly_ends_only_below_100_mm_a_second() -> None:
     start, slow, fast = f"MoveL {_TO}fine,tool0;\n", f"di1,p,{_ON},v80,tool0;", f"di1,p,{_ON},v200,tool0;"
-    usual = [(NoticeKind.ASSUMED, 5)]  # how far behind the hit it stops, or that it does not
+    usual = [(WarningKind.ASSUMED, 5)]  # how far behind the hit it stops, or that it does not
     for switch in ("\\Stop,", "\\PStop,", "\\SStop,", "", "\\Sup,"):
         assert told(f"{start}SearchL{switch or ' '}{slow}") == usual
         flying = start.replace("fine", "z10")
         assert told(f"{flying}SearchL{switch or ' '}{slow}") == usual * 2
-    assert told(f"{start}SearchL\\Stop,{fast}") == [(NoticeKind.UNUSUAL, 5), *usual]
+    assert told(f"{start}SearchL\\Stop,{fast}") == [(WarningKind.UNUSUAL, 5), *usual]
     assert told(f"{start}SearchL\\PStop,{fast}") == usual
     via = _ON.replace("500,100", "520,50")
-    assert told(f"{start}SearchC\\Stop,di1,p,{via},{_ON},v200,tool0;") == [(NoticeKind.UNUSUAL, 5), *usual]
+    assert told(f"{start}SearchC\\Stop,di1,p,{via},{_ON},v200,tool0;") == [(WarningKind.UNUSUAL, 5), *usual]

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, TextFile
-from trajopt_cli.rapid.execution.room import room
+from trajopt_cli.rapid.execution.recursion_limit import room
 from trajopt_cli.rapid.reader import read_program, run_program
 
 _DATA = """

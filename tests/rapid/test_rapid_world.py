@@ -25,8 +25,8 @@ from trajopt_cli.rapid.execution.instructions import (
     files,
     flow,
     moves,
+    no_effect,
     operator,
-    plain,
     settings,
     signals,
     sockets,
@@ -337,7 +337,7 @@ def test_conditions_are_compared_without_blanks_and_case() -> None:
 
 
 def test_no_name_has_two_meanings() -> None:
-    topics = (files, flow, moves, operator, plain, settings, signals, sockets, symbols, variables, waits)
+    topics = (files, flow, moves, operator, no_effect, settings, signals, sockets, symbols, variables, waits)
     names = [name.lower() for topic in topics for name in topic.INSTRUCTIONS]
     assert sorted(names) == sorted(set(names))
     topics = (data, numbers, poses, signal_functions, strings, system, targets, unknown)
@@ -346,13 +346,13 @@ def test_no_name_has_two_meanings() -> None:
 
 
 def test_everything_without_effect_is_counted_and_nothing_else_happens() -> None:
-    for name in (name for name, effect in plain.EFFECTS.items() if effect is Effect.IGNORED):
+    for name in (name for name, effect in no_effect.EFFECTS.items() if effect is Effect.IGNORED):
         program = run(f"{name} nobody; {name} \\x, nobody;")
         assert (program.motions, dict(program.ignored)) == ((), {name: 2})
 
 
 def test_what_waits_for_somebody_outside_is_a_wait_of_its_least_time() -> None:
-    for name in (name for name, effect in plain.EFFECTS.items() if effect is Effect.STOPS):
+    for name in (name for name, effect in no_effect.EFFECTS.items() if effect is Effect.STOPS):
         program = run(f"{name} nobody;", "", Scenario(waits={name.lower(): 0.5}))
         (wait,) = program.motions
         assert isinstance(wait, Wait)
@@ -369,7 +369,9 @@ def test_what_has_no_time_out_cannot_time_out() -> None:
 
 
 def test_an_instruction_has_the_effect_of_its_topic_unless_it_says_its_own() -> None:
-    topic = SimpleNamespace(INSTRUCTIONS={"Push": plain.plain, "Pull": plain.plain}, EFFECTS={"Pull": Effect.STOPS})
+    topic = SimpleNamespace(
+        INSTRUCTIONS={"Push": no_effect.plain, "Pull": no_effect.plain}, EFFECTS={"Pull": Effect.STOPS}
+    )
     assert effects(topic) == {"Push": Effect.RUN, "Pull": Effect.STOPS}
     topic.EFFECT = Effect.WAITS
     assert effects(topic) == {"Push": Effect.WAITS, "Pull": Effect.STOPS}

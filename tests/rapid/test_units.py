@@ -10,12 +10,12 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Hold, Move, MoveJ, Program, TextFile, Wait
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.scenario import Lacking, Scenario
+from trajopt_cli.warnings import WarningKind
 
 TABLE = '{{eax: {}, frame: {{position: [0.5, {}, 0.1]}}, range: "[-185, 185] deg", velocity: 90 deg/s, \
 acceleration: 180 deg/s2, start: {} deg, source: "a test"}}'
@@ -69,7 +69,7 @@ def place(program: Program, index: int) -> list[float]:
     return [round(float(value), 9) for value in move.X_WT[:3, 3]]
 
 
-def told(program: Program, kind: NoticeKind) -> list[int]:
+def told(program: Program, kind: WarningKind) -> list[int]:
     """The lines of the notices of a kind."""
     return [one.place.line for one in program.warnings if one.kind is kind]  # type: ignore[union-attr]
 
@@ -85,7 +85,7 @@ def test_a_unit_that_is_not_active_stands_whatever_targets_say() -> None:
     assert turns(program) == [[("stn1", 0, 90)], [], [], [], [("stn1", 90, 0)]]
     assert place(program, 0) == place(program, 1) == [0.5, 0.4, 0.4]  # 100 mm out, turned by 90 deg
     assert place(program, 4) == [0.6, 0.3, 0.4]
-    assert told(program, NoticeKind.NO_EFFECT) == [6]
+    assert told(program, WarningKind.NO_EFFECT) == [6]
 
 
 def test_a_unit_that_never_was_active_stands_at_its_start() -> None:
@@ -157,8 +157,8 @@ def test_two_active_units_on_one_axis_are_an_error() -> None:
 
 def test_9e9_on_an_active_axis_is_told_and_on_another_is_not() -> None:
     body = go(at(b=0)) + "DeactUnit STN1; " + go(at()) + "ActUnit STN1;\n"
-    assert told(read(body + go(at(b=0))), NoticeKind.DOUBTFUL) == []
-    assert told(read(body + "MoveAbsJ " + joints() + ",v1000,fine,tool0;"), NoticeKind.DOUBTFUL) == [7]
+    assert told(read(body + go(at(b=0))), WarningKind.DOUBTFUL) == []
+    assert told(read(body + "MoveAbsJ " + joints() + ",v1000,fine,tool0;"), WarningKind.DOUBTFUL) == [7]
 
 
 @pytest.mark.parametrize(

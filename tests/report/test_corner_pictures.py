@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize import optimize
-from trajopt_cli.problem.course import Course, follow
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import arm, in_space, over_time, style
 from trajopt_cli.report.names import by_place
 
@@ -28,7 +28,7 @@ PASSED = [True, True, False, True, False]  # by move
 
 
 @cache
-def course() -> Course:
+def course() -> PlanSeries:
     program, plant = rapid(BODY), plant_with_rail()
     plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan

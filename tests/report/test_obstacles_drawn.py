@@ -11,7 +11,7 @@ from small_cells import plant_with_rail
 from test_added_points import planned
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.problem.course import follow
+from trajopt_cli.problem.plan_series import follow
 from trajopt_cli.report import in_space, obstacles
 from trajopt_cli.report.arm import arm
 from trajopt_cli.shapes import Box, Capsule, Mesh, Solid

@@ -17,7 +17,7 @@ import pytest
 from drawn_plans import PAUSE, TOOL, Drawn, as_svg, drawn
 from matplotlib.figure import Figure
 
-from trajopt_cli.problem.course import Course, follow
+from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import style
 from trajopt_cli.report.bars import Bar, comparison, comparison_figure, savings, savings_figure
 from trajopt_cli.report.pictures import PICTURES, draw
@@ -26,7 +26,7 @@ from trajopt_cli.report.skeleton import skeleton
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
 
 
-def course(case: Drawn) -> Course:
+def course(case: Drawn) -> PlanSeries:
     return follow(case.program, case.plant, case.plan, "cell")
 
 

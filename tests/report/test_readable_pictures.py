@@ -16,8 +16,8 @@ from matplotlib.text import Text
 from test_corner_pictures import course as corners
 
 from trajopt_cli.cell.loader import load_cell
-from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.stepwise import analyse
 from trajopt_cli.rapid.reader import read_program
@@ -39,7 +39,7 @@ def case_of(name: str) -> Drawn:
 
 
 @cache
-def course(name: str) -> Course:
+def course(name: str) -> PlanSeries:
     if name == "corners":
         return corners()
     case = case_of(name)

@@ -30,7 +30,7 @@ def test_compare_draws_the_fastest_legal_plan_of_the_target(target: Target, monk
         asked.append(plan)
         return {"plots/path.svg": b""}
 
-    monkeypatch.setattr("trajopt_cli.pipeline.optimise.plan_pictures", pictures)
+    monkeypatch.setattr("trajopt_cli.pipeline.optimize.plan_pictures", pictures)
     rows = [
         Row(
             name,

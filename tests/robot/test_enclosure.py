@@ -12,13 +12,13 @@ from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, ran
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.robot.arm import wrist_section
 from trajopt_cli.robot.enclosure import Enclosure, Range
 from trajopt_cli.robot.inverse import representatives
 from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.parallel_arm import ParallelArm
+from trajopt_cli.trajectories.axes import Axes
 
 TURN = 2 * np.pi
 

@@ -10,12 +10,12 @@ from arms import KNOWN, OFFSET_WRISTS, abb_like, pin_flange, random_chain, rando
 from small_cells import rapid
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.optimize import optimize
+from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata, inverse, representatives
-from trajopt_cli.verify.judge import verify
 
 
 @pytest.fixture(scope="module", params=[*OFFSET_WRISTS, 0, 1])

@@ -7,11 +7,11 @@ from arms import MADE_UP, pin_flange, random_pose, some_arm, urdf_joints
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose
+from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, solutions
 from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.verify.mechanism import Mechanism
 
 STEP = 1e-6  # rad of differences
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from link_poses import link_poses
 
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose, pose, rotation_from_wxyz
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.shapes import Box

@@ -11,9 +11,9 @@ from link_poses import link_poses
 from places import TRUTH, crooked_pose
 
 from trajopt_cli.cli import run
-from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose, pose, rotation_from_wxyz
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.robot.srs import SrsLengths, load_srs
 

@@ -42,7 +42,7 @@ def job_of(zone: str, folder: Path) -> Job:
 def compared(tmp_path_factory: pytest.TempPathFactory, coarse: None) -> Iterator[Comparison]:
     """All rows of the program with z20, taken as legal whatever the judge says."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("trajopt_cli.beside.cores", lambda: 1)
+        patch.setattr("trajopt_cli.workers.cores", lambda: 1)
         patch.setattr(comparison, "judge", lambda *_, **__: Report(()))
         yield compare(job_of("z20", tmp_path_factory.mktemp("made")), lambda *_: None)
 

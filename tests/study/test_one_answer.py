@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from trajopt_cli.job import Job, read_job
-from trajopt_cli.optimize import legal
 from trajopt_cli.pipeline import planning
-from trajopt_cli.pipeline.optimise import Optimised, optimise
-from trajopt_cli.problem.changes import Loops
-from trajopt_cli.problem.freedom import EVERYTHING
+from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.plan import initial_plan
+from trajopt_cli.problem.decision_scope import EVERYTHING
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.study import causes, table
@@ -97,12 +97,12 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
             found.setdefault((problem.target, bool(problem.dropped)), set()).add(said(problem))
 
     monkeypatch.setattr(planning, "changes_of", changes_of)
-    monkeypatch.setattr(legal, "check_reach", check_reach)
-    monkeypatch.setattr(legal, "search", lambda *_: None)
-    monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *_: None)
+    monkeypatch.setattr(initial_plan, "check_reach", check_reach)
+    monkeypatch.setattr(initial_plan, "search", lambda *_: None)
+    monkeypatch.setattr("trajopt_cli.plan.slow_plan", lambda *_: None)
     monkeypatch.delitem(table.BASELINES, "thesis")  # of a program with another rail
-    monkeypatch.setattr("trajopt_cli.beside.cores", lambda: 1)
-    monkeypatch.setattr("trajopt_cli.pipeline.optimise.cores", lambda: 1)
+    monkeypatch.setattr("trajopt_cli.workers.cores", lambda: 1)
+    monkeypatch.setattr("trajopt_cli.pipeline.optimize.cores", lambda: 1)
     return found
 
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_check import first_difference
+from trajopt_cli.exporters.rapid_check import first_difference
 from trajopt_cli.job import read_job
 from trajopt_cli.motion import MoveJ, MoveL, SignalEvent
-from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.editable import Changes
 from trajopt_cli.study.order_text import Group, group_of
 
 CELL = "robot: irb140\nstart: {joints: '[0, 0, 0, 0, 90, 0] deg'}\n"

@@ -12,8 +12,8 @@ import pytest
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline import planning
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.study.place import RESOLUTION, Placed, place, spread, tried
 from trajopt_cli.study.places import Range, Site, parse_ranges, site_of

@@ -11,7 +11,7 @@ import pytest
 
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, MoveL, Program
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.workspace import reachable
 from trajopt_cli.study.case import Case, NotApplicable, RailRule

@@ -10,8 +10,8 @@ import pytest
 from timed_rows import attempt, broken, fixed_rail_plan, plant_with_rail, rapid, solver
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize import optimize
-from trajopt_cli.problem.freedom import FIXED_RAIL
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.study.along_course import CoursePath, on_course
 from trajopt_cli.study.cartesian import bang_bang_row

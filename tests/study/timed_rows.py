@@ -13,17 +13,17 @@ from unrefined import IMPROVED, as_it_comes
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.job import read_job
+from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program, TextFile
-from trajopt_cli.optimize import optimize
-from trajopt_cli.problem.freedom import FIXED_RAIL, Freedom
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.verify.judge import verify
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 HOME = np.array([0, 0, 0, 0, np.pi / 6, 0])

@@ -78,7 +78,7 @@ def find_mesh(name: str, urdf: Path) -> Path:
 def _points(shape: CollisionShape, urdf: Path) -> Array:
     """Points (n, 3) whose hull is the shape, round ones a little larger, in the link's frame."""
     if shape.kind == "mesh":
-        from trajopt_cli.collision.meshes import load_mesh
+        from trajopt_cli.proximity.meshes import load_mesh
 
         points = load_mesh(MeshFile("mesh", find_mesh(shape.file, urdf))).vertices * np.array(shape.sizes)
         if (long := float(np.ptp(points, axis=0).max())) > _LONGEST:
@@ -109,7 +109,7 @@ def self_pairs(
     Left out are neighbours, pairs that touch in none of so many postures within the ranges, and pairs whose capsules
     overlap in more than a tenth of them: those are larger than the links. The same postures every time.
     """
-    from trajopt_cli.collision.pair import Pair
+    from trajopt_cli.proximity.pair import Pair
 
     names = [joints[0].parent, *(joint.child for joint in joints[:6])]
     q = sampled(joints, postures)

@@ -11,10 +11,10 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
-from trajopt_cli.notices import Notice
 from trajopt_cli.scenario import Lines, Scenario
 from trajopt_cli.shapes import Grip, MeshFile, Solid
 from trajopt_cli.validation import hint
+from trajopt_cli.warnings import ProgramWarning
 from trajopt_cli.yaml_file import line_of
 
 TOOL_RADIUS = 0.025
@@ -85,7 +85,7 @@ class Cell:
     clearance: float = 0.0
     tool_radius: float = TOOL_RADIUS
     grips: tuple[Grip, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    doubts: tuple[ProgramWarning, ...] = ()
     torque_limits: bool = False
     order: Mapping[str, tuple[Lines | str, ...]] = field(default_factory=dict)
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from trajopt_cli.errors import InputError, InputErrorGroup
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.units import DEG, MM
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 from trajopt_cli.yaml_file import line_of
 
 
@@ -82,12 +82,12 @@ TASK: dict[tuple[str, ...], Kind] = {
 
 def suspected(
     content: Any, rules: Mapping[tuple[str, ...], Kind], lines: Mapping[str, int], file: str
-) -> tuple[Notice, ...]:
+) -> tuple[ProgramWarning, ...]:
     """A word on every bare number that is odd for what it stands for. content: a file's, as YAML gives it.
 
     Raises InputError where one is absurd.
     """
-    odd: list[Notice] = []
+    odd: list[ProgramWarning] = []
     absurd: list[InputError] = []
     for path, value in _values(content, ()):
         kind = next((kind for rule, kind in rules.items() if _fits(rule, path)), None)
@@ -103,7 +103,7 @@ def suspected(
         if abs(most) > kind.absurd:
             absurd.append(InputError(said, file=file, line=line))
         else:
-            odd.append(Notice(NoticeKind.DOUBTFUL, said, f"{file}:{line}"))
+            odd.append(ProgramWarning(WarningKind.DOUBTFUL, said, f"{file}:{line}"))
     if absurd:
         raise absurd[0] if len(absurd) == 1 else InputErrorGroup(absurd)
     return tuple(odd)

@@ -18,7 +18,6 @@ import typer
 from typer.main import get_command
 
 from trajopt_cli import __version__
-from trajopt_cli.beside import ProcessEnded
 from trajopt_cli.cli import (
     analyse,
     compare,
@@ -41,6 +40,7 @@ from trajopt_cli.cli import (
 )
 from trajopt_cli.cli.process import begin, interrupted, out_of_memory, own_process
 from trajopt_cli.errors import InputError, terminal_text
+from trajopt_cli.workers import ProcessEnded
 
 _LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
 _SELDOM = 20_000, 20, 50  # new objects between looks for garbage. Python's 700 take 5 % of the time of a command

@@ -78,11 +78,11 @@ def baseline(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import read_program_or_results
-    from trajopt_cli.pipeline.optimise import held_unasked
-    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.pipeline.optimize import held_unasked
+    from trajopt_cli.problem.editable import Loops
     from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.folder import check_replaceable
-    from trajopt_cli.runs.together import write_files
+    from trajopt_cli.runs.transaction import write_files
     from trajopt_cli.study.case import RailRule
     from trajopt_cli.study.comparison import compare, comparison_pictures
     from trajopt_cli.study.comparison_folder import ComparisonOptions, write_comparison

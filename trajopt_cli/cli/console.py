@@ -15,7 +15,7 @@ from trajopt_cli.cli.layout import wrapped
 from trajopt_cli.cli.listing import terminal_width
 
 if TYPE_CHECKING:
-    from trajopt_cli.pipeline.optimise import Collides, Illegal
+    from trajopt_cli.pipeline.optimize import Collides, Illegal
     from trajopt_cli.pipeline.planning import NoPlan
     from trajopt_cli.problem.plan import Infeasible
 
@@ -82,7 +82,7 @@ def no(lines: Iterable[str], as_json: bool, feasible: bool | None = False, **rec
 
 def answer_no(answer: Infeasible | NoPlan | Illegal | Collides, as_json: bool = False) -> NoReturn:
     """Say why there is no result, and stop with exit code 1."""
-    from trajopt_cli.pipeline.optimise import Collides, Illegal
+    from trajopt_cli.pipeline.optimize import Collides, Illegal
     from trajopt_cli.pipeline.planning import NoPlan
     from trajopt_cli.problem.plan import Infeasible
 

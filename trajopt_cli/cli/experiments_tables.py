@@ -12,16 +12,16 @@ from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.compliance.experiments.bench import Tracking
-    from trajopt_cli.compliance.experiments.catalogue import Experiments
-    from trajopt_cli.compliance.experiments.collision import Collision
-    from trajopt_cli.compliance.experiments.dosing import Dosing
-    from trajopt_cli.compliance.experiments.following import FollowTable
-    from trajopt_cli.compliance.experiments.force_error import ForceErrors
-    from trajopt_cli.compliance.experiments.guiding import Guided, Zeroed
-    from trajopt_cli.compliance.experiments.loop_time import LoopTimes
-    from trajopt_cli.compliance.experiments.stability import StabilityMap
-    from trajopt_cli.compliance.experiments.steps import Steps
+    from trajopt_cli.iiwa.experiments.catalogue import Experiments
+    from trajopt_cli.iiwa.experiments.collision import Collision
+    from trajopt_cli.iiwa.experiments.feed_scheduling import Dosing
+    from trajopt_cli.iiwa.experiments.following import FollowTable
+    from trajopt_cli.iiwa.experiments.force_error import ForceErrors
+    from trajopt_cli.iiwa.experiments.guiding import Guided, Zeroed
+    from trajopt_cli.iiwa.experiments.loop_time import LoopTimes
+    from trajopt_cli.iiwa.experiments.setup import Tracking
+    from trajopt_cli.iiwa.experiments.stability import StabilityMap
+    from trajopt_cli.iiwa.experiments.steps import Steps
 
 _MICRO = 1e-6
 _TURNS = ("alpha", "beta", "gamma")
@@ -29,7 +29,7 @@ _TURNS = ("alpha", "beta", "gamma")
 
 def tables(experiments: Experiments) -> Iterator[Table | str]:
     """Section by section: a table, then its notes."""
-    from trajopt_cli.compliance.experiments.steps import worst_sentences, worst_tracking
+    from trajopt_cli.iiwa.experiments.steps import worst_sentences, worst_tracking
 
     one = experiments
     for steps in one.stepped:
@@ -109,7 +109,7 @@ def _flange(steps: Steps) -> Table:
 
 
 def _worst(worst: Iterable[Tracking]) -> Table:
-    from trajopt_cli.compliance.experiments.published import FLANGE_EARLIER
+    from trajopt_cli.iiwa.experiments.published import FLANGE_EARLIER
 
     table = plain_table(
         "6.1.5 the flange behind the controller, worst of all; the thesis' hand-led runs among its own",

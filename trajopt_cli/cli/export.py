@@ -16,8 +16,8 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from trajopt_cli.export.egm import Stream
-    from trajopt_cli.export.recorded import Recorded
+    from trajopt_cli.exporters.egm import Stream
+    from trajopt_cli.exporters.recorded import Recorded
     from trajopt_cli.trajectory import Trajectory
 
 app = typer.Typer(
@@ -60,7 +60,7 @@ def joint(
     Example:
       trajopt export joint results/hinge_cell --output joints.csv
     """
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.joint_csv import csv_parts
 
     check_output(output, results)
@@ -84,8 +84,8 @@ def ros2(
     Example:
       trajopt export ros2 results/hinge_cell --output trajectory.yaml
     """
-    from trajopt_cli.export.recorded import recorded
-    from trajopt_cli.export.ros2 import trajectory_parts
+    from trajopt_cli.exporters.recorded import recorded
+    from trajopt_cli.exporters.ros2 import trajectory_parts
 
     check_output(output, results)
     motion = recorded(results)
@@ -110,8 +110,8 @@ def mcap(
     Example:
       trajopt export mcap results/hinge_cell --output motion.mcap
     """
-    from trajopt_cli.export.mcap import mcap as mcap_of
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.mcap import mcap as mcap_of
+    from trajopt_cli.exporters.recorded import recorded
 
     check_output(output, results)
     motion = recorded(results)
@@ -135,8 +135,8 @@ def parquet(
     Example:
       trajopt export parquet results/hinge_cell --output joints.parquet
     """
-    from trajopt_cli.export.parquet import parquet as parquet_of
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.parquet import parquet as parquet_of
+    from trajopt_cli.exporters.recorded import recorded
 
     check_output(output, results)
     motion = recorded(results)
@@ -160,8 +160,8 @@ def fri(
     Example:
       trajopt export fri results/iiwa_cube --output fri.csv
     """
-    from trajopt_cli.export.fri import fri_rows
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.fri import fri_rows
+    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.runs.files import write_file
 
     check_output(output, results)
@@ -189,7 +189,7 @@ def egm(
     Example:
       trajopt export egm results/hinge_cell --output stream.egm
     """
-    from trajopt_cli.export.egm import stream_parts
+    from trajopt_cli.exporters.egm import stream_parts
     from trajopt_cli.runs.files import write_file
 
     check_output(output, results)
@@ -220,8 +220,8 @@ def gltf(
     Example:
       trajopt export gltf results/hinge_cell --output cell.glb
     """
-    from trajopt_cli.export.gltf import gltf as gltf_of
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.gltf import gltf as gltf_of
+    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.job import cell_of_results
     from trajopt_cli.problem.plant import build_plant
 
@@ -258,7 +258,7 @@ def rapid(
     from trajopt_cli.cli.console import print_json
     from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.runs.results import write_in_place
-    from trajopt_cli.runs.together import write_together
+    from trajopt_cli.runs.transaction import write_together
 
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
@@ -306,8 +306,8 @@ def rapid(
 
 def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
     """The motion of a results folder, and its EGM stream with the rail in the place of its external axis."""
-    from trajopt_cli.export.egm import stream_of
-    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.exporters.egm import stream_of
+    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.job import cell_of_results
 
     motion = recorded(results)

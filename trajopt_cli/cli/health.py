@@ -137,7 +137,7 @@ def _cache() -> Check:
 
 
 def _machine() -> Check:
-    from trajopt_cli.beside import cores
+    from trajopt_cli.workers import cores
 
     found, state, remedy = f"{cores()} cores", State.OK, None
     if sys.platform == "linux":
@@ -162,7 +162,7 @@ def _browser() -> Check:
 def _solved() -> Check:
     """One joint there and back, whose time is known in closed form, from program text to judged files."""
     from trajopt_cli.job import read_job
-    from trajopt_cli.pipeline.optimise import Optimised, optimise
+    from trajopt_cli.pipeline.optimize import Optimised, optimise
     from trajopt_cli.problem.plan import Target
 
     begin = perf_counter()

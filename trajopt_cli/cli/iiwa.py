@@ -14,8 +14,8 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from trajopt_cli.compliance.controller.dose_allowed import Lead
-    from trajopt_cli.compliance.job.simulation import NoRun
+    from trajopt_cli.iiwa.controller.feed_limits import Lead
+    from trajopt_cli.iiwa.job.simulation import NoRun
 
 app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
 
@@ -55,9 +55,9 @@ def segments(
     """
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import passing_lines, segments_table, sequence_line
-    from trajopt_cli.compliance.job.folder import read_summary
-    from trajopt_cli.compliance.job.segments import make_segments
-    from trajopt_cli.compliance.task.model import AngleMeaning
+    from trajopt_cli.iiwa.job.folder import read_summary
+    from trajopt_cli.iiwa.job.segments import make_segments
+    from trajopt_cli.iiwa.task.model import AngleMeaning
 
     folder = output or Path("results") / task.stem
     meaning = AngleMeaning(angles) if angles else None
@@ -114,11 +114,11 @@ def joints(
         joints_table,
     )
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.compliance.job.folder import check_place, read_summary
-    from trajopt_cli.compliance.job.joints import follow_joints, stops_nothing
-    from trajopt_cli.compliance.task.joints import Unfollowable
+    from trajopt_cli.iiwa.job.folder import check_place, read_summary
+    from trajopt_cli.iiwa.job.joints import follow_joints, stops_nothing
+    from trajopt_cli.iiwa.task.joints import Unfollowable
     from trajopt_cli.problem.progress import Progress
-    from trajopt_cli.runs.together import write_files
+    from trajopt_cli.runs.transaction import write_files
 
     check_place(plots, "--plots")
     _check_results(results)
@@ -126,7 +126,7 @@ def joints(
         raise InputError(f"--for {goal}: says what --arm-angle optimal is best for; the arm angle is {arm_angle} here")
     wanted = None
     if arm_angle == "optimal":
-        from trajopt_cli.compliance.task.arm_plan import Goal
+        from trajopt_cli.iiwa.task.arm_plan import Goal
 
         wanted = Goal(goal or "limits")
     with ProgressView(quiet=quiet) as view:
@@ -163,7 +163,7 @@ def joints(
     if not written:
         typer.echo("NOTHING WRITTEN" if ahead else "NOTHING WRITTEN: the controller's loop would stop there", err=True)
     if plots is not None:
-        from trajopt_cli.compliance.job.drawing import joint_pictures
+        from trajopt_cli.iiwa.job.drawing import joint_pictures
 
         pictures = joint_pictures(opened, answer)
         write_files(plots, pictures)
@@ -212,11 +212,11 @@ def simulate(
     """
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
-    from trajopt_cli.compliance.job.folder import check_place, read_summary
-    from trajopt_cli.compliance.job.simulation import NoRun
-    from trajopt_cli.compliance.job.simulation import simulate as run
-    from trajopt_cli.compliance.task.model import Feed, Integration
-    from trajopt_cli.runs.together import write_files
+    from trajopt_cli.iiwa.job.folder import check_place, read_summary
+    from trajopt_cli.iiwa.job.simulation import NoRun
+    from trajopt_cli.iiwa.job.simulation import simulate as run
+    from trajopt_cli.iiwa.task.model import Feed, Integration
+    from trajopt_cli.runs.transaction import write_files
 
     check_place(plots, "--plots")
     _check_results(results)
@@ -237,7 +237,7 @@ def simulate(
         tell(console, (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)))
         tell(console, [f"written to {results}: report.html (open it in a browser), simulation.csv"])
     if plots is not None:
-        from trajopt_cli.compliance.job.drawing import simulation_pictures
+        from trajopt_cli.iiwa.job.drawing import simulation_pictures
 
         pictures = simulation_pictures(answer)
         write_files(plots, pictures)
@@ -298,14 +298,14 @@ def dose(
     """
     from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table, front_table
-    from trajopt_cli.compliance.controller.dose import CannotDose
-    from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed
-    from trajopt_cli.compliance.job.dosing import NotFollowed, dose_folder
-    from trajopt_cli.compliance.job.folder import check_place, read_summary
-    from trajopt_cli.compliance.job.simulation import NoRun
-    from trajopt_cli.compliance.task.joints import Unfollowable
+    from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed
+    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
+    from trajopt_cli.iiwa.job.feed_scheduling import NotFollowed, dose_folder
+    from trajopt_cli.iiwa.job.folder import check_place, read_summary
+    from trajopt_cli.iiwa.job.simulation import NoRun
+    from trajopt_cli.iiwa.task.joints import Unfollowable
     from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, option_value
-    from trajopt_cli.runs.together import write_files
+    from trajopt_cli.runs.transaction import write_files
 
     # '.' and '..' have no name of their own
     beside = results if results.name not in ("", "..") else results.resolve()
@@ -344,7 +344,7 @@ def dose(
             show(console, front_table(answer))
         tell(console, [f"written to {folder}: report.html (open it in a browser) and the sequence"])
     if plots is not None:
-        from trajopt_cli.compliance.job.drawing import dose_pictures
+        from trajopt_cli.iiwa.job.drawing import dose_pictures
 
         pictures = dose_pictures(answer)
         write_files(plots, pictures)
@@ -370,10 +370,10 @@ def experiments(
     """
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.experiments_tables import tables
-    from trajopt_cli.compliance.experiments.catalogue import run_experiments
-    from trajopt_cli.compliance.experiments.folder import write_experiments
-    from trajopt_cli.compliance.experiments.record import record
-    from trajopt_cli.compliance.job.folder import check_place
+    from trajopt_cli.iiwa.experiments.catalogue import run_experiments
+    from trajopt_cli.iiwa.experiments.folder import write_experiments
+    from trajopt_cli.iiwa.experiments.record import record
+    from trajopt_cli.iiwa.job.folder import check_place
     from trajopt_cli.runs.folder import check_replaceable
 
     check_place(output, "--output")
@@ -405,7 +405,7 @@ def _check_results(results: Path) -> None:
 
 def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
     """A bound on the lead: a force or moment, or what a spring that pushes as much is stretched by."""
-    from trajopt_cli.compliance.controller.dose_allowed import Lead
+    from trajopt_cli.iiwa.controller.feed_limits import Lead
     from trajopt_cli.quantity import option_value
 
     if text is None:

@@ -10,21 +10,21 @@ import numpy as np
 from rich.table import Table
 
 from trajopt_cli.cli.layout import plain_table
-from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.findings import Finding
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.compliance.controller.dose_allowed import Allowed
-    from trajopt_cli.compliance.controller.lag import Lag
-    from trajopt_cli.compliance.controller.stability import AxisStability
-    from trajopt_cli.compliance.job.dosing import DosedJob
-    from trajopt_cli.compliance.job.folder import Opened
-    from trajopt_cli.compliance.job.simulation import Simulated
-    from trajopt_cli.compliance.task.arm_plan import ArmFigures, ArmPlan
-    from trajopt_cli.compliance.task.joints import Followed
-    from trajopt_cli.compliance.task.model import Route
-    from trajopt_cli.compliance.task.segments import SegmentFacts
+    from trajopt_cli.iiwa.controller.feed_limits import Allowed
+    from trajopt_cli.iiwa.controller.lag import Lag
+    from trajopt_cli.iiwa.controller.stability import AxisStability
+    from trajopt_cli.iiwa.job.feed_scheduling import DosedJob
+    from trajopt_cli.iiwa.job.folder import Opened
+    from trajopt_cli.iiwa.job.simulation import Simulated
+    from trajopt_cli.iiwa.task.arm_plan import ArmFigures, ArmPlan
+    from trajopt_cli.iiwa.task.joints import Followed
+    from trajopt_cli.iiwa.task.model import Route
+    from trajopt_cli.iiwa.task.segments import SegmentFacts
 
 _LINES = 40  # segments that are listed one by one
 _SEEN = 1e-9  # rad: a smaller turn is rounding
@@ -212,7 +212,7 @@ def stability_table(axes: Iterable[AxisStability], h: float) -> Table:
 
 def lag_lines(run: Simulated) -> list[str]:
     """How far the controller stays behind, and what its spring pulls with."""
-    from trajopt_cli.compliance.job.simulation import frames_change
+    from trajopt_cli.iiwa.job.simulation import frames_change
 
     lag = run.lag
     where = f" between {lag.piece.origin} and {lag.piece.goal}" if lag.piece else ""
@@ -232,7 +232,7 @@ def lag_lines(run: Simulated) -> list[str]:
 
 def contact_lines(run: Simulated) -> list[str]:
     """What the tool ran into."""
-    from trajopt_cli.compliance.job.simulation import touches
+    from trajopt_cli.iiwa.job.simulation import touches
 
     if run.loop is None:
         return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
@@ -285,7 +285,7 @@ def loop_time_line(run: Simulated) -> list[str]:
     """What one period of the controller cost here, beside the thesis'."""
     if run.loop is None or not len(run.loop.step_times):
         return []
-    from trajopt_cli.compliance.controller.loop import PARTS
+    from trajopt_cli.iiwa.controller.loop import PARTS
 
     means = ", ".join(
         f"{name} {1e6 * value:.0f}" for name, value in zip(PARTS, run.loop.step_times.mean(axis=0), strict=True)
@@ -299,8 +299,8 @@ def loop_time_line(run: Simulated) -> list[str]:
 
 def dose_table(name: str, job: DosedJob) -> Table:
     """The ways to feed one path, beside each other: as programmed, then timed anew for every feed that was tried."""
-    from trajopt_cli.compliance.controller.dose import CannotDose
-    from trajopt_cli.compliance.job.dosing import DOSED
+    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
+    from trajopt_cli.iiwa.job.feed_scheduling import DOSED
 
     tried = sorted(job.tried.items(), key=lambda item: list(DOSED).index(item[0]))
     made = [(DOSED[feed], one) for feed, one in tried if not isinstance(one, CannotDose)]
@@ -331,7 +331,7 @@ def dose_table(name: str, job: DosedJob) -> Table:
 
 def front_table(job: DosedJob) -> Table:
     """The least time of every feed by the lead that is allowed."""
-    from trajopt_cli.compliance.job.dosing import DOSED
+    from trajopt_cli.iiwa.job.feed_scheduling import DOSED
 
     feeds = list(job.front[0].durations)
     stretch = job.front[0].lead.stretch
@@ -346,9 +346,9 @@ def front_table(job: DosedJob) -> Table:
 
 def dose_lines(job: DosedJob) -> list[str]:
     """The dosed sequence's time with its bound, why it is what it is, and what is not in it."""
-    from trajopt_cli.compliance.controller.dose import CannotDose
-    from trajopt_cli.compliance.controller.dose_allowed import DoseFeed
-    from trajopt_cli.compliance.job.dosing import DOSED
+    from trajopt_cli.iiwa.controller.feed_limits import DoseFeed
+    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
+    from trajopt_cli.iiwa.job.feed_scheduling import DOSED
 
     dosed = job.dosed
     bound = "no lower bound that says anything"

@@ -13,7 +13,7 @@ from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from trajopt_cli.notices import Notice
+    from trajopt_cli.warnings import ProgramWarning
 
 _TAKEN = frozenset({"main", "j_home", "p_take", "p_put", "tool0", "wobj0", "offs", "movej", "movel", "moveabsj"})
 
@@ -48,10 +48,10 @@ def new(
       trajopt optimize glue.mod
     """
     from trajopt_cli.cli.console import print_json, stdout, tell, warn
-    from trajopt_cli.runs.together import replace_files
+    from trajopt_cli.runs.transaction import replace_files
 
     place = name.with_suffix("") if name.suffix.lower() in (".mod", ".yaml") else name
-    told: tuple[Notice, ...] = ()
+    told: tuple[ProgramWarning, ...] = ()
     if backup is not None:
         from trajopt_cli.cli.new_from import cell_from_backup
 
@@ -104,7 +104,7 @@ def _made(place: Path, robot: str, rail: bool) -> tuple[dict[str, str], str, str
 
 def _check_name(name: str) -> None:
     """Raise InputError unless a RAPID module may be called so."""
-    from trajopt_cli.rapid.language.frequent import NAME_LIMIT
+    from trajopt_cli.rapid.language.fast_path import NAME_LIMIT
     from trajopt_cli.rapid.language.lexer import KEYWORDS
 
     if not name.isidentifier() or not name.isascii() or name.startswith("_"):

@@ -11,17 +11,17 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
-from trajopt_cli.moc import Arm, External, Mechanics
-from trajopt_cli.notices import Notice
+from trajopt_cli.moc import ConfiguredRobot, External, Mechanics
 from trajopt_cli.problem.controller import LETTERS, read_mechanics, shipped_robot, shown, travel
 from trajopt_cli.robot.model import RobotModel, load_robot, robot_names
+from trajopt_cli.warnings import ProgramWarning
 
 _HOME = (0.0, 0.0, 0.0, 0.0, 30.0, 0.0)  # deg
 _SLACK = 1e-3  # rad, of ranges that are printed with six digits
 _ALONG = 0.01  # of a direction: a rail that is measured is that far off
 
 
-def cell_from_backup(backup: Path, place: Path, robot: str | None) -> tuple[str, str, tuple[Notice, ...]]:
+def cell_from_backup(backup: Path, place: Path, robot: str | None) -> tuple[str, str, tuple[ProgramWarning, ...]]:
     """The text of a cell file in the folder of place, the robot in it, and what of the backup was not read. robot: a
     name, or its YAML file, instead of the controller's type.
 
@@ -52,7 +52,7 @@ def cell_from_backup(backup: Path, place: Path, robot: str | None) -> tuple[str,
     return "\n".join(_lines(moc, arm, said, model)) + "\n", name, told
 
 
-def _lines(moc: Mechanics, arm: Arm, name: str, model: RobotModel) -> Iterator[str]:
+def _lines(moc: Mechanics, arm: ConfiguredRobot, name: str, model: RobotModel) -> Iterator[str]:
     others = [f"{one.name} ({moc.place(one.line)})" for one in moc.robots if one is not arm]
     yield f"# Proposed by 'trajopt new' from {moc.file}: check every line. Numbers are SI (m, rad, s)."
     yield "# Not from there: the start, speeds and accelerations of the arm, caps on the tool, obstacles, signals."
@@ -75,7 +75,7 @@ def _lines(moc: Mechanics, arm: Arm, name: str, model: RobotModel) -> Iterator[s
             yield from _external(moc, arm, one)
 
 
-def _rail(moc: Mechanics, arm: Arm, track: External, model: RobotModel) -> Iterator[str]:
+def _rail(moc: Mechanics, arm: ConfiguredRobot, track: External, model: RobotModel) -> Iterator[str]:
     switches = (["active from start-up"] if track.active else []) + (["cannot be deactivated"] if track.fixed else [])
     yield f"rail:  # {', '.join([track.name, *switches])}: {moc.place(track.line)}"
     if track.eax is None:
@@ -100,13 +100,13 @@ def _rail(moc: Mechanics, arm: Arm, track: External, model: RobotModel) -> Itera
     yield from ("  # " + line for line in _frame("frame", arm.X @ inverse_pose(model.X_RB), arm, moc))
 
 
-def _frame(key: str, X: Array, arm: Arm, moc: Mechanics) -> Iterator[str]:
+def _frame(key: str, X: Array, arm: ConfiguredRobot, moc: Mechanics) -> Iterator[str]:
     yield f"{key}:  # the base frame of {arm.name} in the world: {moc.place(arm.line)}"
     yield f"  position: [{shown(X[:3, 3], 9)}]"
     yield f"  wxyz: [{shown(wxyz_from_rotation(X[:3, :3]), 9)}]"
 
 
-def _limits(moc: Mechanics, arm: Arm, track: External | None, model: RobotModel) -> Iterator[str]:
+def _limits(moc: Mechanics, arm: ConfiguredRobot, track: External | None, model: RobotModel) -> Iterator[str]:
     base, out, bare = model.profile(), list[str](), list[str]()
     for name, there in zip(model.axis_names[-6:], arm.ranges, strict=True):
         i = base.names.index(name)
@@ -144,7 +144,7 @@ def _limits(moc: Mechanics, arm: Arm, track: External | None, model: RobotModel)
     yield from out
 
 
-def _start(arm: Arm, track: External | None) -> Iterator[str]:
+def _start(arm: ConfiguredRobot, track: External | None) -> Iterator[str]:
     home = [
         value if there is None else float(np.clip(value, np.degrees(there.lower), np.degrees(there.upper)))
         for value, there in zip(_HOME, arm.ranges, strict=True)
@@ -156,7 +156,7 @@ def _start(arm: Arm, track: External | None) -> Iterator[str]:
         yield f"  rail: {min(max(0.0, low), high):.9g}"
 
 
-def _external(moc: Mechanics, arm: Arm, one: External) -> Iterator[str]:
+def _external(moc: Mechanics, arm: ConfiguredRobot, one: External) -> Iterator[str]:
     """A unit that is not the rail, as a comment to take over: what a positioner needs and MOC.cfg does not say is ?."""
     place = moc.place(one.line)
     if one.slides is not False or one is arm.track:

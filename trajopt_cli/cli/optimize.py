@@ -70,8 +70,8 @@ def optimize(
     from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import motions_table, optimised_lines, optimised_record, saving_line
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.pipeline.optimise import Optimised, optimise
-    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.pipeline.optimize import Optimised, optimise
+    from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
     from trajopt_cli.problem.plan import Target
 

@@ -11,7 +11,7 @@ import typer
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from trajopt_cli.problem.patience import Patience
+    from trajopt_cli.problem.stop_condition import Patience
 
 ProgramPaths = Annotated[
     list[Path],
@@ -70,7 +70,7 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the result in 
 
 def patience_of(time_limit: float | None) -> Patience:
     """How long a search may go on. Raises InputError for a limit that is no time."""
-    from trajopt_cli.problem.patience import Patience
+    from trajopt_cli.problem.stop_condition import Patience
 
     if time_limit is not None and not 0 <= time_limit < math.inf:
         raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")

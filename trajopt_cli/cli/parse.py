@@ -10,7 +10,7 @@ import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
 from trajopt_cli.cli.process import reading
-from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -54,7 +54,7 @@ def parse(
     from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, cell_for, scenario_of
     from trajopt_cli.rapid.listing import describe
-    from trajopt_cli.rapid.neighbours import with_hints
+    from trajopt_cli.rapid.missing_modules import with_hints
     from trajopt_cli.rapid.reader import try_paths
     from trajopt_cli.scenario import lacking
 
@@ -88,7 +88,7 @@ def parse(
         from trajopt_cli.problem.plant import unwatched
 
         found = check_configurations(flat, plant)
-        doubts = [Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
+        doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
         assert loaded is not None
         doubts += differences(program, loaded, plant, flat.files)
         told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)
@@ -185,7 +185,7 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     if plant is None:
         return
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
-    from trajopt_cli.rapid.execution.holding import held_after_outputs
+    from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
 
     if plant.rail_eax is not None and (held := held_after_outputs(flat)):
         yield held

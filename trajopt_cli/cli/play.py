@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from rich.table import Table
 
-    from trajopt_cli.export.egm import Stream
-    from trajopt_cli.export.egm_player import Lag
+    from trajopt_cli.exporters.egm import Stream
+    from trajopt_cli.exporters.egm_player import Lag
 
 app = typer.Typer(help="Play a stream to a simulated controller on this machine.", rich_markup_mode=None)
 _SETTLED = 10  # time constants behind the last set point, in which a follower arrives
@@ -61,7 +61,7 @@ def egm(
     """
     from trajopt_cli.cli.console import print_json, show, stdout
     from trajopt_cli.cli.export import check_output
-    from trajopt_cli.export.egm_player import address, bound, lags, log_text, play, simulated_controller
+    from trajopt_cli.exporters.egm_player import address, bound, lags, log_text, play, simulated_controller
     from trajopt_cli.runs.files import write_file
 
     for value, option in ((constant, "--follower-time-constant"), (silence, "--silence")):
@@ -101,7 +101,7 @@ def egm(
 
 def _stream(source: Path) -> Stream:
     from trajopt_cli.cli.export import egm_stream
-    from trajopt_cli.export.egm import read_stream
+    from trajopt_cli.exporters.egm import read_stream
 
     if source.is_dir():
         return egm_stream(source)[1]

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import typer
 
-from trajopt_cli.rapid.execution.room import FRAMES
+from trajopt_cli.rapid.execution.recursion_limit import FRAMES
 
 
 def own_process() -> None:
@@ -94,7 +94,7 @@ def interrupted() -> str:
 
 def tidied(files: Iterable[Path]) -> None:
     """Put back what a killed run left half-written of these files, and say so."""
-    from trajopt_cli.runs.together import put_back
+    from trajopt_cli.runs.transaction import put_back
 
     for line in put_back(files):
         typer.echo(line, err=True)

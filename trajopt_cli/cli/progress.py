@@ -9,8 +9,8 @@ from time import monotonic
 from types import FrameType, TracebackType
 from typing import TextIO
 
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 
 _ABREAST = 2  # plans under way at once: one for each process
 _ALONE = frozenset({"program", "results"})  # what is under way before and after all plans

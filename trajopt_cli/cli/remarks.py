@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _MOST = 6  # remarks of one kind
 _OWN = re.compile(r"\S*[\d_()\[\]'\"]\S*")  # what names one thing: places, names with figures, numbers, quoted words
@@ -38,8 +38,8 @@ def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -
             yield f"{before}and {count[kind] - _MOST} more of this kind, {rest}"
 
 
-def told_first(notices: Iterable[Notice]) -> tuple[list[str], list[str]]:
+def told_first(notices: Iterable[ProgramWarning]) -> tuple[list[str], list[str]]:
     """The lines that stand over an answer, because it does not hold what they speak of; and the other notices."""
     notices = list(notices)
-    head = [f"WARNING: {one}" for one in notices if one.kind is NoticeKind.NOT_CHECKED]
-    return head, [str(one) for one in notices if one.kind is not NoticeKind.NOT_CHECKED]
+    head = [f"WARNING: {one}" for one in notices if one.kind is WarningKind.NOT_CHECKED]
+    return head, [str(one) for one in notices if one.kind is not WarningKind.NOT_CHECKED]

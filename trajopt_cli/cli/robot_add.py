@@ -76,7 +76,7 @@ def add(
     from trajopt_cli.adopt.add import new_robot
     from trajopt_cli.cli import console
     from trajopt_cli.robot.model import load_robot
-    from trajopt_cli.runs.together import replace_files
+    from trajopt_cli.runs.transaction import replace_files
 
     made = new_robot(model, name, tip, base, confdata, rail)
     if output.exists() and not output.is_dir():

@@ -55,7 +55,7 @@ def sensitivity(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.sensitivity_tables import levers_table, rest_lines
     from trajopt_cli.job import is_results, read_program_or_results
-    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.folder import check_replaceable
     from trajopt_cli.study.sensitivity import Sensitivity, sensitivity, sensitivity_record, write_sensitivity

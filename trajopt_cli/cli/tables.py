@@ -12,14 +12,14 @@ from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
 from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest, promise_record
-from trajopt_cli.notices import NoticeKind
-from trajopt_cli.pipeline.optimise import Optimised
+from trajopt_cli.judge.clearance import least_clearance
+from trajopt_cli.pipeline.optimize import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import Detour, way_told
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.runs.results import NOT_TIMED, motion_label
 from trajopt_cli.units import MM
-from trajopt_cli.verify.clearance import least_clearance
+from trajopt_cli.warnings import WarningKind
 
 _NAME = 50  # characters of a motion's name: many targets are written in numbers
 _DIPS = 10  # of constant speed, in text; summary.json has them all
@@ -69,7 +69,7 @@ def optimised_lines(answer: Optimised) -> Iterator[str]:
         if nearest is not None:
             yield f"{one.value}: {by_name(nearest.message, files)}"
     yield from (*job.plant.unchecked, *job.program.without_effect)
-    first = {str(one) for one in job.program.warnings if one.kind is NoticeKind.NOT_CHECKED}
+    first = {str(one) for one in job.program.warnings if one.kind is WarningKind.NOT_CHECKED}
     warnings = [one for one in answer.warnings if one not in first]
     said = (("warning", warnings), ("limits", job.plant.notes), ("note", answer.notes))
     for label, lines in said:

@@ -10,7 +10,7 @@ from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, mo
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
-from trajopt_cli.page.optimised import Provenance, tile
+from trajopt_cli.page.optimized import Provenance, tile
 from trajopt_cli.page.tables import facts, table
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, waterfall

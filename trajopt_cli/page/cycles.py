@@ -16,9 +16,9 @@ from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Sou
 from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
 from trajopt_cli.problem.constant_speed import Stretch
-from trajopt_cli.problem.course import Course, follow, programmed_speed, target_flange
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.runs.results import motion_label
@@ -169,7 +169,7 @@ def kind_of(motion: object) -> str:
     return "joint"
 
 
-def _legs(program: Program, course: Course) -> dict[str, list[Any]]:
+def _legs(program: Program, course: PlanSeries) -> dict[str, list[Any]]:
     ends = {motion.t_1: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
     legs = [leg for leg in course.legs if not leg.added]  # points that are added are part of the way to their motion's
     planned = [ends[leg.t_1] for leg in legs]
@@ -206,7 +206,7 @@ def _rests(rows: Trajectory) -> dict[str, list[Any]]:
     }
 
 
-def _programmed(course: Course) -> list[list[float]]:
+def _programmed(course: PlanSeries) -> list[list[float]]:
     """From, to [s] and the TCP speed [m/s] that the program gives, at most the cap."""
     start, cap = float(course.plan.trajectory.t[0]), course.plant.tcp.speed
     out = []

@@ -18,7 +18,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
 from trajopt_cli.page.encode import block
-from trajopt_cli.problem.bodies import bodies_on, tool_capsule
+from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant

@@ -88,7 +88,7 @@ def verify_file(path: Path, job: Job, advice: bool = True) -> Report:
 @of_kind(ErrorKind.RESULTS)
 def rapid_export(folder: Path) -> RapidFiles:
     """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
-    from trajopt_cli.export.rapid_diff import patch, unified_diff
+    from trajopt_cli.exporters.rapid_diff import patch, unified_diff
     from trajopt_cli.rapid.language.text import decode
 
     results = read_results(folder)

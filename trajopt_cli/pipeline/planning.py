@@ -9,28 +9,28 @@ from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
-from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
-from trajopt_cli.problem.changes import Changes, Loops, everything
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
+from trajopt_cli.problem.editable import Changes, Loops, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.results import (
     CSV,
     NOT_TIMED,
     Judged,
 )
 from trajopt_cli.runs.rows import RowsFile, without_rows
+from trajopt_cli.workers import Worker, give_back
 
 if TYPE_CHECKING:
     from trajopt_cli import findings
     from trajopt_cli.findings import Finding
-    from trajopt_cli.optimize import Memory
+    from trajopt_cli.plan import Memory
     from trajopt_cli.problem.plant import Plant
 
 _ROUNDING = 1e-6  # of a cycle time: rows are a few of them longer where switches would not stand apart
@@ -79,7 +79,7 @@ def may_change(job: Job, loops: Loops) -> MayChange:
 
     Loops that are to be kept, but that no plan could drive, are written out, and that is said.
     """
-    from trajopt_cli.optimize import check_feasible
+    from trajopt_cli.plan import check_feasible
 
     def held_against_reach(loops: Loops) -> MayChange:
         changes = {one: changes_of(job, one, loops) for one in Target}
@@ -100,8 +100,8 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
 
     loops: what a plan for the RAPID controller makes of them; a stream has none.
     """
-    from trajopt_cli.export.rapid_reading import Reading
-    from trajopt_cli.export.rapid_writable import text_changes
+    from trajopt_cli.exporters.rapid_reading import Reading
+    from trajopt_cli.exporters.rapid_writable import text_changes
 
     if target is Target.STREAM:
         return everything(job.program, job.plant)
@@ -124,7 +124,7 @@ def all_three(
     began with, in up to `jobs` processes. A stream that cannot be done ends the run at once. A plan that collides, or
     that the judge rejects, gives way to the next one that may change less and is legal. kept: where the rows of each
     target go; kept_written: those of the program as written, of which else the first and the last alone are known."""
-    from trajopt_cli.optimize import Memory
+    from trajopt_cli.plan import Memory
 
     stream, rapid = Target.STREAM, Target.RAPID
 
@@ -172,7 +172,7 @@ def all_three(
             return {stream: first}, "", None
         found, written, estimate, seconds = second(hear)
     else:
-        with Beside(second, hear) as beside:
+        with Worker(second, hear) as beside:
 
             def listen_to_both(label: str, progress: Progress) -> None:
                 listen(label, progress)
@@ -236,7 +236,7 @@ def legal_or_slow(
 ) -> Judged | Infeasible | NoPlan:
     """The answer; where that is no legal plan, a slow one that stops at every point, if that is legal. kept: where its
     rows go then."""
-    from trajopt_cli.optimize import slow_plan
+    from trajopt_cli.plan import slow_plan
 
     if isinstance(answer, Judged) and answer.report.legal:
         return answer
@@ -253,7 +253,7 @@ def legal_or_slow(
 
 def touches(judged: Judged) -> tuple[Finding, ...]:
     """What a plan hits, in time order, where that is all that is wrong with it; else none."""
-    from trajopt_cli.verify.clearance import collisions
+    from trajopt_cli.judge.clearance import collisions
 
     hits = collisions(judged.report.findings)
     return hits if len(hits) == sum(not finding.passed for finding in judged.report.findings) else ()
@@ -312,7 +312,7 @@ def solve(
 ) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
     meanwhile where another process may work. kept: where the rows go."""
-    from trajopt_cli.optimize import NoCleanPlan, optimize
+    from trajopt_cli.plan import NoCleanPlan, optimize
 
     label = target.value
 
@@ -361,7 +361,7 @@ def _bounded_and_judged(
 ) -> Judged:
     """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
     where the plan refutes the bound."""
-    from trajopt_cli.optimize import bounded, lower_bound_of
+    from trajopt_cli.plan import bounded, lower_bound_of
 
     def bound(_: Report) -> tuple[float, float]:
         start = perf_counter()
@@ -371,7 +371,7 @@ def _bounded_and_judged(
         asked = not patience.interrupted
         if asked:
             tell(Progress("bound", plan.duration))
-        beside = stack.enter_context(Beside(bound, tell)) if asked and hands() > 1 else None
+        beside = stack.enter_context(Worker(bound, tell)) if asked and hands() > 1 else None
         known = bounded(plan, *bound(tell)) if asked and beside is None else plan
         tell(Progress("judge", known.duration, known.lower_bound))
         judged = _judged(job, known, kept, clock)
@@ -404,7 +404,7 @@ def as_written(
     where its rows go. patience: its end leaves out what is done only to drive the program faster. rapid: the plan for
     that controller; where it has the same rows and is legal, so is the program as written.
     """
-    from trajopt_cli.optimize import NoCleanPlan, optimize
+    from trajopt_cli.plan import NoCleanPlan, optimize
 
     patience, known = patience or Patience(), (Target.RAPID, AS_WRITTEN) in memory.answers
 
@@ -453,7 +453,7 @@ def judge(
     """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in verify.
     promises None: with advice."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
-    from trajopt_cli.verify.judge import verify
+    from trajopt_cli.judge.verify import verify
 
     trajectory, resolution = read_csv_text(text, file)
     if sorted(trajectory.names) == sorted(plant.limits.names) and trajectory.names != plant.limits.names:

@@ -32,7 +32,7 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.problem.along import ArmLine, Followed, follow
+from trajopt_cli.problem.path_ik import ArmLine, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration, with_exact_orientation
 from trajopt_cli.problem.plant import Plant

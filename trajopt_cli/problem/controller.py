@@ -12,13 +12,13 @@ import numpy as np
 
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.geometry import Array, axis_angle, pose, rotation_from_wxyz
-from trajopt_cli.moc import Arm, External, Mechanics, Range, read_moc
-from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.moc import ConfiguredRobot, External, Mechanics, Range, read_moc
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import syspar_of
 from trajopt_cli.robot.model import robot_names
 from trajopt_cli.units import DEG
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 from trajopt_cli.yaml_file import line_of
 
 LETTERS = "abcdef"
@@ -28,7 +28,7 @@ _LARGEST = 10_000_000  # bytes; a controller's has some ten thousand
 _NEAR, _TURNED = 1e-3, 1e-3  # m, rad: frames that are measured and printed differ by that, and ranges by less
 
 
-def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[Notice, ...]]:
+def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[ProgramWarning, ...]]:
     """What the MOC.cfg of the backup says that a program at these paths lies in, and what of SYSPAR is not read."""
     folder = next((found for path in paths if (found := syspar_of(path)) is not None), None)
     if folder is None:
@@ -36,10 +36,10 @@ def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[Notic
     files = sorted(folder.iterdir()) if os.access(folder, os.R_OK) else []
     moc = next((path for path in files if path.name.lower() == _FILE and path.is_file()), None)
     others = ", ".join(path.name for path in files if path != moc and path.suffix.lower() == ".cfg")
-    told: list[Notice] = []
+    told: list[ProgramWarning] = []
     if others or moc is None:
         what = "of the controller's parameters only MOC.cfg is read" + ("" if moc else ", which is not there")
-        told.append(Notice(NoticeKind.NOT_READ, what + (f"; not: {others}" if others else ""), str(folder)))
+        told.append(ProgramWarning(WarningKind.NOT_READ, what + (f"; not: {others}" if others else ""), str(folder)))
     if moc is None:
         return None, tuple(told)
     try:
@@ -47,7 +47,7 @@ def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[Notic
             raise OSError(0, f"larger than {_LARGEST / 1e6:g} MB")
         mechanics = read_moc(decode(moc.read_bytes())[0], str(moc))
     except OSError as error:
-        return None, (*told, Notice(NoticeKind.NOT_READ, f"cannot be read: {error.strerror}", str(moc)))
+        return None, (*told, ProgramWarning(WarningKind.NOT_READ, f"cannot be read: {error.strerror}", str(moc)))
     return mechanics, (*told, *mechanics.notices)
 
 
@@ -62,7 +62,7 @@ def shipped_robot(kind: str) -> str | None:
     return next((name for name in names if name in robot_names()), None)
 
 
-def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable[str]) -> tuple[Notice, ...]:
+def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable[str]) -> tuple[ProgramWarning, ...]:
     """Where a cell file differs from the controller's MOC.cfg, by its lines, and what of that was not understood.
 
     paths: of the program; files: its modules, whose folders tell the task. Empty without a backup.
@@ -73,20 +73,20 @@ def differences(paths: Sequence[Path], cell: Cell, plant: Plant, files: Iterable
         return told
     if (arm := mechanics.robot_of(places)) is None:
         what = "names no robot in a section ROBOT, so the cell file is not held against it"
-        return (*told, Notice(NoticeKind.NOT_READ, what, mechanics.file))
+        return (*told, ProgramWarning(WarningKind.NOT_READ, what, mechanics.file))
     out = [*told]
     if len(mechanics.robots) > 1:
         names = ", ".join(one.name for one in mechanics.robots)
         text = (
             f"the backup has {names}; the cell file is held against {arm.name}, by the task's folder (T_ROB2 for ROB_2)"
         )
-        out.append(Notice(NoticeKind.NOT_READ, text, mechanics.place(arm.line)))
+        out.append(ProgramWarning(WarningKind.NOT_READ, text, mechanics.place(arm.line)))
     for key, text in (
         *_of_robot(mechanics, arm, cell, plant),
         *_of_rail(mechanics, arm, cell, plant),
         *_of_positioners(mechanics, cell),
     ):
-        out.append(Notice(NoticeKind.DOUBTFUL, f"{key}: {text}", f"{cell.file}:{line_of(key, cell.lines)}"))
+        out.append(ProgramWarning(WarningKind.DOUBTFUL, f"{key}: {text}", f"{cell.file}:{line_of(key, cell.lines)}"))
     return tuple(out)
 
 
@@ -105,7 +105,7 @@ def travel(track: External) -> Array:
     return np.asarray(track.X[:3, 0])
 
 
-def _of_robot(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
+def _of_robot(mechanics: Mechanics, arm: ConfiguredRobot, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
     robot = plant.robot
     kind, own = shipped_robot(arm.type), robot.name.removesuffix("_rail")
     if robot.name in robot_names() and own != kind and (kind is not None or _FULL_TYPE.match(arm.type)):
@@ -136,7 +136,7 @@ def _of_frame(key: str, name: str, X: Array, there: Array, its: str) -> Iterator
         yield key, f"{name} is turned by {abs(angle) / DEG:.4g} deg from that {its}"
 
 
-def _of_rail(mechanics: Mechanics, arm: Arm, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
+def _of_rail(mechanics: Mechanics, arm: ConfiguredRobot, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
     track, robot, rail = arm.track, plant.robot, cell.rail
     slides = [one for one in mechanics.externals if one.slides]
     if rail is None:

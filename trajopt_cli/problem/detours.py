@@ -19,7 +19,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import ExternalAxes, Motion, MoveAbsJ, MoveJ, Program, Written, Zone
-from trajopt_cli.problem.changes import Changes, why_straight
+from trajopt_cli.problem.editable import Changes, why_straight
 from trajopt_cli.problem.plan import Detour as Detour
 from trajopt_cli.problem.plan import Passing, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plan import Via as Via

@@ -10,7 +10,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_from_wxyz
 from trajopt_cli.motion import Load, Move, MoveExtJ, Program, SignalEvent, Source, Tool, Wait
-from trajopt_cli.problem.course import Course
+from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 
@@ -31,7 +31,7 @@ def loads_of(program: Program) -> list[ToolLoad | None]:
     return out
 
 
-def torques_along(course: Course) -> Array:
+def torques_along(course: PlanSeries) -> Array:
     """Torques (n, k) [Nm, N for a rail] of all axes at the samples of a course, with what is carried there."""
     robot, by_motion = (
         course.plant.robot,

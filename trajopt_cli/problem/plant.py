@@ -11,13 +11,13 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 TRACK = "track"
 """The name of the rail's body."""
@@ -163,7 +163,7 @@ def build_plant(cell: Cell) -> Plant:
     return replace(plant, may_touch=_may_touch(cell, plant))
 
 
-def unwatched(cell: Cell, robot: RobotModel) -> tuple[Notice, ...]:
+def unwatched(cell: Cell, robot: RobotModel) -> tuple[ProgramWarning, ...]:
     """What is told first: obstacles that a robot, or some of its links, are not held against for want of shapes."""
     bare = [name for name in robot.link_names if name not in robot.capsules]
     if not cell.obstacles or not bare:
@@ -174,12 +174,12 @@ def unwatched(cell: Cell, robot: RobotModel) -> tuple[Notice, ...]:
             f"{', '.join(bare)} of {robot.name} {'have' if len(bare) > 1 else 'has'} no collision shape and may touch "
             "anything unseen; give capsules in the robot's file (collision.links)"
         )
-        return (Notice(NoticeKind.NOT_CHECKED, text, cell.file),)
+        return (ProgramWarning(WarningKind.NOT_CHECKED, text, cell.file),)
     text = (
         f"collisions of the robot are not checked: {robot.name} has no collision shapes, and the cell gives {many} "
         f"obstacle{'s' if many > 1 else ''}; give the robot's links capsules in its file (collision.links)"
     )
-    return (Notice(NoticeKind.NOT_CHECKED, text, cell.file),)
+    return (ProgramWarning(WarningKind.NOT_CHECKED, text, cell.file),)
 
 
 def _robot(cell: Cell) -> RobotModel:
@@ -259,7 +259,7 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
             raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")
     if not isinstance(solid.shape, MeshFile):
         return solid
-    from trajopt_cli.collision.meshes import load_mesh
+    from trajopt_cli.proximity.meshes import load_mesh
 
     try:
         return Solid(load_mesh(solid.shape), solid.ignore)

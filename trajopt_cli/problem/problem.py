@@ -41,10 +41,10 @@ from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.turning import Turning
-from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.acceleration_settings import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.corners import corners_of
-from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
-from trajopt_cli.problem.freedom import Freedom, RailFreedom
+from trajopt_cli.problem.decision_scope import Freedom, RailFreedom
+from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target

@@ -17,10 +17,10 @@ import numpy as np
 from trajopt_cli.geometry import axis_angle
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveExtJ, MoveJ, Program, SignalEvent, Wait, motion_name
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.zones import NO_WAY, courses, turns_in_place, ways
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _ROUNDING = 1e-9  # s
 
@@ -36,7 +36,7 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
         return program
     lengths, still = ways(program, kinematics), set(_still(program, kinematics))
     turning = turns_in_place(program, kinematics, lengths)
-    notices: dict[Notice, None] = {}
+    notices: dict[ProgramWarning, None] = {}
     rests, size = True, 0.0  # whether the point before is a stop for sure, and its zone [m], [rad] where it is none
     turns = False  # whether the move before turns in place: beside one that does not it ends at a stop
     for i, move in enumerate(motions):
@@ -68,7 +68,7 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
             if left and not rests:
                 what = f"{left:.6g} of {total:.6g} s beside {motion_name(move)} (\\Conc) are added behind it: only"
                 what += " its way between the zones counts; a controller may need less"
-                notices[Notice(NoticeKind.ASSUMED, what, move.source)] = None
+                notices[ProgramWarning(WarningKind.ASSUMED, what, move.source)] = None
             for k, wait in reversed(waits.items()):
                 own = min(left, wait.beside or 0.0)
                 left -= own

@@ -9,20 +9,20 @@ from pathlib import Path
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.concurrent import laid_beside
 from trajopt_cli.rapid.entry import find_entry
-from trajopt_cli.rapid.execution.beads import fill_constant_speed
-from trajopt_cli.rapid.execution.holding import fill_holds
-from trajopt_cli.rapid.execution.interpreter import Run
+from trajopt_cli.rapid.execution.constant_speed import fill_constant_speed
+from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
+from trajopt_cli.rapid.execution.rail_hold import fill_holds
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, Routine
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.marks import find_marks
-from trajopt_cli.rapid.neighbours import with_hints
+from trajopt_cli.rapid.missing_modules import with_hints
 from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 
 @of_kind(ErrorKind.PROGRAM)
@@ -92,7 +92,7 @@ def try_program(
     """
     name = name or Path(files[0].path).stem
     subject = files[0].path if len(files) == 1 else name  # what messages about the whole program begin with
-    run = Run(scenario or Scenario(), kinematics)
+    run = Execution(scenario or Scenario(), kinematics)
     modules = _modules(run, files)
     try:
         scopes = load(run, modules)
@@ -131,14 +131,14 @@ def try_program(
     return program, tuple(run.world.lacks.values())
 
 
-def _show(run: Run, error: InputError) -> None:
+def _show(run: Execution, error: InputError) -> None:
     """Give an error the line it is about. Those that a program may handle come without: most are never shown."""
     if error.excerpt is None and error.file in run.files and error.line and error.column:
         places = run.files[error.file]
         error.excerpt = places.excerpt(places.offset(error.line, error.column))
 
 
-def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]:
+def _modules(run: Execution, files: Sequence[TextFile]) -> list[tuple[Module, Places]]:
     """The modules of all files, with the warnings that their texts give rise to; the errors of all files at once."""
     modules: list[tuple[Module, Places]] = []
     known: dict[str, Source] = {}
@@ -160,7 +160,7 @@ def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]
             continue
         modules += [(module, places) for module in tree.modules]
         for offset, sentence in tree.warnings:
-            run.warn(NoticeKind.UNUSUAL, sentence, places.source(offset))
+            run.warn(WarningKind.UNUSUAL, sentence, places.source(offset))
     if errors:
         raise errors[0] if len(errors) == 1 else InputErrorGroup(errors)
     return modules
@@ -175,8 +175,8 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
         raise places.error(module.start, message)
 
 
-def _unused_marks(run: Run) -> list[Notice]:
+def _unused_marks(run: Execution) -> list[ProgramWarning]:
     seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, Move)}
     unused = sorted(run.optional - seen)
     text = "marked as optional, but no move ran there"
-    return [Notice(NoticeKind.UNUSED, text, run.files[file].source(start)) for file, start in unused]
+    return [ProgramWarning(WarningKind.UNUSED, text, run.files[file].source(start)) for file, start in unused]

@@ -12,10 +12,10 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
-from trajopt_cli.notices import Notice, NoticeKind
-from trajopt_cli.rapid.foreign import foreign
 from trajopt_cli.rapid.language.text import read_text
+from trajopt_cli.rapid.not_rapid import foreign
 from trajopt_cli.rapid.program_list import read_list
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 SUFFIXES = (".mod", ".prg", ".sys", ".modx", ".sysx")
 LIST_SUFFIX = ".pgf"
@@ -35,11 +35,11 @@ class Sources:
 
     files: tuple[TextFile, ...]
     name: str
-    warnings: tuple[Notice, ...] = ()
+    warnings: tuple[ProgramWarning, ...] = ()
 
 
-def _unread(place: Path, text: str) -> Notice:
-    return Notice(NoticeKind.NOT_READ, text, str(place))
+def _unread(place: Path, text: str) -> ProgramWarning:
+    return ProgramWarning(WarningKind.NOT_READ, text, str(place))
 
 
 def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
@@ -52,7 +52,7 @@ def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
     if not paths:
         raise InputError("give a RAPID module, several, or the folder that holds them")
     chosen: dict[str, tuple[Path, bool]] = {}  # by real path; whether somebody asked for this very file
-    warnings: list[Notice] = []
+    warnings: list[ProgramWarning] = []
     for path in paths:
         for found, asked in _files(path, entry, warnings):
             chosen.setdefault(os.path.realpath(found), (found, asked))
@@ -120,7 +120,7 @@ def is_system(path: Path) -> bool:
     return path.parent.name.lower() == "sysmod" or path.suffix.lower() in _SYSTEM_SUFFIXES
 
 
-def _files(path: Path, entry: str, warnings: list[Notice]) -> list[tuple[Path, bool]]:
+def _files(path: Path, entry: str, warnings: list[ProgramWarning]) -> list[tuple[Path, bool]]:
     if stat.S_ISDIR(_mode(path)):
         return [(found, False) for found in _of_folder(path, entry, warnings)]
     if path.suffix.lower() == LIST_SUFFIX:
@@ -149,7 +149,7 @@ def _of_list(path: Path) -> list[Path]:
     return found
 
 
-def _of_folder(folder: Path, entry: str, warnings: list[Notice]) -> list[Path]:
+def _of_folder(folder: Path, entry: str, warnings: list[ProgramWarning]) -> list[Path]:
     refuse_results(folder)
     tasks: dict[tuple[str, ...], list[Path]] = {}
     loose: list[Path] = []
@@ -187,7 +187,7 @@ def _task(folder: Path, path: Path) -> tuple[str, ...] | None:
 
 
 def _one_task(
-    folder: Path, tasks: dict[tuple[str, ...], list[Path]], entry: str, warnings: list[Notice]
+    folder: Path, tasks: dict[tuple[str, ...], list[Path]], entry: str, warnings: list[ProgramWarning]
 ) -> tuple[str, ...]:
     if len(tasks) == 1:
         return next(iter(tasks))
@@ -208,7 +208,7 @@ def _one_task(
     return holding[0]
 
 
-def _program(folder: Path, files: list[Path], warnings: list[Notice]) -> list[Path]:
+def _program(folder: Path, files: list[Path], warnings: list[ProgramWarning]) -> list[Path]:
     """The modules of one program: all, or the ones of its program list and the system modules."""
     modules = [path for path in files if is_module(path)]
     lists = [path for path in files if not is_module(path)]

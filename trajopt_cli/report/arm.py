@@ -15,7 +15,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.course import Course
+from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.report import obstacles
 from trajopt_cli.report.in_space import rail_ends
 from trajopt_cli.report.names import short
@@ -40,7 +40,7 @@ _TAG = 45.0  # mm from an elbow up to its number
 _GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
 
 
-def arm(course: Course) -> Figure:
+def arm(course: PlanSeries) -> Figure:
     """Rail and arm in space at the start and at the plan's stations, with the TCP's path. Fig. 6.1."""
     robot = course.plant.robot
     figure = new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
@@ -165,7 +165,7 @@ def _pixels(axes: Any, points: Array) -> Array:
     return np.asarray(axes.transData.transform(flat[:, :2] / flat[:, 3:]))
 
 
-def _stations(course: Course) -> list[tuple[int, str, Array]]:
+def _stations(course: PlanSeries) -> list[tuple[int, str, Array]]:
     """Sample, label and tool of the start and of where the plan waits (else of where it stops), five at most, spread
     over the cycle."""
     named = [(0, "start", course.legs[0].X_FT if course.legs else np.eye(4))]
@@ -182,6 +182,6 @@ def _stations(course: Course) -> list[tuple[int, str, Array]]:
     return [named[k] for k in np.linspace(0, len(named) - 1, shown).round().astype(int)]
 
 
-def _apart(course: Course, i: int, j: int) -> bool:
+def _apart(course: PlanSeries, i: int, j: int) -> bool:
     """Whether two samples show the arm in two places, by 5 cm of the TCP at least."""
     return bool(np.linalg.norm(course.X_WT[i, :3, 3] - course.X_WT[j, :3, 3]) > 0.05)

@@ -16,7 +16,7 @@ from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import MoveC, MoveL, Wait
-from trajopt_cli.problem.course import Course, Leg
+from trajopt_cli.problem.plan_series import PlanSeries, TimedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report import obstacles
@@ -79,7 +79,7 @@ class Space:
     bodies: Sequence[Array] = ()
 
 
-def path(course: Course) -> Figure:
+def path(course: PlanSeries) -> Figure:
     """The TCP's path from the side and from above, in the real space and as the carriage sees it. Figs 4.3 and 4.6.
 
     Relative to the carriage ("deformed" in the thesis) means: minus the rail's travel, so both agree at rail 0.
@@ -116,13 +116,13 @@ def carriage(plant: Plant) -> Array:
     return plant.robot.X_WB0[None, :3, 3] if plant.robot.has_rail else np.empty((0, 3))
 
 
-def _carried(course: Course) -> Array:
+def _carried(course: PlanSeries) -> Array:
     """Where the carriage stands at the points that the moves lead to (m, 3) [m], from the rail's 0."""
     axis, place = course.plant.robot.rail_axis_W, course.plant.layout.place
     return np.zeros(3) if axis is None else np.array([place(leg.q_1) * axis for leg in course.moves]).reshape(-1, 3)
 
 
-def _parts(course: Course) -> list[tuple[slice, str]]:
+def _parts(course: PlanSeries) -> list[tuple[slice, str]]:
     """Samples and how they are drawn: every leg, but for what of it lies in a corner; the corners."""
     out = [(corner, "corner") for corner in course.corners]
     for leg in course.legs:
@@ -134,7 +134,7 @@ def _parts(course: Course) -> list[tuple[slice, str]]:
     return out
 
 
-def _kind(leg: Leg) -> str:
+def _kind(leg: TimedMotion) -> str:
     match leg.motion:
         case MoveL():
             return "line"
@@ -273,7 +273,7 @@ def _dense(curve: Array, count: int = 600) -> Array:
     return curve[:: max(len(curve) // count, 1)]
 
 
-def workspace(course: Course) -> Figure:
+def workspace(course: PlanSeries) -> Figure:
     """What the wrist centre can reach in the arm's own plane, and where this plan takes it. Fig. 5.1."""
     what = "axis 4" if isinstance(course.plant.robot.arm, ParallelArm) else "the wrist centre"
     figure = new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)

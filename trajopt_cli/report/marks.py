@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.course import Course
+from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.report.style import GREY, PALE
 
 WAIT = Patch(color=PALE, linewidth=0, label="wait")
@@ -19,7 +19,7 @@ _PASSED: dict[str, Any] = {**_LINE, "linestyle": (0, (1.5, 3))}
 PASSED = Line2D([], [], **_PASSED | {"color": GREY}, label="point passed")
 
 
-def mark_motions(course: Course, panels: Iterable[Axes]) -> None:
+def mark_motions(course: PlanSeries, panels: Iterable[Axes]) -> None:
     """Light vertical lines where a move ends, dotted where it does not stop there; bands where the program waits, the
     time axis from 0 to the end."""
     waits = [(leg.t_0, leg.t_1 - leg.t_0) for leg in course.legs if isinstance(leg.motion, Wait)]

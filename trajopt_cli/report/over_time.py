@@ -13,8 +13,8 @@ from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.course import Course, programmed_speed, target_flange
 from trajopt_cli.problem.loads import torques_along
+from trajopt_cli.problem.plan_series import PlanSeries, programmed_speed, target_flange
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.report.marks import PASSED, WAIT, mark_motions
 from trajopt_cli.report.names import name_times, spread
@@ -41,7 +41,7 @@ TIME = "time [s]"
 _LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
 
 
-def joints(course: Course) -> Figure:
+def joints(course: PlanSeries) -> Figure:
     """Position, speed, acceleration of each axis between its limits, torque where it is limited. Figs 6.4 to 6.6 with
     their limits."""
     names, limits = course.plant.limits.names, course.plant.limits
@@ -102,7 +102,7 @@ def _between_limits(panel: Axes, low: float, high: float) -> None:
         panel.axhline(limit, **LIMIT)  # type: ignore[arg-type]
 
 
-def rail(course: Course) -> Figure | None:
+def rail(course: PlanSeries) -> Figure | None:
     """Rail position, and from where each work point can be reached, at the time it is reached. Figs 5.2 and 6.4."""
     if not course.plant.robot.has_rail:
         return None
@@ -154,7 +154,7 @@ def rail(course: Course) -> Figure | None:
     return named(course, figure, axes)
 
 
-def tcp_speed(course: Course) -> Figure:
+def tcp_speed(course: PlanSeries) -> Figure:
     """Speed of the TCP, the speed the program gives each motion, and the plant's cap. Fig. 4.4."""
     figure = new_figure(5.4, "Speed of the tool centre point", course.below)
     axes = figure.subplots()
@@ -179,7 +179,7 @@ def tcp_speed(course: Course) -> Figure:
     return named(course, figure, axes)
 
 
-def effector(course: Course) -> Figure:
+def effector(course: PlanSeries) -> Figure:
     """Position, speed and orientation of the TCP; on a rail its speed as the carriage sees it, too. Figs 4.5, 6.2, 6.3
     and the three angles."""
     V, cap = course.V_WT[:, :3] / MM, course.plant.tcp.speed / MM
@@ -249,7 +249,7 @@ def readable(axis: str) -> str:
     return axis.replace("_", " ")
 
 
-def key(figure: Figure, course: Course, handles: list[Line2D] | list[Line2D | Patch]) -> None:
+def key(figure: Figure, course: PlanSeries, handles: list[Line2D] | list[Line2D | Patch]) -> None:
     """The legend in one row under the picture; with the waits and the points passed where there are any."""
     more: list[Line2D | Patch] = [WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else []
     legend(figure, [*handles, *more, *([PASSED] if course.passed.any() else [])])
@@ -271,7 +271,7 @@ def columns(entries: Sequence[Line2D | Patch]) -> int:
     return -(-len(wide) // rows)
 
 
-def named(course: Course, figure: Figure, top: Axes) -> Figure:
+def named(course: PlanSeries, figure: Figure, top: Axes) -> Figure:
     """The settled figure with the targets' names over its top panel."""
     return with_names(figure, top, [(leg.t_1, leg.name) for leg in course.moves])
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from matplotlib.figure import Figure
 
 from trajopt_cli.motion import Program
-from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import Analysis
 from trajopt_cli.report import arm, in_space, over_time, steps
@@ -18,7 +18,7 @@ from trajopt_cli.report.style import files, house_style
 __all__ = ["PICTURES", "Bar", "comparison", "draw", "savings", "stepwise"]
 
 # File name without ending -> the figure, or None where the plan has nothing to show there.
-PICTURES: dict[str, Callable[[Course], Figure | None]] = {
+PICTURES: dict[str, Callable[[PlanSeries], Figure | None]] = {
     "joints": over_time.joints,
     "rail": over_time.rail,
     "tcp_speed": over_time.tcp_speed,

@@ -44,7 +44,7 @@ Record = TypeVar("Record", bound=RunRecord[Any])
 
 
 @dataclass(frozen=True, eq=False)
-class Run(Generic[Record]):
+class ResultsFolder(Generic[Record]):
     """A folder read back: its record, and the content of every other file by name, each with the hash recorded.
     stamp: the bytes of run.json."""
 
@@ -71,7 +71,7 @@ class Run(Generic[Record]):
 
 def read_run(
     folder: Path, model: type[Record], needed: tuple[str, ...] = (), judged: tuple[str, ...] = ()
-) -> Run[Record]:
+) -> ResultsFolder[Record]:
     """Read a folder of model's kind with all files that its run.json lists.
 
     needed: names it must list. judged: names whose content may differ from what the run wrote, because a judge looks at
@@ -87,7 +87,9 @@ def read_run(
                 raise  # and not what a run that ended just now has made of it
 
 
-def _read_run(folder: Path, model: type[Record], needed: tuple[str, ...], judged: tuple[str, ...]) -> Run[Record]:
+def _read_run(
+    folder: Path, model: type[Record], needed: tuple[str, ...], judged: tuple[str, ...]
+) -> ResultsFolder[Record]:
     with _reading(folder):
         try:
             folder.stat()
@@ -105,7 +107,7 @@ def _read_run(folder: Path, model: type[Record], needed: tuple[str, ...], judged
         left -= len(contents[name])
         if name not in judged and sha256(contents[name]) != digits:
             raise InputError(f"was changed since the run; {model.REMEDY}", file=str(folder / name))
-    return Run(folder, record, contents, stamp)
+    return ResultsFolder(folder, record, contents, stamp)
 
 
 def write_run(
@@ -113,7 +115,7 @@ def write_run(
     model: type[RunRecord[Any]],
     files: Mapping[str, bytes | BufferedRandom],
     command: str,
-    instead_of: Run[Any] | None = None,
+    instead_of: ResultsFolder[Any] | None = None,
     **said: Any,
 ) -> None:
     """Write a folder of model's kind whole: files, as in write_folder, and run.json with what is said of them.

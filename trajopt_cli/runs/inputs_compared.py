@@ -11,7 +11,7 @@ from typing import Any
 
 from trajopt_cli.errors import printable
 from trajopt_cli.rapid.language.text import decode
-from trajopt_cli.runs.folder import Run
+from trajopt_cli.runs.folder import ResultsFolder
 from trajopt_cli.runs.record import INPUT
 from trajopt_cli.runs.results import PlanRecord
 from trajopt_cli.yaml_file import parse
@@ -53,7 +53,7 @@ class ModuleChange:
     diff: tuple[str, ...]
 
 
-def inputs_of(run: Run[PlanRecord]) -> RunInputs:
+def inputs_of(run: ResultsFolder[PlanRecord]) -> RunInputs:
     """What a folder was made from. Raises InputError for a cell file that is no mapping."""
     record = run.record
     texts = {_name(one.place): decode(run.contents[one.place])[0] for one in record.inputs.files if one.module}

@@ -16,18 +16,18 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.joint_csv import FARTHEST
 from trajopt_cli.motion import Program, SignalEvent, Wait, as_written, without_name
-from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
 from trajopt_cli.problem.corners import Corners
 from trajopt_cli.problem.detours import Detour, Via, point_names
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Eased, Passing, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
-from trajopt_cli.runs.folder import PLAN, Run, read_bytes, read_run
+from trajopt_cli.runs.folder import PLAN, ResultsFolder, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord, Section, UserPath, as_json, quoted
 from trajopt_cli.runs.rows import RowsFile
-from trajopt_cli.runs.together import replace_files
+from trajopt_cli.runs.transaction import replace_files
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
@@ -402,7 +402,7 @@ def read_results(folder: Path, judged: bool = False) -> Results:
     )
 
 
-def _rapid(run: Run[PlanRecord]) -> Iterator[RapidModule]:
+def _rapid(run: ResultsFolder[PlanRecord]) -> Iterator[RapidModule]:
     """The optimised modules: each without the folder program/; program.mod alone is called as the user calls it."""
     given = [(one.path, one.rapid, run.contents[one.place]) for one in run.record.inputs.files if one.rapid is not None]
     for path, place, before in (*given, *((one.path, one.rapid, None) for one in run.record.added)):

@@ -16,10 +16,10 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.optimize.course import Course
+from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.legs import Caps, Run, caps_on, tool_rates
+from trajopt_cli.study.legs import LegLimits, StopToStop, caps_on, tool_rates
 from trajopt_cli.study.rows import Piece, apart
 
 SAFE = 1 - 1e-4  # share of limits used, as of other rows
@@ -45,7 +45,7 @@ class CoursePath:
     """A course at any place: quintic between its nodes, which keeps position and both derivatives there; and the axes
     q_0, q_1 (k,) at its ends, which its own come near but for rounding."""
 
-    course: Course
+    course: SampledPath
     q_0: Array
     q_1: Array
 
@@ -117,7 +117,7 @@ class _Part:
 
 
 def ridden(
-    plant: Plant, run: Run, caps: Sequence[Caps], jerk: Array | None, drive: Drive, generator: str
+    plant: Plant, run: StopToStop, caps: Sequence[LegLimits], jerk: Array | None, drive: Drive, generator: str
 ) -> Piece | Infeasible:
     """A run along its course in the time that the program gives it, or why not; the rest as in on_course.
 
@@ -132,7 +132,7 @@ def ridden(
     return piece.slowed(leg.duration / piece.duration)
 
 
-def on_course(plant: Plant, run: Run, caps: Sequence[Caps], jerk: Array | None, drive: Drive) -> Piece:
+def on_course(plant: Plant, run: StopToStop, caps: Sequence[LegLimits], jerk: Array | None, drive: Drive) -> Piece:
     """The fastest of the profiles that the shares and lengths in question give. caps: in force on each leg, in the
     run's order; infinite for none. jerk (k,): the axes', None where it is free."""
     assert run.course is not None
@@ -182,7 +182,7 @@ class _Used:
     jerk: Array | None
 
 
-def _used(plant: Plant, path: CoursePath, caps: Sequence[Caps], jerk: Array | None) -> _Used:
+def _used(plant: Plant, path: CoursePath, caps: Sequence[LegLimits], jerk: Array | None) -> _Used:
     course, n = path.course, len(path.kept)
     shares = np.clip(np.linspace(0.0, 1.0, _DENSE), _INSIDE, 1 - _INSIDE)
     i, u = np.repeat(np.arange(n), _DENSE), np.tile(shares, n)

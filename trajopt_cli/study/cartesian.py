@@ -34,7 +34,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.bang_bang import AxisMotion, bang_bang, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import Caps, JointsOnLine, Leg, LegKind, fixed_rail
+from trajopt_cli.study.legs import BaselineLeg, BaselineLegKind, JointsOnLine, LegLimits, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
@@ -86,7 +86,7 @@ class _Move:
     along (3,): the line's direction, None for other moves and for lines that turn only or carry the rail along.
     """
 
-    leg: Leg
+    leg: BaselineLeg
     X_0: Array
     turn_axis: Array
     way: Array
@@ -95,16 +95,16 @@ class _Move:
     along: Array | None = None
 
 
-def _move(plant: Plant, leg: Leg) -> _Move:
+def _move(plant: Plant, leg: BaselineLeg) -> _Move:
     seen = Line(*(_from_carriage(plant, q) @ leg.X_FT for q in (leg.q_0, leg.q_1)))
     caps, motion = plant.tcp, leg.motion
-    if leg.kind is LegKind.HOLD or isinstance(motion, Wait | SignalEvent):
+    if leg.kind is BaselineLegKind.HOLD or isinstance(motion, Wait | SignalEvent):
         return _Move(leg, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
     turning = motion.speed.turning
     softly = turning * (caps.acceleration / caps.speed)
     layout, limits, rail = plant.layout, plant.limits, plant.layout.has_rail
     way_rail = float(plant.layout.place(leg.q_1 - leg.q_0))
-    if leg.kind is LegKind.JOINT:
+    if leg.kind is BaselineLegKind.JOINT:
         way = np.r_[seen.chord, seen.angle, way_rail]
         way[np.abs(way) < _POINT] = 0.0
         v_rail, a_rail = (float(layout.place(top)) if rail else 1.0 for top in (limits.velocity, limits.acceleration))
@@ -163,17 +163,17 @@ def _through(before: _Move, after: _Move) -> tuple[Array, Array]:
     if timed or not len(before.way) or not len(after.way) or not np.array_equal(before.leg.X_FT, after.leg.X_FT):
         return rest
     kinds = before.leg.kind, after.leg.kind
-    if kinds == (LegKind.JOINT, LegKind.JOINT):
+    if kinds == (BaselineLegKind.JOINT, BaselineLegKind.JOINT):
         goes_on = before.way * after.way > 0
         goes_on[3] = False  # the two turns have axes of their own
         kept = np.where(goes_on, np.sign(after.way) * np.minimum(_able(before), _able(after)), 0.0)
         return kept, kept
-    if kinds == (LegKind.LINE, LegKind.LINE):
+    if kinds == (BaselineLegKind.LINE, BaselineLegKind.LINE):
         if before.along is None or after.along is None or before.along @ after.along < 1 - _POINT:
             return rest
         both = np.minimum(_able(before), _able(after))
         return both, both
-    line, joint = (before, after) if kinds[0] is LegKind.LINE else (after, before)
+    line, joint = (before, after) if kinds[0] is BaselineLegKind.LINE else (after, before)
     if line.along is None:
         return rest
     used = np.abs(line.along) > _POINT
@@ -191,7 +191,7 @@ def _able(move: _Move) -> Array:
 
 def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Array, Array]) -> Piece | Infeasible:
     leg = move.leg
-    if leg.kind is LegKind.HOLD:
+    if leg.kind is BaselineLegKind.HOLD:
         return hold(leg.q_0, leg.lasts)
     task = 0.0, begin[1], move.way, end[0], move.v_max, move.a_max
     T = common_time(*task)
@@ -205,21 +205,21 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
             break
         motion = in_time(*task, T + attempt * LONGER)
     duration = float(motion.duration.max())
-    if leg.kind is LegKind.LINE:
+    if leg.kind is BaselineLegKind.LINE:
         return Piece(duration, _switches(motion), partial(_on_line, JointsOnLine.of(plant, leg), move, motion))
     space = _Space(plant, move, motion, duration, _branch(plant, leg))
     refused = space.refusal()
     return refused or Piece(duration, _switches(motion), space.at)
 
 
-def _caps(plant: Plant, leg: Leg) -> Caps:
+def _caps(plant: Plant, leg: BaselineLeg) -> LegLimits:
     """The tool's caps, those of the rail, and none of the joints; a joint move knows no programmed speed."""
     motion, rail = leg.motion, plant.layout.rail
     assert not isinstance(motion, Wait | SignalEvent)
     speed, acceleration = (np.full(len(plant.start), np.inf) for _ in range(2))
     speed[rail], acceleration[rail] = plant.limits.velocity[rail], plant.limits.acceleration[rail]
-    v_tcp = plant.tcp.speed if leg.kind is LegKind.JOINT else leg.v_tcp
-    return Caps(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.turning, leg.X_FT)
+    v_tcp = plant.tcp.speed if leg.kind is BaselineLegKind.JOINT else leg.v_tcp
+    return LegLimits(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.turning, leg.X_FT)
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, _: float | None) -> Piece:
@@ -246,7 +246,7 @@ def _on_line(line: JointsOnLine, move: _Move, motion: AxisMotion, t: Array) -> t
     return q, line.slopes(q) * (v[0] / move.way[0])[:, None]
 
 
-def _branch(plant: Plant, leg: Leg) -> int:
+def _branch(plant: Plant, leg: BaselineLeg) -> int:
     """The branch (cfx) that a leg begins on."""
     robot = plant.robot
     X_WF = robot.forward(leg.q_0)

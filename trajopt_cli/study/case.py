@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.problem.freedom import Freedom
+from trajopt_cli.problem.decision_scope import Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory

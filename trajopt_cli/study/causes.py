@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from trajopt_cli.motion import Move, Program, Zone
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 

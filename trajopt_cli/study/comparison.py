@@ -9,16 +9,16 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change, out_of_order, streamed
-from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.detours import held_against
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.workers import in_turns
 
 if TYPE_CHECKING:
     from trajopt_cli.findings import Report
@@ -138,7 +138,7 @@ def _bare(target: Target) -> str:
 
 def comparison_pictures(answer: Comparison, target: Target = Target.STREAM) -> dict[str, bytes]:
     """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan for target, by file name."""
-    from trajopt_cli.pipeline.optimise import plan_pictures
+    from trajopt_cli.pipeline.optimize import plan_pictures
     from trajopt_cli.report.pictures import Bar, comparison, savings
 
     name = answer.job.title
@@ -271,7 +271,7 @@ class _Study:
 
     def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell, program: Program) -> Result:
         """What make gives, judged as the CSV text it would be written as."""
-        from trajopt_cli.optimize import NoCleanPlan
+        from trajopt_cli.plan import NoCleanPlan
         from trajopt_cli.study.case import Case, NotApplicable
 
         try:
@@ -295,7 +295,7 @@ class _Study:
 
     def _solver(self, name: str, tell: Tell) -> Solve:
         """The optimiser, that does not answer twice; a plan gets a bound where everything is free."""
-        from trajopt_cli.optimize import NoCleanPlan, optimize
+        from trajopt_cli.plan import NoCleanPlan, optimize
 
         def solve(program: Program, target: Target, freedom: Freedom) -> Plan | Infeasible:
             question = self.question(target, freedom)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from trajopt_cli.pipeline.optimise import held_unasked, inputs_of, made_by
+from trajopt_cli.pipeline.optimize import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import COMPARISON, write_run
@@ -61,7 +61,7 @@ def write_comparison(folder: Path, answer: Comparison, options: ComparisonOption
 def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
     """report.html, which shows all of an answer."""
     from trajopt_cli.page.compared import Cause, compared_page
-    from trajopt_cli.page.optimised import Provenance
+    from trajopt_cli.page.optimized import Provenance
 
     job = answer.job
     records = comparison_record(answer)["rows"]

@@ -88,7 +88,7 @@ class Estimate:
 
 def estimate(job: Job) -> Estimate | str:
     """The program as written, driven by the RAPID controller under the cell's limits; or why it cannot be, one line."""
-    from trajopt_cli.optimize import Memory
+    from trajopt_cli.plan import Memory
 
     plan = as_written(job, changes_of(job, Target.RAPID), Clock(), Memory())
     if isinstance(plan, str):

@@ -28,27 +28,27 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, course_of
-from trajopt_cli.optimize.tuning import RUN_NODES
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.changes import everything
+from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
+from trajopt_cli.problem.acceleration_settings import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.corners import corners_of, passed_in
-from trajopt_cli.problem.demands import acceleration_share, path_acceleration, tcp_acceleration
+from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.detours import unfolded, with_detours
-from trajopt_cli.problem.freedom import FIXED_RAIL
+from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
+from trajopt_cli.settings import RUN_NODES
 from trajopt_cli.study.case import Case
+from trajopt_cli.trajectories.axes import Axes
 
 _NODES = 401  # of a line's table: at 0.5 m 1.2 mm apart
 _ON_BRANCH = 1e-6  # rad: axes are what a branch says
 _CAPS = ("speed", "acceleration", "v_tcp", "a_tcp", "v_ori")
 
 
-class LegKind(Enum):
+class BaselineLegKind(Enum):
     """How a leg moves: axes free on the way, the TCP on its line (or resting while the rail moves), or not at all."""
 
     JOINT = "joint"
@@ -57,7 +57,7 @@ class LegKind(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Leg:
+class BaselineLeg:
     """From point to point. index: of its motion in the program carried out. q_0, q_1 (k,): axes at both ends, at a
     fly-by as if it stopped there.
 
@@ -67,7 +67,7 @@ class Leg:
 
     index: int
     motion: Motion
-    kind: LegKind
+    kind: BaselineLegKind
     q_0: Array
     q_1: Array
     X_FT: Array
@@ -102,12 +102,12 @@ class Leg:
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class StopToStop:
     """The legs from one stop to the next. course: where they lead, for an arc and for legs with corners between them;
     None for a joint move, a line or a hold alone."""
 
-    legs: tuple[Leg, ...]
-    course: Course | None = None
+    legs: tuple[BaselineLeg, ...]
+    course: SampledPath | None = None
 
     @property
     def least(self) -> float:
@@ -134,7 +134,7 @@ class FixedRail:
 
     program: Program
     plan: Plan
-    runs: tuple[Run, ...]
+    runs: tuple[StopToStop, ...]
     stops: int = 0
 
     @property
@@ -166,7 +166,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     kept = [motion for motion in plan.motions if not motion.dropped]
     program = replace(there, motions=tuple(there.motions[motion.index] for motion in kept))
     X_FT = np.eye(4)
-    legs: list[Leg] = []
+    legs: list[BaselineLeg] = []
     for index, planned in enumerate(kept):
         motion = program.motions[index]
         if not isinstance(motion, Wait | SignalEvent | MoveExtJ):
@@ -179,10 +179,12 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     return FixedRail(program, plan, tuple(_runs(program, plant, legs, passed, bool(passed) or stops > 0)), stops)
 
 
-def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[int], corners: bool) -> Iterator[Run]:
+def _runs(
+    program: Program, plant: Plant, legs: list[BaselineLeg], passed: Collection[int], corners: bool
+) -> Iterator[StopToStop]:
     """passed: the motions at whose end the plan stops not. corners: whether there are points that could be passed."""
     if not corners and not any(isinstance(leg.motion, MoveC) for leg in legs):
-        yield from (Run((leg,)) for leg in legs)
+        yield from (StopToStop((leg,)) for leg in legs)
         return
     problem = build_problem(program, plant, FIXED_RAIL, Target.STREAM, everything(program, plant))
     assert isinstance(problem, Problem)  # there is a plan for it
@@ -193,7 +195,7 @@ def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[in
     for k in range(1, len(q)):
         q[k] = known.get(k, q[k - 1])  # a leg without a way takes no time
     cfx = [_branch(plant, axes) for axes in q]
-    run: list[Leg] = []
+    run: list[BaselineLeg] = []
     for leg in legs:
         run.append(leg)
         if leg.index in passed:
@@ -204,11 +206,11 @@ def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[in
             course = course_of(Axes.of(plant), problem, ends, q, cfx, RUN_NODES)
             if course is None:
                 raise ValueError(f"{leg.motion.source}: {leg.name} has no course, although the fixed-rail plan has one")
-        yield Run(tuple(run), course)
+        yield StopToStop(tuple(run), course)
         run = []
 
 
-def _at_its_speed(leg: Leg, problem: Problem) -> Leg:
+def _at_its_speed(leg: BaselineLeg, problem: Problem) -> BaselineLeg:
     """A leg whose programmed time stands for a speed in the plan, beside a fly-by, at that speed."""
     if leg.duration is None or not isinstance(leg.motion, Move):
         return leg
@@ -229,16 +231,22 @@ def _branch(plant: Plant, q: Array) -> int:
 
 def _leg(
     plant: Plant, index: int, motion: Motion, X_FT: Array, q_0: Array, q_1: Array, span: tuple[float, float]
-) -> Leg:
+) -> BaselineLeg:
     """A leg with the caps that the judge holds against it."""
     v_tcp, a_tcp, v_ori, v_rail, duration = plant.tcp.speed, plant.tcp.acceleration, np.inf, np.inf, None
-    kind, share = LegKind.HOLD, 1.0
+    kind, share = BaselineLegKind.HOLD, 1.0
     if isinstance(motion, Wait | SignalEvent):
         duration = motion.duration if isinstance(motion, Wait) else None
     else:
         duration = None if motion.duration is None else max(motion.duration, motion.least)
         moves = bool(np.abs(q_1 - q_0).max() > 0)
-        kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL | MoveC) else LegKind.JOINT
+        kind = (
+            BaselineLegKind.HOLD
+            if not moves
+            else BaselineLegKind.LINE
+            if isinstance(motion, MoveL | MoveC)
+            else BaselineLegKind.JOINT
+        )
         a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)
         a_tcp = min(a_tcp, *(path_acceleration(motion, plant.tcp) or (a_tcp,)))  # these rows know no other cap
         free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
@@ -246,11 +254,11 @@ def _leg(
             v_rail = motion.speed.v_leax or np.inf
             if not isinstance(motion, MoveExtJ):
                 v_tcp, v_ori = min(v_tcp, motion.speed.v_tcp), motion.speed.turning
-    return Leg(index, motion, kind, q_0, q_1, X_FT, v_tcp, a_tcp, v_ori, v_rail, duration, span, share)
+    return BaselineLeg(index, motion, kind, q_0, q_1, X_FT, v_tcp, a_tcp, v_ori, v_rail, duration, span, share)
 
 
 @dataclass(frozen=True, eq=False)
-class Caps:
+class LegLimits:
     """Limits in force: of the axes' speeds and accelerations (k,), of the TCP's speed, acceleration and turning. At n
     samples all of them may differ, (n, k) and (n,), and the tool, (n, 4, 4)."""
 
@@ -262,24 +270,24 @@ class Caps:
     X_FT: Array
 
 
-def caps_of(plant: Plant, leg: Leg) -> Caps:
+def caps_of(plant: Plant, leg: BaselineLeg) -> LegLimits:
     """What is in force on a leg; the rail's speed is the programmed one."""
     speed, rail = np.array(plant.limits.velocity), plant.layout.rail
     speed[rail] = np.minimum(speed[rail], leg.v_rail)
-    return Caps(speed, plant.limits.acceleration * leg.share, leg.v_tcp, leg.a_tcp, leg.v_ori, leg.X_FT)
+    return LegLimits(speed, plant.limits.acceleration * leg.share, leg.v_tcp, leg.a_tcp, leg.v_ori, leg.X_FT)
 
 
-def caps_in(plant: Plant, run: Run, t: Array) -> Caps:
+def caps_in(plant: Plant, run: StopToStop, t: Array) -> LegLimits:
     """What is in force at times t (n,) [s] of the fixed-rail plan."""
     i = np.searchsorted([leg.span[1] for leg in run.legs[:-1]], t, side="right")
     return caps_on([caps_of(plant, leg) for leg in run.legs], i)
 
 
-def caps_on(caps: Sequence[Caps], i: IndexArray) -> Caps:
+def caps_on(caps: Sequence[LegLimits], i: IndexArray) -> LegLimits:
     """What is in force on each of these legs (n,) of a run, of whose legs caps are."""
     arrays = {name: np.array([getattr(one, name) for one in caps])[i] for name in _CAPS}
     tools = np.array([one.X_FT for one in caps])
-    return Caps(**arrays, X_FT=tools[0] if (tools == tools[0]).all() else tools[i])
+    return LegLimits(**arrays, X_FT=tools[0] if (tools == tools[0]).all() else tools[i])
 
 
 @dataclass(frozen=True, eq=False)
@@ -308,7 +316,7 @@ class Use:
         return max(float(self.any_speed.max()), float(np.sqrt(self.any_acceleration.max())))
 
 
-def use_of(plant: Plant, caps: Caps, q: Array, qd: Array, qdd: Array) -> Use:
+def use_of(plant: Plant, caps: LegLimits, q: Array, qd: Array, qdd: Array) -> Use:
     """Use of limits at samples q, qd, qdd (n, k)."""
     V, A = tool_rates(plant, caps.X_FT, q, qd, qdd)
     moving, turning = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
@@ -339,14 +347,14 @@ class JointsOnLine:
     """
 
     plant: Plant
-    leg: Leg
+    leg: BaselineLeg
     line: Line
     cfx: int
     s: Array
     q: Array
 
     @classmethod
-    def of(cls, plant: Plant, leg: Leg) -> JointsOnLine:
+    def of(cls, plant: Plant, leg: BaselineLeg) -> JointsOnLine:
         """The line between a leg's ends, on the branch that q_0 is on."""
         line = Line(plant.robot.forward(leg.q_0) @ leg.X_FT, plant.robot.forward(leg.q_1) @ leg.X_FT)
         s = np.linspace(0.0, 1.0, _NODES)
@@ -384,12 +392,12 @@ def _whole_turns(difference: Array) -> Array:
     return np.asarray(2 * np.pi * np.round(difference / (2 * np.pi)))
 
 
-def _rail_at(plant: Plant, leg: Leg, s: Array) -> Array:
+def _rail_at(plant: Plant, leg: BaselineLeg, s: Array) -> Array:
     d_0, d_1 = (plant.robot.layout.place(q) for q in (leg.q_0, leg.q_1))
     return d_0 + s * (d_1 - d_0)
 
 
-def _branches(plant: Plant, leg: Leg, line: Line, s: Array) -> Array:
+def _branches(plant: Plant, leg: BaselineLeg, line: Line, s: Array) -> Array:
     """Joints (m, branches, joints) of all branches at shares s (m,) of the line."""
     X_WF = line.pose(s) @ inverse_pose(leg.X_FT)
     return plant.robot.branches(X_WF, _rail_at(plant, leg, s))

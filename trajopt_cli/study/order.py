@@ -13,19 +13,19 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
-from trajopt_cli.beside import cores, in_turns
-from trajopt_cli.pipeline.optimise import inputs_of
+from trajopt_cli.pipeline.optimize import inputs_of
 from trajopt_cli.pipeline.planning import Listener, judge, may_change, touches, worst
-from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.detours import held_against
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import ORDER, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.order_text import Group
+from trajopt_cli.workers import cores, in_turns
 
 Order = tuple[int, ...]
 
@@ -143,12 +143,12 @@ def order_of(
     patience: ends the search, and what was found by then is the answer. Raises InputError for parts that do not begin
     with a joint move. Infeasible: no order is connected, or the motion that cannot be done in any.
     """
-    from trajopt_cli.optimize import sequence
-    from trajopt_cli.optimize.axes import Axes
-    from trajopt_cli.optimize.legal import Question
-    from trajopt_cli.optimize.tuning import EXACT_STATIONS
-    from trajopt_cli.problem.freedom import EVERYTHING
+    from trajopt_cli.graph_search import sequence
+    from trajopt_cli.plan.initial_plan import Question
+    from trajopt_cli.problem.decision_scope import EVERYTHING
     from trajopt_cli.problem.problem import Problem
+    from trajopt_cli.settings import EXACT_STATIONS
+    from trajopt_cli.trajectories.axes import Axes
 
     job = group.job
     agreed = may_change(job, Loops.KEEP)
@@ -234,7 +234,7 @@ class _Work:
 
     def _one(self, one: Tour, full: bool, tell: Callable[[object], None]) -> Tour | None:
         """The written order is always planned."""
-        from trajopt_cli.optimize import NoCleanPlan, optimize, search_estimate
+        from trajopt_cli.plan import NoCleanPlan, optimize, search_estimate
 
         if self.patience.over and one.order != tuple(sorted(one.order)):
             return None
@@ -325,7 +325,7 @@ def apply_order(answer: Ordered) -> Path:
 
     Raises InputError, with the file as it was, where it is another one by now or cannot be written.
     """
-    from trajopt_cli.runs.together import replace_files
+    from trajopt_cli.runs.transaction import replace_files
 
     given = answer.group.job.program.files[answer.group.file]
     text = answer.new_text

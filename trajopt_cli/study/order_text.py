@@ -11,12 +11,12 @@ from itertools import pairwise
 from pathlib import PurePath
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_check import first_difference
-from trajopt_cli.export.rapid_reading import Reading
-from trajopt_cli.export.rapid_scopes import nodes
+from trajopt_cli.exporters.rapid_check import first_difference
+from trajopt_cli.exporters.rapid_reading import Reading
+from trajopt_cli.exporters.rapid_scopes import nodes
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, SignalEvent, Wait
-from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.editable import Changes
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import (
     Assign,

@@ -13,20 +13,20 @@ from functools import partial
 from itertools import product
 from pathlib import Path
 
-from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Source
 from trajopt_cli.pipeline.planning import Listener, judge, may_change, touches, worst
-from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.detours import held_against
-from trajopt_cli.problem.patience import Patience
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
+from trajopt_cli.workers import cores, in_turns
 
 EACH = 30
 """Points of the coarse search for each range."""
@@ -295,7 +295,7 @@ def score(one: Tried, target: Target) -> float:
 
 def tried(site: Site, offset: Offset, target: Target, patience: Patience | None, known: Tried | None = None) -> Tried:
     """One place: its first legal motion or, with patience, its full plan, judged. known: what is known of it."""
-    from trajopt_cli.optimize import NoCleanPlan, optimize, search_estimate
+    from trajopt_cli.plan import NoCleanPlan, optimize, search_estimate
 
     try:
         job = site.at(offset)

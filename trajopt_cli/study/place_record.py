@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 from typing import Any, ClassVar
 
-from trajopt_cli.pipeline.optimise import inputs_of
+from trajopt_cli.pipeline.optimize import inputs_of
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.folder import PLACE, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json

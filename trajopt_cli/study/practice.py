@@ -19,7 +19,7 @@ from trajopt_cli.motion import (
     Written,
     Zone,
 )
-from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned

@@ -19,7 +19,7 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
-from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Use, caps_of, fixed_rail, use_of
+from trajopt_cli.study.legs import BaselineLeg, BaselineLegKind, JointsOnLine, Use, caps_of, fixed_rail, use_of
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
@@ -95,10 +95,10 @@ def _drive(v_0: float, v_1: float, way: float, v: float, a: float, j: float | No
     return Piece(motion.duration, motion.switches, at)
 
 
-def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:
-    if leg.kind is LegKind.HOLD:
+def _piece(plant: Plant, leg: BaselineLeg, jerk: Array | None) -> Piece | Infeasible:
+    if leg.kind is BaselineLegKind.HOLD:
         return hold(leg.q_0, leg.lasts)
-    line = JointsOnLine.of(plant, leg) if leg.kind is LegKind.LINE else None
+    line = JointsOnLine.of(plant, leg) if leg.kind is BaselineLegKind.LINE else None
     motion = _joint_move(plant, leg, jerk) if line is None else _along(line, jerk)
     if leg.duration is not None:
         if motion.duration > leg.duration * (1 + 1e-9):
@@ -120,7 +120,7 @@ class _JointMove:
     """A joint move with its limits scaled; straight: along the straight line in the joints."""
 
     plant: Plant
-    leg: Leg
+    leg: BaselineLeg
     jerk: Array | None
     straight: bool
 
@@ -167,7 +167,7 @@ class _JointMove:
         return out
 
 
-def _joint_move(plant: Plant, leg: Leg, jerk: Array | None) -> PointToPoint:
+def _joint_move(plant: Plant, leg: BaselineLeg, jerk: Array | None) -> PointToPoint:
     """The shortest of the candidates, axes on their own or straight."""
     moves = [move for straight in (False, True) for move in _JointMove(plant, leg, jerk, straight).candidates()]
     return min([move for move in moves if apart(move.switches)] or moves, key=lambda move: move.duration)

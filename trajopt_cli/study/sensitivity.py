@@ -8,27 +8,27 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.pipeline.folder import plans_of_results
-from trajopt_cli.pipeline.optimise import Collides, Illegal, inputs_of
+from trajopt_cli.pipeline.optimize import Collides, Illegal, inputs_of
 from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, may_change, touches, worst
-from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.detours import Detour, Numbering, unfolded, with_detours
+from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.objective import LEAST_TIME
-from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import SENSITIVITY, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
+from trajopt_cli.workers import cores, in_turns
 
 if TYPE_CHECKING:
-    from trajopt_cli.optimize.again import Again, Answer
+    from trajopt_cli.plan.plan_sensitivity import Again, Answer
 
 APART = 0.3
 """Share by which first order and the plan solved again may differ before that is told."""
@@ -149,7 +149,7 @@ def asked(
     search: bool,
 ) -> Sensitivity:
     """Every lever on plans at hand."""
-    from trajopt_cli.optimize.again import Again, NotAgain
+    from trajopt_cli.plan.plan_sensitivity import Again, NotAgain
 
     every = levers(job.program, job.plant)
     at_hand: dict[Target, Again] = {}
@@ -207,7 +207,7 @@ def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: L
     """The rows with what is saved where the program is planned anew."""
 
     def anew(lever: Lever, tell: Callable[[str], None]) -> float | None:
-        from trajopt_cli.optimize import NoCleanPlan, optimize
+        from trajopt_cli.plan import NoCleanPlan, optimize
 
         tell(lever.name)
         program, plant = lever.change(1.0)

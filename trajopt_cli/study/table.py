@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.study.cartesian import bang_bang_row
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned

@@ -23,8 +23,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Motion, Move, MoveC, MoveJ, MoveL, Program, motion_name
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.problem.changes import droppable
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
+from trajopt_cli.problem.editable import droppable
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges

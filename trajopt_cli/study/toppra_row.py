@@ -19,7 +19,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import Caps, LegKind, Run, caps_in, fixed_rail, tool_rates, use_of
+from trajopt_cli.study.legs import BaselineLegKind, LegLimits, StopToStop, caps_in, fixed_rail, tool_rates, use_of
 from trajopt_cli.study.rows import Piece, apart, hold, lasting, rows_of
 from trajopt_cli.timing.law import TimeLaw, fastest_law
 from trajopt_cli.trajectory import Trajectory, hermite
@@ -59,10 +59,10 @@ def toppra(case: Case) -> Answer:
     return Attempt(given.program, trajectory, notes=tuple(notes))
 
 
-def _piece(plant: Plant, run: Run, trajectory: Trajectory) -> tuple[Piece, bool] | Infeasible:
+def _piece(plant: Plant, run: StopToStop, trajectory: Trajectory) -> tuple[Piece, bool] | Infeasible:
     """The run timed, and whether TOPP-RA did it; or why its programmed time cannot be kept."""
     leg = run.legs[0]
-    if leg.kind is LegKind.HOLD:
+    if leg.kind is BaselineLegKind.HOLD:
         return hold(leg.q_0, leg.lasts), True
     path = _Path.of(plant, run, trajectory)
     found = _timed(path)
@@ -83,12 +83,12 @@ class _Path:
     """A run of the plan: s is the plan's time from the run's begin; its points (n,) are those of TOPP-RA."""
 
     plant: Plant
-    run: Run
+    run: StopToStop
     trajectory: Trajectory
     s: Array
 
     @classmethod
-    def of(cls, plant: Plant, run: Run, trajectory: Trajectory) -> _Path:
+    def of(cls, plant: Plant, run: StopToStop, trajectory: Trajectory) -> _Path:
         t_0, t_1 = run.span
         inside = (trajectory.t > t_0 + 1e-9) & (trajectory.t < t_1 - 1e-9)
         t = np.r_[t_0, trajectory.t[inside], t_1]
@@ -112,7 +112,7 @@ class _Path:
         t_0, t_1 = self.run.span
         return hermite(self.trajectory, np.clip(t_0 + s, t_0, t_1))
 
-    def caps(self, s: Array) -> Caps:
+    def caps(self, s: Array) -> LegLimits:
         """Limits in force at s (m,)."""
         return caps_in(self.plant, self.run, self.run.span[0] + s)
 
@@ -126,7 +126,7 @@ class _Path:
         """Axes and derivatives (n-1, k) where every interval ends."""
         return self.at(self.s[1:] - _BESIDE)
 
-    def columns(self, side: tuple[Array, Array, Array], caps: Caps) -> tuple[Array, Array]:
+    def columns(self, side: tuple[Array, Array, Array], caps: LegLimits) -> tuple[Array, Array]:
         """Slopes and bends (n-1, m) in shares of their limits: all axes, then the TCP in several directions."""
         q, first, second = side
         V, bend = tool_rates(self.plant, caps.X_FT, q, first, second)

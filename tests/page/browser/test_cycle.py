@@ -14,7 +14,7 @@ from window import Window
 
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.motion import TextFile
-from trajopt_cli.page.optimised import Provenance, optimised_page
+from trajopt_cli.page.optimized import Provenance, optimised_page
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile

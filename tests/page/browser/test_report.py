@@ -75,8 +75,8 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Results folders of optimize (its planner a stand-in) and of iiwa simulate."""
     place = tmp_path_factory.mktemp("report")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("trajopt_cli.optimize.optimize", Planner())
-        patch.setattr("trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
+        patch.setattr("trajopt_cli.plan.optimize", Planner())
+        patch.setattr("trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
         patch.chdir(place)
         Path("tiny.mod").write_text(TEXT)
         Path("tiny.yaml").write_text(CELL)

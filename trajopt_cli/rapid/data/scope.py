@@ -174,7 +174,7 @@ class ModuleScope(Scope):
 
 
 @dataclass(eq=False, slots=True)
-class Frame:
+class CallFrame:
     """One call of a routine: the module it stands in, its local names in lower case, and what it must return.
 
     routine: None while a module's data is computed. caller: the call that called this one. given: the arguments as the
@@ -188,8 +188,8 @@ class Frame:
     local: dict[str, Place | Absent] = field(default_factory=dict)
     returns: Type | None = None
     routine: Routine | None = None
-    caller: Frame | None = None
-    given: dict[str, tuple[Argument, Frame]] = field(default_factory=dict)
+    caller: CallFrame | None = None
+    given: dict[str, tuple[Argument, CallFrame]] = field(default_factory=dict)
     handling: Fault | None = None
     retried: tuple[int, int, int] = (0, 0, 0)
     motions: int = 0

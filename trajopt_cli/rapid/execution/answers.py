@@ -34,11 +34,11 @@ from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import NUM_LIMIT, Answer, yaml_answer
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Node
 
 
-def root(run: Run, node: Expression) -> str:
+def root(run: Execution, node: Expression) -> str:
     """The name of the variable that an expression is, or is a part of: `p` of `p{2}.trans.x`."""
     while isinstance(node, (Component, Element)):
         node = node.base
@@ -47,7 +47,7 @@ def root(run: Run, node: Expression) -> str:
     return node.name
 
 
-def fill(run: Run, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
+def fill(run: Execution, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
     """Let a variable have the scenario's answer under its name; returns the value.
 
     A type that nothing here computes with (rawbytes ...) stays as it is, and None is returned. reason: what asked, for
@@ -64,7 +64,7 @@ def fill(run: Run, target: Expression, reason: str, default: Answer | None = Non
 
 
 def ask(
-    run: Run,
+    run: Execution,
     node: Node,
     name: str,
     type_: Type,
@@ -82,7 +82,7 @@ def ask(
 
 
 @of_kind(ErrorKind.CELL)
-def typed(run: Run, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
+def typed(run: Execution, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
     """What the cell file gives under name as a value of a type. what, of: "answer", "to" and the like, for messages."""
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
         if type_ is NUM and abs(answer) > NUM_LIMIT:
@@ -109,7 +109,7 @@ _WANTED = {
 }
 
 
-def _parsed(run: Run, node: Node, subject: str, type_: Type, text: str) -> Value:
+def _parsed(run: Execution, node: Node, subject: str, type_: Type, text: str) -> Value:
     try:
         literal = parse_expression(text, "")
         names = [*_names(literal)]
@@ -136,19 +136,19 @@ def _names(literal: Expression) -> Iterator[str]:
 _LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
 
 
-def _example(run: Run, node: Node, name: str, type_: Type) -> str:
+def _example(run: Execution, node: Node, name: str, type_: Type) -> str:
     """A value of a record or an array as RAPID writes it."""
     return _whole(run, node, name, Value(type_, stand_in(type_)))
 
 
-def _whole(run: Run, node: Node, name: str, value: Value) -> str:
+def _whole(run: Execution, node: Node, name: str, value: Value) -> str:
     text = _literal(value.type, value.data, _LONGEST)
     if len(text) > _LONGEST:
         raise run.error(node, f"'{name}' is a {value.type.name} with more values than a cell file can hold")
     return text
 
 
-def shown_value(run: Run, node: Node, name: str, value: Value) -> str:
+def shown_value(run: Execution, node: Node, name: str, value: Value) -> str:
     """The value of data as the cell file spells it."""
     plain = isinstance(value.type, Atomic)
     return yaml_answer(value.data if plain else _whole(run, node, name, value))

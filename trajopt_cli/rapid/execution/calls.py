@@ -7,22 +7,21 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
-from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
+from trajopt_cli.rapid.data.scope import ABSENT, Absent, CallFrame, Datum, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import named, present, subject
+from trajopt_cli.rapid.execution.control_flow import Jump, Return
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
 from trajopt_cli.rapid.execution.faults import Undeclared
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS, STOPPING
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS
 from trajopt_cli.rapid.execution.instructions.waits import hold_up
-from trajopt_cli.rapid.execution.jumps import Jump, Return
 from trajopt_cli.rapid.execution.loading import find_type
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
-from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.operators import computed
+from trajopt_cli.rapid.execution.type_errors import Mismatch
 from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import (
     Argument,
@@ -38,9 +37,10 @@ from trajopt_cli.rapid.language.syntax import (
     ProcedureCall,
     Routine,
 )
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 CALL_LIMIT = 250  # routines inside routines
 CALL_COST = 6  # statements that take as long as a call
@@ -75,7 +75,7 @@ class Head:
 # ------------------------------------------------------------------------------------------------- calls by name
 
 
-def procedure(run: Run, node: ProcedureCall) -> None:
+def procedure(run: Execution, node: ProcedureCall) -> None:
     """An instruction, or a procedure of the program; the program's own goes first."""
     found = run.routine(node.name)
     if found is not None:
@@ -110,7 +110,7 @@ def _remedy(node: ProcedureCall, routine: Routine) -> str:
     return f"only a PROC is called as a statement; write 'x:={node.name}({taken});', or make it a PROC"
 
 
-def _stub(run: Run, node: ProcedureCall) -> None:
+def _stub(run: Execution, node: ProcedureCall) -> None:
     """A procedure that no file declares: it does nothing, which is for the user to say."""
     if node.name.lower() in run.scenario.stubs:
         run.world.asked("stubs", node.name.lower())
@@ -118,7 +118,7 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         if _moves(run, node):
             what = f"{node.name} does nothing here (stubs), but its name or arguments say that it moves the robot or "
             what += "sets its speed; check that"
-            run.warn(NoticeKind.ASSUMED, what, run.source(node))
+            run.warn(WarningKind.ASSUMED, what, run.source(node))
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
 
@@ -140,12 +140,12 @@ def _stub(run: Run, node: ProcedureCall) -> None:
     run.world.lack(run, "stubs", node.name, node, message, "", close=close)
 
 
-def _moves(run: Run, node: ProcedureCall) -> bool:
+def _moves(run: Execution, node: ProcedureCall) -> bool:
     """Whether an unknown procedure moves or sets speeds: by its name, or as it is given targets or speeds."""
     return _MOVING.fullmatch(node.name) is not None or any(_tells_a_move(run, arg.value) for arg in node.args)
 
 
-def _tells_a_move(run: Run, value: Expression | None) -> bool:
+def _tells_a_move(run: Execution, value: Expression | None) -> bool:
     while isinstance(value, Element):
         value = value.base
     if isinstance(value, Call):
@@ -158,7 +158,7 @@ def _tells_a_move(run: Run, value: Expression | None) -> bool:
     return type_.name in _OF_MOVES
 
 
-def function(run: Run, node: Call, wanted: Type | None) -> Value:
+def function(run: Execution, node: Call, wanted: Type | None) -> Value:
     """The value of a function of the program, of a predefined one, or of one that the scenario answers for.
 
     wanted: the type that the place asks for.
@@ -193,23 +193,23 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
     return computed(run, node, value.type, value.data) if value.origin is None else value
 
 
-def knows(run: Run, name: str) -> bool:
+def knows(run: Execution, name: str) -> bool:
     """Whether a function is one of the program's or of RAPID's."""
     return name.lower() in _FUNCTIONS or run.routine(name) is not None
 
 
-def _told(run: Run, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
+def _told(run: Execution, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
     """The error, with the argument that it is about."""
     name = subject(run, call, error.node)
     return error.about(error.node, name) if name else error
 
 
-def late_call(run: Run, node: LateCall) -> None:
+def late_call(run: Execution, node: LateCall) -> None:
     """`%expression% arguments;`."""
     call_by_name(run, node, str(evaluate(run, node.name, STRING).data), node.args)
 
 
-def call_by_name(run: Run, node: Node, text: str, args: Sequence[Argument]) -> None:
+def call_by_name(run: Execution, node: Node, text: str, args: Sequence[Argument]) -> None:
     """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that module.
 
     Raises Fault where there is none.
@@ -240,7 +240,7 @@ def call_by_name(run: Run, node: Node, text: str, args: Sequence[Argument]) -> N
 # --------------------------------------------------------------------------------------------------- one routine
 
 
-def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argument], node: Node) -> Value | None:
+def enter(run: Execution, routine: Routine, scope: ModuleScope, args: Sequence[Argument], node: Node) -> Value | None:
     """Run a routine with arguments that stand in the routine that runs now; the value that a FUNC returns."""
     if run.depth >= CALL_LIMIT:
         raise run.error(node, f"calls are nested deeper than {CALL_LIMIT} routines at {routine.name}")
@@ -248,7 +248,7 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     if run.budget < 0:
         raise run.exhausted(node)
     head = _head(run, routine, scope)
-    frame = Frame(scope, returns=head.returns, routine=routine, caller=run.frame, motions=len(run.motions))
+    frame = CallFrame(scope, returns=head.returns, routine=routine, caller=run.frame, motions=len(run.motions))
     if routine is run.frame.routine and node is routine.body[-1] and not args and len(run.motions) > run.frame.motions:
         loop = f"{routine.kind} {routine.name}, whose last statement calls it again,"
         counted = run.frame.turns.get(id(node), (0, 0))[1]
@@ -271,7 +271,7 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     return None
 
 
-def _lost(run: Run, routine: Routine, node: Goto) -> Exception:
+def _lost(run: Execution, routine: Routine, node: Goto) -> Exception:
     stack: list[object] = list(routine.body)
     while stack:
         inner = stack.pop()
@@ -284,11 +284,11 @@ def _lost(run: Run, routine: Routine, node: Goto) -> Exception:
     return run.error(node, f"there is no label {node.label} in {routine.kind} {routine.name}")
 
 
-def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
+def _head(run: Execution, routine: Routine, scope: ModuleScope) -> Head:
     head = run.heads.get(id(routine))
     if head is not None:
         return head
-    with run.inside(Frame(scope)):
+    with run.inside(CallFrame(scope)):
         types = []
         for parameter in routine.parameters:
             element = find_type(run, parameter.type, parameter)
@@ -297,7 +297,7 @@ def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
         for handler in routine.handlers:
             if handler.kind == "UNDO":
                 what = "UNDO runs where a long jump or a moved program pointer leaves the routine; it is left out here"
-                run.warn(NoticeKind.NO_EFFECT, what, run.source(handler))
+                run.warn(WarningKind.NO_EFFECT, what, run.source(handler))
     groups: list[list[str]] = []
     for parameter in routine.parameters:
         if parameter.alternative and groups:
@@ -310,7 +310,7 @@ def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
     return head
 
 
-def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: Frame, node: Node) -> None:
+def _pass(run: Execution, routine: Routine, head: Head, args: list[Argument], frame: CallFrame, node: Node) -> None:
     """Fill a frame's parameters. args are evaluated where the call stands."""
     required = [arg for arg in args if arg.name is None]
     optional = {arg.name.lower(): arg for arg in args if arg.name is not None}
@@ -340,7 +340,7 @@ def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: F
         raise run.error(arg, f"{routine.name} has no optional parameter \\{arg.name}")
 
 
-def _argument(run: Run, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
+def _argument(run: Execution, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
     if arg.value is None:
         if type_ is not SWITCH:
             raise run.error(arg, f"\\{parameter.name} needs a value of type {type_.name}")

@@ -19,7 +19,6 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, readonly, wxyz_from_rotation
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ExternalAxes, Load, Speed, Tool, Zone
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data, Record, Value
 from trajopt_cli.rapid.data.predefined import predefined
@@ -28,10 +27,11 @@ from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.positioners import positions, user_frame
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, Node
 from trajopt_cli.units import MM
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.instructions.manner import Known
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.instructions.motion_settings import Known
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 # How far a quaternion's length may be off: beyond is an error, a warning. Four numbers rounded to four decimals are off
 # by 1e-4 at most, and 0.707 for the root of a half, as people write it, by 1.5e-4: nobody can mend more than spell it.
@@ -100,7 +100,7 @@ class Equipment:
         self._turned: dict[tuple[Setup, tuple[float, ...]], Setup] = {}
         self._rough: set[frames.Quaternion] = set()  # the orientations off unit length that were told
 
-    def setup(self, run: Run, tool: Expression, wobj: Expression | None, displaced: bool = True) -> Setup:
+    def setup(self, run: Execution, tool: Expression, wobj: Expression | None, displaced: bool = True) -> Setup:
         """The setup of a move with these arguments. displaced False: as if no program displacement were active.
 
         Raises InputError for frames without a valid orientation, and where neither or both are held by the robot.
@@ -122,7 +122,7 @@ class Equipment:
         self._setups[name, wobj_name] = setup
         return self.turned(run, setup, run.position.extax)
 
-    def turned(self, run: Run, setup: Setup, extax: ExternalAxes) -> Setup:
+    def turned(self, run: Execution, setup: Setup, extax: ExternalAxes) -> Setup:
         """The setup with its work object where the positioner that carries it has it, external axes at extax."""
         if setup.unit is None:
             return setup
@@ -137,7 +137,9 @@ class Equipment:
             self._turned[key] = replace(setup, base=base, X_WO=matrix(base), at=at)
         return self._turned[key]
 
-    def current(self, run: Run, node: Node, last: Setup, tool: Expression | None, wobj: Expression | None) -> Setup:
+    def current(
+        self, run: Execution, node: Node, last: Setup, tool: Expression | None, wobj: Expression | None
+    ) -> Setup:
         """The setup of a question about where the robot is: what is not given is that of the last move.
 
         node: the question, where messages point to.
@@ -154,7 +156,7 @@ class Equipment:
         return self.turned(run, setup, run.position.extax)
 
     def orientation(
-        self, run: Run, q: frames.Quaternion, name: str, node: Node, file: str, given: bool = False
+        self, run: Execution, q: frames.Quaternion, name: str, node: Node, file: str, given: bool = False
     ) -> frames.Quaternion:
         """q at length 1, said when that changes it, once per orientation.
 
@@ -175,28 +177,28 @@ class Equipment:
             if len(self._rough) < _TOLD:
                 self._rough.add(q)
                 place = run.places(file).source(node.start)
-                run.warn(NoticeKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; it is normalised", place)
+                run.warn(WarningKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; it is normalised", place)
             else:
                 run.warn(
-                    NoticeKind.ASSUMED,
+                    WarningKind.ASSUMED,
                     f"more than {_TOLD} orientations are not unit quaternions; the others are normalised "
                     "without a message",
                 )
         return frames.normalised(q)
 
 
-def unoriented(run: Run, node: Expression, value: Value) -> str:
+def unoriented(run: Execution, node: Expression, value: Value) -> str:
     """What to say of a target or a pose without an orientation: [0,0,0,0] that was written, or that nobody wrote."""
     hint = NEVER if value.data == value.type.default else "give a quaternion of length 1"
     return f"{run.text(node)} has orientation [0,0,0,0], which is not a rotation; {hint}"
 
 
-def said(run: Run, node: Expression) -> str:
+def said(run: Execution, node: Expression) -> str:
     """An argument as written."""
     return node.name if type(node) is Name else run.text(node)
 
 
-def data_of(run: Run, node: Expression, type_: Record, what: str, stand_in: str) -> Data:
+def data_of(run: Execution, node: Expression, type_: Record, what: str, stand_in: str) -> Data:
     """The data of a tool, work object or load. One that no file declares is noted as lacking; stand_in is taken."""
     if type(node) is Name:
         place = run.find(node.name)
@@ -208,7 +210,7 @@ def data_of(run: Run, node: Expression, type_: Record, what: str, stand_in: str)
     return evaluate(run, node, type_).data
 
 
-def value_of(run: Run, node: Expression, type_: Record) -> Value:
+def value_of(run: Execution, node: Expression, type_: Record) -> Value:
     """As evaluate; names of data of just that type, which is nearly every argument of a move, go a shorter way."""
     if type(node) is Name:
         place = run.find(node.name)
@@ -217,11 +219,11 @@ def value_of(run: Run, node: Expression, type_: Record) -> Value:
     return evaluate(run, node, type_)
 
 
-def _undeclared(run: Run, node: Name, what: str) -> None:
+def _undeclared(run: Execution, node: Name, what: str) -> None:
     name = node.name
     if assumed(run, name):
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"{what} '{name}' is not declared in the files read; it is taken as the identity, as asked",
         )
         return
@@ -232,14 +234,14 @@ def _undeclared(run: Run, node: Name, what: str) -> None:
     run.world.lack(run, "assume_identity", name, node, reason, name)
 
 
-def assumed(run: Run, name: str) -> bool:
+def assumed(run: Execution, name: str) -> bool:
     """Whether the user takes a tool, work object or unit as the identity."""
     run.world.asked("assume_identity", name.lower())
     return name.lower() in {known.lower() for known in run.scenario.assume_identity}
 
 
 def _setup(
-    run: Run,
+    run: Execution,
     tool: tuple[str, Data, Node],
     wobj: tuple[str, Data, Node],
     displacement: frames.Frame | None,
@@ -300,12 +302,12 @@ def _tool_load(name: str, data: Data) -> Load | None:
     return Load(name, mass, (x * MM, y * MM, z * MM), tuple(aom), (ix, iy, iz)) if mass > _NO_MASS else None
 
 
-def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
+def _unit(run: Execution, wobj: str, unit: str, node: Node) -> None:
     """A user frame that a mechanical unit carries: only the user can say where it is."""
     name = unit or wobj
     if any([assumed(run, unit), assumed(run, wobj)]):  # both are asked for
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; its "
             "user frame is taken as the identity, as asked",
         )
@@ -354,7 +356,7 @@ def frame(X: Array) -> frames.Frame:
     return (x, y, z), (w, i, j, k)
 
 
-def load(run: Run, node: Expression) -> Load | None:
+def load(run: Execution, node: Expression) -> Load | None:
     """A load in SI units, None for no load (load0)."""
     data = data_of(run, node, LOADDATA, "load", "load0")
     if data == predefined()["load0"].data:

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from math import isfinite, trunc
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     ACCDATA,
     BOOL,
@@ -34,9 +33,9 @@ from trajopt_cli.rapid.data.datatypes import (
     single,
 )
 from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, Told, item
-from trajopt_cli.rapid.execution.making import maker
-from trajopt_cli.rapid.execution.mismatch import Mismatch, mismatch
+from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
+from trajopt_cli.rapid.execution.type_errors import Mismatch, mismatch
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
@@ -52,14 +51,15 @@ from trajopt_cli.rapid.language.syntax import (
     String,
     Unary,
 )
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 TRUE, FALSE = Value(BOOL, True), Value(BOOL, False)
 
 
-def evaluate(run: Run, node: Expression, wanted: Type | None = None) -> Value:
+def evaluate(run: Execution, node: Expression, wanted: Type | None = None) -> Value:
     """The value of an expression. wanted: the type the place asks for, checked; an aggregate gets its type from it.
 
     Raises InputError, placed at the part that is wrong.
@@ -79,7 +79,7 @@ def evaluate(run: Run, node: Expression, wanted: Type | None = None) -> Value:
     return _converted(run, node, value, wanted)
 
 
-def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
+def _converted(run: Execution, node: Expression, value: Value, wanted: Type) -> Value:
     if is_number(wanted) and is_number(value.type):
         _mixed(run, node)
         return Value(DNUM, value.data) if wanted is DNUM else computed(run, node, NUM, value.data)
@@ -88,10 +88,10 @@ def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
     return value
 
 
-def _mixed(run: Run, node: Node) -> None:
+def _mixed(run: Execution, node: Node) -> None:
     run.note(
         "dnum",
-        NoticeKind.UNUSUAL,
+        WarningKind.UNUSUAL,
         "num and dnum are mixed: a controller refuses this, here the value is converted",
         node,
     )
@@ -102,7 +102,7 @@ def convertible(wanted: Type, given: Type) -> bool:
     return (is_number(wanted) and is_number(given)) or same_type(wanted, given)
 
 
-def number(run: Run, node: Expression) -> float:
+def number(run: Execution, node: Expression) -> float:
     """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
     if type(node) is Number and abs(node.value) <= NUM_LIMIT:
         return node.value
@@ -112,7 +112,7 @@ def number(run: Run, node: Expression) -> float:
     return float(value.data)
 
 
-def integer(run: Run, node: Expression, what: str) -> int:
+def integer(run: Execution, node: Expression, what: str) -> int:
     """The value of an expression that must be a whole number; what names it in the message."""
     try:
         value = number(run, node)
@@ -123,7 +123,7 @@ def integer(run: Run, node: Expression, what: str) -> int:
     return int(value)
 
 
-def condition(run: Run, node: Expression) -> bool:
+def condition(run: Execution, node: Expression) -> bool:
     """The value of a bool expression."""
     try:
         return evaluate(run, node, BOOL).data is True
@@ -134,7 +134,7 @@ def condition(run: Run, node: Expression) -> bool:
 # -------------------------------------------------------------------------------------------------------- literals
 
 
-def _number(run: Run, node: Number, wanted: Type | None) -> Value:
+def _number(run: Execution, node: Number, wanted: Type | None) -> Value:
     if wanted is DNUM and isfinite(node.value):
         return Value(DNUM, node.value)
     try:
@@ -143,19 +143,19 @@ def _number(run: Run, node: Number, wanted: Type | None) -> Value:
         raise run.fault(node, "ERR_NUM_LIMIT", f"number {run.text(node)} is too large for a num") from None
 
 
-def _string(run: Run, node: String, wanted: Type | None) -> Value:
+def _string(run: Execution, node: String, wanted: Type | None) -> Value:
     return string(run, node, node.value)
 
 
-def _boolean(run: Run, node: Boolean, wanted: Type | None) -> Value:
+def _boolean(run: Execution, node: Boolean, wanted: Type | None) -> Value:
     return TRUE if node.value else FALSE
 
 
-def _call(run: Run, node: Call, wanted: Type | None) -> Value:
+def _call(run: Execution, node: Call, wanted: Type | None) -> Value:
     return run.call_function(node, wanted)
 
 
-def _placeholder(run: Run, node: Placeholder, wanted: Type | None) -> Value:
+def _placeholder(run: Execution, node: Placeholder, wanted: Type | None) -> Value:
     if node.name == "*":
         raise run.error(node, "a target '*' has no coordinates in the text; declare it as a robtarget")
     raise run.error(node, f"unfinished code {node.name} cannot be run")
@@ -164,11 +164,11 @@ def _placeholder(run: Run, node: Placeholder, wanted: Type | None) -> Value:
 # ------------------------------------------------------------------------------------------------------ data names
 
 
-def _name(run: Run, node: Name, wanted: Type | None) -> Value:
+def _name(run: Execution, node: Name, wanted: Type | None) -> Value:
     return _read(run, node, run.find(node.name), wanted)
 
 
-def _read(run: Run, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
+def _read(run: Execution, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
     if type(place) is Told:
         run.outside.settle(run, place, node, wanted)
     if place is None:
@@ -180,7 +180,7 @@ def _read(run: Run, node: Name, place: Place | Absent | None, wanted: Type | Non
     return _readable(run, node, place.value, wanted)
 
 
-def _readable(run: Run, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
+def _readable(run: Execution, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
     type_ = value.type
     if type_.name in SIGNALS and type_ is not wanted:
         name = value.data or (node.name if isinstance(node, Name) else run.text(node))
@@ -190,7 +190,7 @@ def _readable(run: Run, node: Name | Component | Element, value: Value, wanted: 
     return value
 
 
-def _absent(run: Run, node: Name) -> Exception:
+def _absent(run: Execution, node: Name) -> Exception:
     return run.fault(
         node,
         "ERR_NOTPRES",
@@ -198,7 +198,7 @@ def _absent(run: Run, node: Name) -> Exception:
     )
 
 
-def locate(run: Run, node: Expression) -> Place:
+def locate(run: Execution, node: Expression) -> Place:
     """The data that an expression names, to be changed. Raises InputError when it is not data."""
     if isinstance(node, Name):
         place = run.find(node.name)
@@ -220,7 +220,7 @@ def locate(run: Run, node: Expression) -> Place:
     raise run.error(node, "needs the name of data here, found a value")
 
 
-def _from_outside(run: Run, node: Component | Element, wanted: Type | None = None) -> Place | None:
+def _from_outside(run: Execution, node: Component | Element, wanted: Type | None = None) -> Place | None:
     """What a part is one of, where the cell file gives it or should; None for what the program declares.
 
     wanted: the type of the part.
@@ -238,7 +238,7 @@ def _from_outside(run: Run, node: Component | Element, wanted: Type | None = Non
     return run.outside.whole(run, base, node, wanted) if place is None or grows else None
 
 
-def inside_opaque(run: Run, node: Expression) -> bool:
+def inside_opaque(run: Execution, node: Expression) -> bool:
     """Whether an expression names a part of data whose parts are not known here (`weld1.weld_speed`)."""
     while isinstance(node, (Component, Element)):
         component = isinstance(node, Component)
@@ -255,7 +255,7 @@ def inside_opaque(run: Run, node: Expression) -> bool:
     return False
 
 
-def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Value:
+def _part_value(run: Execution, node: Component | Element, wanted: Type | None) -> Value:
     whole = node.base
     place: Place | Absent | None = None
     if isinstance(whole, Name):
@@ -271,7 +271,7 @@ def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Val
     return _readable(run, node, base, wanted) if is_opaque(base.type) else base
 
 
-def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
+def _component(run: Execution, node: Component, type_: Type) -> tuple[int, Type]:
     if isinstance(type_, Record):
         wanted = node.name.lower()
         for index, (name, part) in enumerate(type_.components):
@@ -286,7 +286,7 @@ def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
     raise run.error(node, f"a {type_.name} has no components, so it has no '.{node.name}'")
 
 
-def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
+def _elements(run: Execution, node: Element, base: Value) -> list[tuple[int, Type]]:
     type_, data = base.type, base.data
     if not isinstance(type_, Array):
         raise run.error(node, f"a {type_.name} is not an array, so it has no elements")
@@ -312,7 +312,7 @@ def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
 # ------------------------------------------------------------------------------------------------------ aggregates
 
 
-def _aggregate(run: Run, node: Aggregate, wanted: Type | None) -> Value:
+def _aggregate(run: Execution, node: Aggregate, wanted: Type | None) -> Value:
     if wanted is None:
         raise run.error(node, "an aggregate has no type here; declare it as data and use its name")
     return aggregate(run, node, wanted)
@@ -321,7 +321,7 @@ def _aggregate(run: Run, node: Aggregate, wanted: Type | None) -> Value:
 _value, _origin = maker(Value), maker(Origin)
 
 
-def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
+def aggregate(run: Execution, node: Aggregate, wanted: Type) -> Value:
     """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
     if wanted.layout is not None:
         places = run.places()
@@ -362,7 +362,7 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
     return Value(wanted, tuple([value.data for value in values]), Origin(run.file, node, None))
 
 
-def opaque(run: Run, node: Expression, type_: Type) -> Value:
+def opaque(run: Execution, node: Expression, type_: Type) -> Value:
     """A value of a type that means nothing here: its literals where it is written with nothing else, else its text."""
     if isinstance(node, Aggregate) and (data := _literals(node)) is not None:
         return Value(type_, data)
@@ -390,7 +390,7 @@ def _closed(open_: Array, inner: Type, size: int) -> Array:
 # ------------------------------------------------------------------------------------------------------- operators
 
 
-def _unary(run: Run, node: Unary, wanted: Type | None) -> Value:
+def _unary(run: Execution, node: Unary, wanted: Type | None) -> Value:
     if node.operator == "NOT":
         try:
             return FALSE if evaluate(run, node.operand, BOOL).data is True else TRUE
@@ -407,7 +407,7 @@ def _unary(run: Run, node: Unary, wanted: Type | None) -> Value:
     raise run.error(node, f"'{node.operator}' needs a number or a pos, found {value.type.name}")
 
 
-def _hinted(run: Run, node: Expression) -> Value:
+def _hinted(run: Execution, node: Expression) -> Value:
     """An operand where a dnum is asked for: its literals are dnums, and its type is not checked yet."""
     return _EVALUATE[type(node)](run, node, DNUM) if isinstance(node, (Number, Unary, Binary)) else evaluate(run, node)
 
@@ -419,7 +419,7 @@ def _literal(node: Expression) -> bool:
     return isinstance(node, Number) or (isinstance(node, Unary) and _literal(node.operand))
 
 
-def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
+def _binary(run: Execution, node: Binary, wanted: Type | None) -> Value:
     operator = node.operator
     if operator in ("AND", "OR", "XOR"):
         try:
@@ -450,14 +450,14 @@ def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
     return value
 
 
-def _unknown(run: Run, node: Expression) -> bool:
+def _unknown(run: Execution, node: Expression) -> bool:
     """Whether a side takes its type from the other one: a name that nothing declares, a function that nobody knows."""
     if type(node) is Call:
         return not run.knows(node.name)
     return type(node) is Name and run.find(node.name) is None
 
 
-def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
+def _operands(run: Execution, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
     """Both sides. An aggregate takes its type from the other one, and so do numbers beside a dnum."""
     if isinstance(node.left, Aggregate):
         b = evaluate(run, node.right)

@@ -16,16 +16,16 @@ from enum import Enum
 from typing import TYPE_CHECKING, NoReturn
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
-from trajopt_cli.rapid.data.scope import Frame
+from trajopt_cli.rapid.data.scope import CallFrame
+from trajopt_cli.rapid.execution.control_flow import Jump, Retry, TryNext
 from trajopt_cli.rapid.execution.evaluate import evaluate
-from trajopt_cli.rapid.execution.jumps import Jump, Retry, TryNext
 from trajopt_cli.scenario import asked
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Handler, Node, Statement
 
 USER_ERRORS = range(1, 91)  # the numbers that programs raise as they are
@@ -42,8 +42,8 @@ class Fault(InputError):
     def __init__(self, message: str, name: str, number: float, *, file: str, line: int, column: int):
         super().__init__(message, file=file, line=line, column=column)
         self.name, self.number = name, number
-        self.passed: Frame | None = None
-        self.point: Frame | None = None
+        self.passed: CallFrame | None = None
+        self.point: CallFrame | None = None
 
 
 class Handled(Enum):
@@ -54,7 +54,7 @@ class Handled(Enum):
     PASSED = "the error goes to the caller"
 
 
-def handle(run: Run, fault: Fault, statement: Statement) -> Handled:
+def handle(run: Execution, fault: Fault, statement: Statement) -> Handled:
     """Let the running routine handle an error of one of its statements. What leaves the routine is raised on."""
     frame = run.frame
     if fault.passed is not frame and frame.handling is not None and fault.point is None:
@@ -87,7 +87,7 @@ def handle(run: Run, fault: Fault, statement: Statement) -> Handled:
     return Handled.PASSED
 
 
-def raise_error(run: Run, node: Node, said: str, name: str, number: float) -> NoReturn:
+def raise_error(run: Execution, node: Node, said: str, name: str, number: float) -> NoReturn:
     """Raise an error by its number, as said and named in the program; inside a handler it is a long jump."""
     known = next((known for known, its in ERRORS.items() if its == number), None)
     if not (number in USER_ERRORS or known or BOOKED < number <= BOOKED + run.booked):
@@ -97,14 +97,14 @@ def raise_error(run: Run, node: Node, said: str, name: str, number: float) -> No
     raise passed_on(run, Fault(message, known or name, number, file=place.file, line=place.line, column=place.column))
 
 
-def passed_on(run: Run, fault: Fault) -> Fault:
+def passed_on(run: Execution, fault: Fault) -> Fault:
     """The error as it is raised: in a handler, past the routines up to the one whose handler lists it."""
     if run.frame.handling is not None:
         fault.passed, fault.point = run.frame, long_jump(run, fault.number)
     return fault
 
 
-def long_jump(run: Run, number: float) -> Frame | None:
+def long_jump(run: Execution, number: float) -> CallFrame | None:
     """The nearest call above the running one whose handler lists an error's number, or LONG_JMP_ALL_ERR."""
     frame = run.frame.caller
     while frame is not None:
@@ -116,32 +116,32 @@ def long_jump(run: Run, number: float) -> Frame | None:
     return None
 
 
-def _leave(run: Run, frame: Frame) -> None:
+def _leave(run: Execution, frame: CallFrame) -> None:
     """Say of a routine that a long jump leaves that its UNDO handler is not run."""
     if (routine := frame.routine) is None:
         return
     what = f"a long jump leaves {routine.kind} {routine.name}; a controller runs its UNDO handler, a plan does not"
     for handler in routine.handlers:
         if handler.kind == "UNDO":
-            run.warn(NoticeKind.ASSUMED, what, run.source(handler))
+            run.warn(WarningKind.ASSUMED, what, run.source(handler))
 
 
-def _handlers(frame: Frame) -> list[Handler]:
+def _handlers(frame: CallFrame) -> list[Handler]:
     return [handler for handler in frame.routine.handlers if handler.kind == "ERROR"] if frame.routine else []
 
 
-def _lists(run: Run, handler: Handler, number: float) -> bool:
+def _lists(run: Execution, handler: Handler, number: float) -> bool:
     return any(evaluate(run, one, NUM).data in (number, ERRORS["LONG_JMP_ALL_ERR"]) for one in handler.numbers)
 
 
-def _handler(run: Run, fault: Fault) -> Handler | None:
+def _handler(run: Execution, fault: Fault) -> Handler | None:
     """The handler that lists the error's number, else one without a list."""
     handlers = _handlers(run.frame)
     listed = (handler for handler in handlers if _lists(run, handler, fault.number))
     return next(listed, None) or next((handler for handler in handlers if not handler.numbers), None)
 
 
-def _count_retry(run: Run, statement: Statement, fault: Fault) -> None:
+def _count_retry(run: Execution, statement: Statement, fault: Fault) -> None:
     """Raises Fault, for the caller's handler, when the statement has failed too often in a row."""
     frame, key, ran = run.frame, id(statement), run.counts[id(statement)]
     before, then, times = frame.retried

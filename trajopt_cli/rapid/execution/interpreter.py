@@ -14,24 +14,23 @@ from difflib import get_close_matches
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Refusal, Source, Span
-from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
-from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
+from trajopt_cli.rapid.data.scope import Absent, CallFrame, Datum, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function, knows
+from trajopt_cli.rapid.execution.control_flow import Exit
 from trajopt_cli.rapid.execution.evaluate import convertible, locate
+from trajopt_cli.rapid.execution.external_data import Outside
+from trajopt_cli.rapid.execution.external_signals import ExternalSignals
 from trajopt_cli.rapid.execution.faults import Fault, Undeclared
-from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.execution.loops import named_in, unchanged
-from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
-from trajopt_cli.rapid.execution.outside import Outside
 from trajopt_cli.rapid.execution.position import Position
-from trajopt_cli.rapid.execution.room import room
+from trajopt_cli.rapid.execution.recursion_limit import room
+from trajopt_cli.rapid.execution.single_runs import Link, fill_once
 from trajopt_cli.rapid.execution.statements import run_block
 from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.execution.units import Units
-from trajopt_cli.rapid.execution.world import World
 from trajopt_cli.rapid.language.syntax import (
     Block,
     Call,
@@ -46,8 +45,9 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import Lack, Scenario
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 
-__all__ = ["Exit", "Run"]
+__all__ = ["Execution", "Exit"]
 
 MOTION_LIMIT = 300_000
 _PERS = ("tool0", "wobj0", "load0")  # predefined, and PERS on a controller: they may be given to PERS parameters
@@ -57,7 +57,7 @@ def _system(type_: Type) -> Datum:
     return Datum(type_, Value(type_, type_.default), "set by the system", "VAR")
 
 
-class Run:
+class Execution:
     """One execution of a program: its data as it stands now, and the motions so far."""
 
     def __init__(self, scenario: Scenario, kinematics: Kinematics | None = None):
@@ -66,11 +66,11 @@ class Run:
         self.position = Position(kinematics, self.units)
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
-        self.world = World(scenario)
+        self.world = ExternalSignals(scenario)
         self.outside = Outside(scenario, self.world)
         self.motions: list[Motion] = []
         self.refusals: dict[tuple[Source, str], Refusal] = {}
-        self.warnings: dict[Notice, None] = {}  # a set that keeps its order
+        self.warnings: dict[ProgramWarning, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
         self.ways: dict[tuple[str, int], tuple[str, ...]] = {}  # likewise, of points on a way around something
         self.held: list[Span] = []  # what is marked so that the rail stands still in it
@@ -79,7 +79,7 @@ class Run:
         self.modules: dict[str, ModuleScope] = {}  # by name in lower case
         self.computing: set[int] = set()  # ids of the declarations whose initial value is being computed
         self.valued: set[str] = set()  # the shared PERS that were given a value
-        self.frame = Frame(ModuleScope())
+        self.frame = CallFrame(ModuleScope())
         self.errno = _system(NUM)
         self._predefined: dict[str, Datum] = {
             name.lower(): Datum(NUM, Value(NUM, number), "predefined", "CONST") for name, number in ERRORS.items()
@@ -168,16 +168,16 @@ class Run:
         known = {**self.shared.routines, **self.frame.scope.routines}
         return [routine.name for routine, _ in known.values() if routine.kind == kind]
 
-    def warn(self, kind: NoticeKind, text: str, place: Source | None = None) -> None:
+    def warn(self, kind: WarningKind, text: str, place: Source | None = None) -> None:
         """Tell the user, once."""
-        self.warnings[Notice(kind, text, place)] = None
+        self.warnings[ProgramWarning(kind, text, place)] = None
 
     def refuse(self, kind: str, node: Node, message: str) -> None:
         """Tell of something that no plan keeps, once per kind and place; see motion.Refusal."""
         place = self.source(node)
         self.refusals.setdefault((place, kind), Refusal(kind, place, message))
 
-    def note(self, topic: str, kind: NoticeKind, text: str, node: Node) -> None:
+    def note(self, topic: str, kind: WarningKind, text: str, node: Node) -> None:
         """Tell the user, once per topic: the first place that met it speaks for all."""
         if topic not in self._noted:
             self._noted.add(topic)
@@ -190,7 +190,7 @@ class Run:
         return " ".join(self.frame.scope.places.text[node.start : node.end].split())
 
     @contextmanager
-    def inside(self, frame: Frame) -> Iterator[None]:
+    def inside(self, frame: CallFrame) -> Iterator[None]:
         """Let names and places mean what they mean in frame."""
         before, self.frame = self.frame, frame
         try:
@@ -258,11 +258,11 @@ class Run:
         if any(not parameter.optional for parameter in routine.parameters):
             message = f"PROC {routine.name} needs arguments, so the program cannot start with it"
             raise scope.places.error(routine.start, message)
-        with self.inside(Frame(scope)), room(), suppress(Exit):
+        with self.inside(CallFrame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)
         if not self.world.lacks:
             for sentence in self.world.unused():
-                self.warn(NoticeKind.UNUSED, sentence)
+                self.warn(WarningKind.UNUSED, sentence)
         fill_once(self.motions, self.links, self.counts)
         self.position.place()
 

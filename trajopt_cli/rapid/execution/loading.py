@@ -8,7 +8,6 @@ from math import prod
 from typing import TYPE_CHECKING, TypeVar
 
 from trajopt_cli.motion import Span
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     ARRAY_LIMIT,
     DEPTH_LIMIT,
@@ -23,11 +22,11 @@ from trajopt_cli.rapid.data.datatypes import (
     is_opaque,
     same_type,
 )
-from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope, Told
+from trajopt_cli.rapid.data.scope import CallFrame, Datum, ModuleScope, Scope, Told
+from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
-from trajopt_cli.rapid.execution.making import maker
-from trajopt_cli.rapid.execution.mismatch import Mismatch
-from trajopt_cli.rapid.execution.room import room
+from trajopt_cli.rapid.execution.recursion_limit import room
+from trajopt_cli.rapid.execution.type_errors import Mismatch
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
@@ -43,16 +42,17 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _Entry = TypeVar("_Entry", bound=tuple[Node, ModuleScope])
 
 _CHAIN_LIMIT = 200  # declarations that need each other before any of them has a value
 
 
-def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+def load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
     """Enter the names of all modules, then compute the initial data of all; the scope of each module, in order.
 
     Initial data is computed even where nobody uses it, as a controller does: a broken target must not hide. Raises
@@ -62,7 +62,7 @@ def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScop
         return _load(run, modules)
 
 
-def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+def _load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
     scopes: list[tuple[ModuleScope, Module]] = []
     for module, places in modules:
         scope = ModuleScope(places=places, name=module.name)
@@ -78,7 +78,7 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
                     _enter(target.types, node.name, (node, scope))
     for arrays in (False, True):  # their sizes may need constants of every module
         for scope, module in scopes:
-            frame = Frame(scope)
+            frame = CallFrame(scope)
             with run.inside(frame):
                 for item in module.items:
                     if type(item) is DataDeclaration and bool(item.sizes) is arrays:
@@ -90,7 +90,7 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
     return tuple(scope for scope, _ in scopes)
 
 
-def _targets(run: Run, scope: ModuleScope, written: str | None) -> tuple[Scope, ...]:
+def _targets(run: Execution, scope: ModuleScope, written: str | None) -> tuple[Scope, ...]:
     return (scope,) if written == "LOCAL" else (scope, run.shared)
 
 
@@ -110,7 +110,7 @@ def _refuse(name: str, second: tuple[ModuleScope, Node], first: tuple[ModuleScop
 
 
 def _add(
-    run: Run, scopes: list[tuple[ModuleScope, Module]], scope: ModuleScope, node: DataDeclaration, datum: Datum
+    run: Execution, scopes: list[tuple[ModuleScope, Module]], scope: ModuleScope, node: DataDeclaration, datum: Datum
 ) -> None:
     """Enter data. A PERS that several modules declare is one and the same."""
     key = node.name.lower()
@@ -134,7 +134,7 @@ def _add(
             elif shared.value.data != datum.value.data:
                 place = scope.places.source(node.start)
                 run.warn(
-                    NoticeKind.UNUSUAL,
+                    WarningKind.UNUSUAL,
                     f"PERS {node.name} has a different value in another module, and that one is used",
                     place,
                 )
@@ -163,7 +163,7 @@ def _declaration(
 _value, _origin, _span = maker(Value), maker(Origin), maker(Span)
 
 
-def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
+def declare(run: Execution, node: DataDeclaration, frame: CallFrame) -> Datum:
     """The data of a declaration that stands in frame, which runs. What needs other data is computed when asked for."""
     scope = frame.scope
     type_ = scope.resolved.get(node.type) or find_type(run, node.type, node)
@@ -192,7 +192,7 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
 
 
-def _ask_size(run: Run, node: DataDeclaration, size: Expression, depth: int) -> None:
+def _ask_size(run: Execution, node: DataDeclaration, size: Expression, depth: int) -> None:
     """Ask for an array size that nothing declares; the array's own value tells one that fits."""
     for name in walk(size) if type(size) is not Number else ():
         if isinstance(name, Name) and run.find(name.name) is None:
@@ -203,7 +203,7 @@ def _ask_size(run: Run, node: DataDeclaration, size: Expression, depth: int) -> 
             run.outside.size(run, name, node.name, count)
 
 
-def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
+def _initial(run: Execution, node: DataDeclaration, type_: Type, frame: CallFrame) -> Value:
     assert node.value is not None
     if id(node) in run.computing:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
@@ -229,7 +229,7 @@ def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Valu
     return Value(type_, value.data, value.origin._replace(declaration=span))
 
 
-def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine | None = None) -> Type:
+def find_type(run: Execution, name: str, node: DataDeclaration | Parameter | Routine | None = None) -> Type:
     """The type of a name, by RAPID's order: own module, other modules, predefined.
 
     An unknown one is no error as long as nothing uses it, so it is only noted; node: the declaration that asks.
@@ -239,12 +239,12 @@ def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine |
     if not found.known and node is not None:
         what = getattr(node, "name", name)
         message = f"type '{name}' of '{what}' is not declared; this does no harm unless something uses '{what}'"
-        run.note(f"type {found.name}", NoticeKind.UNUSUAL, message, node)
+        run.note(f"type {found.name}", WarningKind.UNUSUAL, message, node)
     scope.resolved[name] = found
     return found
 
 
-def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Type:
+def _type(run: Execution, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Type:
     known = scope.resolved.get(name)
     if known is not None:
         return known
@@ -268,7 +268,7 @@ def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Ty
 
 
 def _made(
-    run: Run, node: RecordDeclaration | AliasDeclaration, home: ModuleScope, key: str, above: tuple[str, ...]
+    run: Execution, node: RecordDeclaration | AliasDeclaration, home: ModuleScope, key: str, above: tuple[str, ...]
 ) -> Type:
     if isinstance(node, AliasDeclaration):
         type_ = _type(run, home, node.type, above)

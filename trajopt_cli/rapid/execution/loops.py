@@ -7,12 +7,11 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
 from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.execution.control_flow import Exit
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate
-from trajopt_cli.rapid.execution.jumps import Exit
-from trajopt_cli.rapid.execution.mismatch import mismatch
+from trajopt_cli.rapid.execution.type_errors import mismatch
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -36,12 +35,13 @@ from trajopt_cli.rapid.language.syntax import (
     While,
 )
 from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def run_for(run: Run, node: For) -> None:
+def run_for(run: Execution, node: For) -> None:
     """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs.
 
     The step is added pass by pass and rounded to a num each time. ABB leaves open whether the last pass of a loop of
@@ -56,7 +56,7 @@ def run_for(run: Run, node: For) -> None:
         raise run.error(node, "FOR with STEP 0 never ends")
     if first % 1 or step % 1:
         what = f"FOR {node.name} counts in decimals: rounding may decide whether its last pass runs; use whole numbers"
-        run.warn(NoticeKind.UNUSUAL, what, run.source(node))
+        run.warn(WarningKind.UNUSUAL, what, run.source(node))
     local, key = run.frame.local, node.name.lower()
     hidden = local.get(key)
     passes, value = 0, first
@@ -74,14 +74,14 @@ def run_for(run: Run, node: For) -> None:
             local[key] = hidden
 
 
-def _bound(run: Run, node: Expression) -> tuple[float, Type]:
+def _bound(run: Execution, node: Expression) -> tuple[float, Type]:
     value = evaluate(run, node)
     if not is_number(value.type):
         raise mismatch(run, node, NUM, value).about(node, "a bound of FOR")
     return float(value.data), value.type
 
 
-def run_while(run: Run, node: While) -> None:
+def run_while(run: Execution, node: While) -> None:
     """WHILE; one whose condition is always true, or nothing can change, runs as often as the scenario says."""
     if always(run, node.condition, run.kept(node)):
         loop = f"WHILE {run.text(node.condition)}"
@@ -98,7 +98,7 @@ def run_while(run: Run, node: While) -> None:
         run.block(node.body)
 
 
-def backwards(run: Run, node: Goto, body: Sequence[Statement]) -> None:
+def backwards(run: Execution, node: Goto, body: Sequence[Statement]) -> None:
     """Count a GOTO to a label before it; body: from the label to the statement that holds the GOTO."""
     seen = run.frame.passes
     passes = seen[id(node)] = seen.get(id(node), 0) + 1
@@ -111,7 +111,7 @@ def backwards(run: Run, node: Goto, body: Sequence[Statement]) -> None:
     run.frame.turns[key] = (len(run.motions), counted)
 
 
-def count_pass(run: Run, node: Statement, passes: int) -> None:
+def count_pass(run: Execution, node: Statement, passes: int) -> None:
     """Give up a loop that goes on and on; each pass is charged as a statement. Raises InputError."""
     run.budget -= 1
     if run.budget < 0:
@@ -120,7 +120,7 @@ def count_pass(run: Run, node: Statement, passes: int) -> None:
         raise _too_many(run, node)
 
 
-def _too_many(run: Run, node: Statement) -> InputError:
+def _too_many(run: Execution, node: Statement) -> InputError:
     message = f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
     signals: dict[str, None] = {}
     values: dict[str, str] = {}
@@ -136,7 +136,7 @@ def _too_many(run: Run, node: Statement) -> InputError:
     return run.error(node, f"{message}, or raise pass_limit in the cell file")
 
 
-def _reads(run: Run, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
+def _reads(run: Execution, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
     """The names that a condition reads: signals, and data with their plain values; each once, as spelled."""
     if isinstance(node, Binary):
         _reads(run, node.left, signals, values)
@@ -155,7 +155,9 @@ def _reads(run: Run, node: Expression, signals: dict[str, None], values: dict[st
                 values[node.name] = f"{data:.6g}"
 
 
-def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int) -> int:
+def count_endless(
+    run: Execution, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int
+) -> int:
     """Count a pass of a loop without a condition, and end the program with the last one that the scenario wants.
 
     A loop that has a way out (RETURN, EXIT ...) may be a search through data: only its passes that move count, and
@@ -172,7 +174,7 @@ def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int
         raise Exit
     if counted >= wanted:
         run.warn(
-            NoticeKind.ENDLESS,
+            WarningKind.ENDLESS,
             f"{loop} never ends by itself; the program is taken to be over after {counted} "
             f"pass{'es' if counted > 1 else ''} (endless_passes)",
             run.source(node),
@@ -181,7 +183,7 @@ def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int
     return counted
 
 
-def always(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:
+def always(run: Execution, node: Expression, kept: Collection[str] = ()) -> bool:
     """Whether a condition is TRUE whatever happens: made of literals, constants, and variables that nobody changes.
 
     kept: these variables, in lower case.
@@ -189,7 +191,7 @@ def always(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:
     return _constant(run, node, kept) and condition(run, node)
 
 
-def never(run: Run, node: Expression) -> bool:
+def never(run: Execution, node: Expression) -> bool:
     """Whether a condition is FALSE whatever happens: made of literals and constants."""
     return _constant(run, node) and not condition(run, node)
 
@@ -218,7 +220,7 @@ def unchanged(declared: frozenset[str], used: Counter[str], loop: While) -> froz
     return frozenset(name for name, times in read.items() if name in declared and used[name] == times)
 
 
-def _constant(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:
+def _constant(run: Execution, node: Expression, kept: Collection[str] = ()) -> bool:
     if isinstance(node, (Boolean, Number, String)):
         return True
     if isinstance(node, Binary):

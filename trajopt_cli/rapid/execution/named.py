@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import Span
-from trajopt_cli.rapid.execution.once import Link
+from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import Lines
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 Modules = Sequence[tuple[Module, Places]]
 _SHOWN = 5  # names in a message
@@ -31,7 +31,7 @@ class Named:
 
 
 def named(
-    run: Run, modules: Modules, key: str, procedures: Collection[str], lines: Collection[Lines]
+    run: Execution, modules: Modules, key: str, procedures: Collection[str], lines: Collection[Lines]
 ) -> Iterator[Named]:
     """What a key of the cell file names, procedures first. procedures: in lower case.
 

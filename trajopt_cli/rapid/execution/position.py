@@ -24,15 +24,15 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
+from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
-from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.units import Units
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Node
 
 
@@ -105,7 +105,7 @@ class Position:
         """extax with the last value of every axis that it leaves open, or that no active unit drives."""
         return _merged(self.extax, self._units.driven(extax))
 
-    def robot(self, run: Run, node: Node, what: str) -> Kinematics:
+    def robot(self, run: Execution, node: Node, what: str) -> Kinematics:
         """The robot. Raises InputError where there is none; what: who needs it, as the sentence's subject."""
         if self._robot is None:
             if self._given is None:
@@ -121,14 +121,14 @@ class Position:
             return self._pose.target
         return setup.target(self._pose.setup.flange(self._pose.target))
 
-    def flange(self, run: Run, node: Node, what: str) -> frames.Frame:
+    def flange(self, run: Execution, node: Node, what: str) -> frames.Frame:
         """X_WF [mm]."""
         if self._pose is not None and not self._away:
             return self._pose.setup.flange(self._pose.target)
         robot = self.robot(run, node, f"{what} {self._after}")
         return frame(robot.forward(self.joints(run, node, what), self.extax))
 
-    def target(self, run: Run, node: Node, what: str, setup: Setup) -> frames.Frame:
+    def target(self, run: Execution, node: Node, what: str, setup: Setup) -> frames.Frame:
         """The target of a setup that the robot stands at."""
         known = self.known_target(setup)
         return setup.target(self.flange(run, node, what)) if known is None else known
@@ -139,7 +139,7 @@ class Position:
             return "after a move of external axes alone" if self._away else "after a move to a pose"
         return "before the first move" if self._joints is None else "after a move to joints"
 
-    def joints(self, run: Run, node: Node, what: str) -> Array:
+    def joints(self, run: Execution, node: Node, what: str) -> Array:
         """Arm joints (6,) in rad. Raises Fault when the last pose is out of reach."""
         if self._joints is None:
             robot = self.robot(run, node, f"{what} {self._after}")
@@ -157,7 +157,7 @@ class Position:
         """The last joints that were known."""
         return self._near if self._joints is None else self._joints
 
-    def conf(self, run: Run, node: Node, what: str) -> ConfData:
+    def conf(self, run: Execution, node: Node, what: str) -> ConfData:
         """The configuration: as programmed after a move to a pose, else that of the joints."""
         if self._pose is not None and not self._away:
             return self._pose.conf
@@ -166,7 +166,7 @@ class Position:
 
 
 def reach(
-    run: Run,
+    run: Execution,
     node: Node,
     what: str,
     robot: Kinematics,
@@ -193,14 +193,14 @@ def reach(
     if demanded:
         shown = ",".join(str(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"{what} has no posture with confdata [{shown}]; the nearest one is taken",
             run.source(node),
         )
     return q
 
 
-def still_moving(run: Run) -> Move | None:
+def still_moving(run: Execution) -> Move | None:
     """The move that may still run where the program is: one with a fly-by or with \\Conc, and no stop behind it."""
     for motion in reversed(run.motions):
         if isinstance(motion, Wait):
@@ -211,13 +211,13 @@ def still_moving(run: Run) -> Move | None:
     return None
 
 
-def read_at_rest(run: Run, node: Node, what: str) -> None:
+def read_at_rest(run: Execution, node: Node, what: str) -> None:
     """Warn where the robot should stand for something (what), but is right behind a fly-by or a move with \\Conc."""
     motion = still_moving(run)
     if motion is not None:
         why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
         text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
-        run.warn(NoticeKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
+        run.warn(WarningKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
 
 
 def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:

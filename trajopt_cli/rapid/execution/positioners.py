@@ -15,14 +15,14 @@ from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Expression
 
 _SLOWEST = 1e-3  # rad/s, as in a cell file: less would take for ever
 _STILL = 0.1  # deg: backups hold measured values of axes that stand
 
 
-def positions(run: Run, unit: str, extax: ExternalAxes) -> tuple[float, ...]:
+def positions(run: Execution, unit: str, extax: ExternalAxes) -> tuple[float, ...]:
     """Where a unit's axes stand [deg], external axes at extax; at their start where that says nothing, and where they
     were left while the unit is not active."""
     if (parked := run.units.parked.get(unit)) is not None:
@@ -51,7 +51,7 @@ def _links(axes: Sequence[PositionerAxis], at: Sequence[float]) -> list[frames.F
 
 
 def moved(
-    run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None, timed: bool
+    run: Execution, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None, timed: bool
 ) -> tuple[UnitMove, ...]:
     """The positioners that turn on the way to extax, at the programmed speed of turning axes at most.
 

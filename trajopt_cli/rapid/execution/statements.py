@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.execution.calls import late_call, procedure
+from trajopt_cli.rapid.execution.control_flow import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate, number
 from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle, passed_on, raise_error
 from trajopt_cli.rapid.execution.instructions.processes import set_speed
-from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
-from trajopt_cli.rapid.execution.mismatch import Mismatch
+from trajopt_cli.rapid.execution.type_errors import Mismatch
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Assign,
@@ -36,14 +35,15 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
 from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _LONG = 64  # characters that are charged as one more statement
 
 
-def run_block(run: Run, block: Block) -> None:
+def run_block(run: Execution, block: Block) -> None:
     """Run statements in order; where one fails or jumps, go on where the program says."""
     outer, file, counts = run.link, run.file, run.counts
     count, i = len(block), 0
@@ -78,7 +78,7 @@ def run_block(run: Run, block: Block) -> None:
     run.link = outer
 
 
-def _assign(run: Run, node: Assign) -> None:
+def _assign(run: Execution, node: Assign) -> None:
     target = node.target
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
@@ -86,7 +86,7 @@ def _assign(run: Run, node: Assign) -> None:
             return
         run.note(
             "opaque",
-            NoticeKind.NO_EFFECT,
+            WarningKind.NO_EFFECT,
             f"{run.text(target)} is process data, which does not affect the motion",
             node,
         )
@@ -104,7 +104,7 @@ def _assign(run: Run, node: Assign) -> None:
     run.store(place, target, value)
 
 
-def _assign_undeclared(run: Run, node: Assign, target: Name) -> None:
+def _assign_undeclared(run: Execution, node: Assign, target: Name) -> None:
     """What is assigned tells the type; a name that is counted up is a number."""
     if isinstance(node.value, Aggregate):
         raise run.undeclared(target)
@@ -114,7 +114,7 @@ def _assign_undeclared(run: Run, node: Assign, target: Name) -> None:
     run.store(place, target, evaluate(run, node.value, NUM) if value is None else value)
 
 
-def _if(run: Run, node: If) -> None:
+def _if(run: Execution, node: If) -> None:
     for test, block in node.branches:
         if condition(run, test):
             return run_block(run, block)
@@ -122,7 +122,7 @@ def _if(run: Run, node: If) -> None:
         run_block(run, node.otherwise)
 
 
-def _test(run: Run, node: Test) -> None:
+def _test(run: Execution, node: Test) -> None:
     subject = evaluate(run, node.subject)
     for values, block in node.cases:
         for value in values:
@@ -136,7 +136,7 @@ def _test(run: Run, node: Test) -> None:
         run_block(run, node.default)
 
 
-def _declare(run: Run, node: DataDeclaration) -> None:
+def _declare(run: Execution, node: DataDeclaration) -> None:
     if node.storage == "PERS":
         raise run.error(node, f"PERS {node.name} stands in a routine; PERS data belongs to a module")
     key = node.name.lower()
@@ -151,7 +151,7 @@ def _declare(run: Run, node: DataDeclaration) -> None:
     run.frame.local[key] = datum
 
 
-def _return(run: Run, node: ReturnStatement) -> None:
+def _return(run: Execution, node: ReturnStatement) -> None:
     wanted = run.frame.returns
     if (wanted is None) != (node.value is None):
         raise run.error(node, "RETURN needs a value in a FUNC" if wanted else "RETURN with a value outside a FUNC")
@@ -165,11 +165,11 @@ def _return(run: Run, node: ReturnStatement) -> None:
     raise Return(value)
 
 
-def _goto(run: Run, node: Goto) -> None:
+def _goto(run: Execution, node: Goto) -> None:
     raise Jump(node)
 
 
-def _simple(run: Run, node: Simple) -> None:
+def _simple(run: Execution, node: Simple) -> None:
     if node.word == "EXIT":
         raise Exit
     if run.frame.handling is None:
@@ -177,7 +177,7 @@ def _simple(run: Run, node: Simple) -> None:
     raise Retry if node.word == "RETRY" else TryNext
 
 
-def _raise(run: Run, node: Raise) -> None:
+def _raise(run: Execution, node: Raise) -> None:
     """An error of the program's own; inside a handler a long jump (see faults.py)."""
     if node.value is not None:
         said = run.text(node.value)
@@ -188,23 +188,23 @@ def _raise(run: Run, node: Raise) -> None:
     raise passed_on(run, fault)
 
 
-def _connect(run: Run, node: Connect) -> None:
+def _connect(run: Execution, node: Connect) -> None:
     found = run.routine(node.trap)
     if found is None or found[0].kind != "TRAP":
         raise run.error(node, f"there is no TRAP {node.trap} in the program")
     run.ignored["CONNECT"] += 1
     run.interrupts += 1
     run.note(
-        "interrupts", NoticeKind.NO_EFFECT, f"interrupts are not simulated, so TRAP {node.trap} does not run", node
+        "interrupts", WarningKind.NO_EFFECT, f"interrupts are not simulated, so TRAP {node.trap} does not run", node
     )
     run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
 
 
-def _label(run: Run, node: Label) -> None:
+def _label(run: Execution, node: Label) -> None:
     """Only a GOTO has a use for it."""
 
 
-def _placeholder(run: Run, node: Placeholder) -> None:
+def _placeholder(run: Execution, node: Placeholder) -> None:
     raise run.error(node, f"unfinished code {node.name} cannot be run")
 
 

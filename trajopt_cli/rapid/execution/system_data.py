@@ -15,12 +15,12 @@ from trajopt_cli.rapid.execution.equipment import IDENTITY
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _NO_LIMIT = -1.0  # what a controller shows of an acceleration that is not limited
 
 
-def tell(run: Run) -> None:
+def tell(run: Execution) -> None:
     """Let C_PROGDISP and C_MOTSET hold what is in force now."""
     settings = run.settings
     run.progdisp.value = Value(PROGDISP, (run.position.equipment.displacement or IDENTITY, settings.eax_offset))

@@ -13,13 +13,13 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import ExternalAxes
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.language.syntax import Expression, Name, Node
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 # as ABB's templates and people name conveyors, sensors and robots
@@ -67,7 +67,7 @@ class Units:
         }
         self._wanted = {eax: name for eax, name in driven.items() if name != self._rail}
 
-    def switch(self, run: Run, node: Node, unit: str, on: bool) -> None:
+    def switch(self, run: Execution, node: Node, unit: str, on: bool) -> None:
         """Activate a unit of the cell, or deactivate it. Raises InputError for two on one axis."""
         if self._scenario.active_units is None:
             self._say_start(run, node)
@@ -98,11 +98,11 @@ class Units:
             position.extax = _with(position.extax, dict.fromkeys(axes))
         self._look()
 
-    def _say_start(self, run: Run, node: Node) -> None:
+    def _say_start(self, run: Execution, node: Node) -> None:
         parts = {"active": sorted(self.active), "not active": sorted(self.axes.keys() - self.active)}
         told = "; ".join(f"{what}: {', '.join(names)}" for what, names in parts.items() if names)
         text = f"mechanical units taken at the start as {told}; 'start: {{units: [...]}}' in the cell"
-        run.note("units at the start", NoticeKind.ASSUMED, f"{text} file lists the active ones", node)
+        run.note("units at the start", WarningKind.ASSUMED, f"{text} file lists the active ones", node)
 
     @property
     def rail_unnamed(self) -> bool:
@@ -113,14 +113,14 @@ class Units:
         """extax without the axes that no active unit drives."""
         return _with(extax, dict.fromkeys(self._inactive)) if self._inactive else extax
 
-    def checked(self, run: Run, point: Node, extax: ExternalAxes) -> ExternalAxes:
+    def checked(self, run: Execution, point: Node, extax: ExternalAxes) -> ExternalAxes:
         """As driven, of a move's target: said, once per unit, where a value is ignored, and where one is missing."""
         for eax, units in self._inactive.items():
             value, at = extax[eax], [self._stands(run, unit, eax) for unit in units]
             if value is not None and any(one is None or abs(value - one) > _STILL for one in at):
                 run.note(
                     f"{units} ignored",
-                    NoticeKind.NO_EFFECT,
+                    WarningKind.NO_EFFECT,
                     f"{run.text(point)} gives eax_{'abcdef'[eax]} = {value:.6g}, and {' and '.join(units)} "
                     f"{'are' if len(units) > 1 else 'is'} not active: the axis stays, as on the controller",
                     point,
@@ -129,7 +129,7 @@ class Units:
             if extax[eax] is None:
                 run.note(
                     f"{unit} open",
-                    NoticeKind.DOUBTFUL,
+                    WarningKind.DOUBTFUL,
                     f"{run.text(point)} gives no position for eax_{'abcdef'[eax]} (9E9), and {unit} is active: a "
                     "controller stops here with a missing external axis value, a plan lets it stand. Give the value, "
                     f"deactivate {unit} before, or leave it out of the active ones (start.units in the cell file)",
@@ -137,7 +137,7 @@ class Units:
                 )
         return self.driven(extax)
 
-    def _stands(self, run: Run, unit: str, eax: int) -> float | None:
+    def _stands(self, run: Execution, unit: str, eax: int) -> float | None:
         if unit == self._rail:
             return run.position.extax[eax]
         return self.parked[unit][self.axes[unit].index(eax)]
@@ -153,7 +153,7 @@ def _with(extax: ExternalAxes, values: dict[int, float | None] | dict[int, float
     return a, b, c, d, e, f
 
 
-def unit_name(run: Run, node: Expression) -> str:
+def unit_name(run: Execution, node: Expression) -> str:
     """The name of the unit that an argument stands for, as the program spells it. Units are not declared in RAPID."""
     if not isinstance(node, Name):
         raise run.error(node, f"needs the name of a mechanical unit, found {run.text(node)}")

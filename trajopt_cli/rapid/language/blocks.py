@@ -11,7 +11,7 @@ from typing import TypeVar
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.language.cursor import HANDLERS, RESTARTS
 from trajopt_cli.rapid.language.expressions import ExpressionParser
-from trajopt_cli.rapid.language.frequent import whole_statement
+from trajopt_cli.rapid.language.fast_path import whole_statement
 from trajopt_cli.rapid.language.lexer import Whole
 from trajopt_cli.rapid.language.syntax import Block, DataDeclaration, Expression, If, Label, Statement
 

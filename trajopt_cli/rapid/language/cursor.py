@@ -6,7 +6,7 @@ import re
 from typing import NoReturn
 
 from trajopt_cli.errors import InputError, InputErrorGroup
-from trajopt_cli.rapid.language.frequent import NAME_LIMIT
+from trajopt_cli.rapid.language.fast_path import NAME_LIMIT
 from trajopt_cli.rapid.language.lexer import KEYWORDS, Whole, scan
 from trajopt_cli.rapid.language.syntax import DataDeclaration
 from trajopt_cli.rapid.language.text import Places

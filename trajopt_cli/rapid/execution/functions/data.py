@@ -12,10 +12,10 @@ from trajopt_cli.rapid.execution.operators import string
 from trajopt_cli.rapid.language.syntax import Call, Name
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _dim(run: Run, node: Call) -> Value:
+def _dim(run: Execution, node: Call) -> Value:
     array, which = bind(run, node, ("ArrPar", "DimNo")).required
     value, index = evaluate(run, array), integer(run, which, "DimNo")
     if not isinstance(value.type, Array) or not 1 <= index <= value.type.dimensions:
@@ -28,7 +28,7 @@ def _dim(run: Run, node: Call) -> Value:
     return Value(NUM, float(len(data)))
 
 
-def _present(run: Run, node: Call) -> Value:
+def _present(run: Execution, node: Call) -> Value:
     (argument,) = bind(run, node, ("OptPar",)).required
     if not isinstance(argument, Name):
         raise run.error(argument, "Present takes the name of an optional parameter")
@@ -36,14 +36,14 @@ def _present(run: Run, node: Call) -> Value:
 
 
 def _stored_as(storage: str) -> Function:
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         (argument,) = bind(run, node, ("DatObj",)).required
         return Value(BOOL, locate(run, argument).storage == storage)
 
     return handler
 
 
-def _arg_name(run: Run, node: Call) -> Value:
+def _arg_name(run: Execution, node: Call) -> Value:
     """How the caller, or the caller's caller, wrote the argument that a parameter stands for."""
     (argument,) = bind(run, node, ("Parameter",)).required
     name = run.argument_name(argument.name) if isinstance(argument, Name) else None
@@ -52,7 +52,7 @@ def _arg_name(run: Run, node: Call) -> Value:
     return string(run, node, name)
 
 
-def _type(run: Run, node: Call) -> Value:
+def _type(run: Execution, node: Call) -> Value:
     (argument,) = bind(run, node, ("Data",)).required
     type_ = locate(run, argument).type
     return string(run, node, type_.element.name if isinstance(type_, Array) else type_.name)

@@ -13,14 +13,14 @@ from trajopt_cli.rapid.language.syntax import Call
 from trajopt_cli.units import DEG
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
 def _plain(name: str, compute: Callable[..., float], takes: str = "Value", result: Type = NUM) -> Function:
     """A function of numbers to a number of the type result. takes: the names of its arguments."""
     required = tuple(takes.split())
 
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         values = [number(run, argument) for argument in bind(run, node, required).required]
         try:
             value = compute(*values)
@@ -33,7 +33,7 @@ def _plain(name: str, compute: Callable[..., float], takes: str = "Value", resul
 
 
 def _rounding(exact: Callable[[float], float], result: Type = NUM) -> Function:
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         args = bind(run, node, ("Val",), ("Dec",))
         dec = args.value("dec")
         digits = integer(run, dec, "\\Dec") if dec is not None else 0
@@ -48,7 +48,7 @@ def _half_up(value: float) -> float:
     return math.copysign(math.floor(abs(value) + 0.5), value)
 
 
-def _dnum_to_num(run: Run, node: Call) -> Value:
+def _dnum_to_num(run: Execution, node: Call) -> Value:
     r"""The dnum as a num; with \Integer only if it is a whole number that a num holds exactly."""
     args = bind(run, node, ("Value",), ("Integer",))
     value = number(run, args.required[0])
@@ -67,7 +67,7 @@ def _bits(name: str, compute: Callable[..., int], takes: str, top: int, result: 
     """A function of whole numbers 0..top, the contents of a byte (or of 52 bits), to one of them."""
     required = tuple(takes.split())
 
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         values = []
         for argument in bind(run, node, required).required:
             value = integer(run, argument, f"an argument of {name}")
@@ -83,7 +83,7 @@ _BYTE, _LONG = 255, 2**52 - 1  # a dnum is exact to 52 bits
 
 
 def _bit_check(top: int) -> Function:
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         data, place = bind(run, node, ("BitData", "BitPos")).required
         value, position = integer(run, data, "BitData"), integer(run, place, "BitPos")
         if not 0 <= value <= top:

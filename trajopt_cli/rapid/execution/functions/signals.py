@@ -9,22 +9,22 @@ from trajopt_cli.rapid.execution.arguments import Function, bind
 from trajopt_cli.rapid.language.syntax import Call
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _input(run: Run, node: Call) -> float:
+def _input(run: Execution, node: Call) -> float:
     (argument,) = bind(run, node, ("Signal",)).required
     signal, written = run.signal(argument), run.text(argument)
     return run.world.signal(run, argument, written if written.lower() == signal else signal)
 
 
-def _digital(run: Run, node: Call) -> float:
+def _digital(run: Execution, node: Call) -> float:
     (argument,) = bind(run, node, ("Signal",)).required
     run.world.digital(run, argument, run.signal(argument))
     return _input(run, node)
 
 
-def _test_di(run: Run, node: Call) -> Value:
+def _test_di(run: Execution, node: Call) -> Value:
     return Value(BOOL, _digital(run, node) == 1.0)
 
 
@@ -35,14 +35,14 @@ def _reads(type_: Type) -> Function:
 def _tells(type_: Type) -> Function:
     """The state of an output."""
 
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         (argument,) = bind(run, node, ("Signal",)).required
         return Value(type_, run.world.output(run.signal(argument)))
 
     return handler
 
 
-def _valid(run: Run, node: Call) -> Value:
+def _valid(run: Execution, node: Call) -> Value:
     """Every signal works, inputs and outputs alike."""
     bind(run, node, ("Signal",))
     return Value(BOOL, True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, STRING, Data, Type, Value
 from trajopt_cli.rapid.data.predefined import VMAX
 from trajopt_cli.rapid.execution.answers import ask
@@ -12,9 +11,10 @@ from trajopt_cli.rapid.execution.arguments import Function, bind
 from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import Call
 from trajopt_cli.scenario import yaml_answer
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 # OP_AUTO and RUN_CONT_CYCLE of the manual
 _AUTOMATIC, _CONTINUOUS = 1.0, 1.0
@@ -23,12 +23,12 @@ _AUTOMATIC, _CONTINUOUS = 1.0, 1.0
 def _taken(name: str, type_: Type, data: Data) -> tuple[str, Function]:
     """A function with a value that is assumed, under its own name in the scenario."""
 
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         if run.world.known(name):
             return ask(run, node, name, type_, f"{name} asks for its value")
         shown = yaml_answer(data)
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"{name}() is taken to be {shown}; another value is an answer in the cell file, '{name}: {shown}'",
         )
         return Value(type_, data)
@@ -36,13 +36,13 @@ def _taken(name: str, type_: Type, data: Data) -> tuple[str, Function]:
     return name, handler
 
 
-def _fastest(run: Run, node: Call) -> Value:
+def _fastest(run: Execution, node: Call) -> Value:
     """The TCP speed of vmax, mm/s."""
     bind(run, node, ())
     return Value(NUM, VMAX)
 
 
-def _synchronised(run: Run, node: Call) -> Value:
+def _synchronised(run: Execution, node: Call) -> Value:
     """Whether moves go together with other robots'."""
     bind(run, node, ())
     return Value(BOOL, run.settings.synchronised)
@@ -73,7 +73,7 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
 _ASSUMED_ACTIVE = _taken("IsMechUnitActive", BOOL, True)[1]
 
 
-def _is_active(run: Run, node: Call) -> Value:
+def _is_active(run: Execution, node: Call) -> Value:
     """As ActUnit and DeactUnit have left a unit of the cell; others are taken to be active."""
     (unit,) = bind(run, node, ("MechUnit",)).required
     name = unit_name(run, unit).lower()

@@ -35,13 +35,13 @@ from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.units import DEG
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _NOWHERE = 9e9  # what RAPID writes for an axis without a position
 _CURRENT = ("TaskRef", "TaskName", "Tool", "WObj")
 
 
-def _offs(run: Run, node: Call) -> Value:
+def _offs(run: Execution, node: Call) -> Value:
     """The target shifted along the axes of the work object; orientation, configuration, external axes kept."""
     point, *shifts = bind(run, node, ("Point", "XOffset", "YOffset", "ZOffset")).required
     (x, y, z), *rest = evaluate(run, point, ROBTARGET).data
@@ -49,7 +49,7 @@ def _offs(run: Run, node: Call) -> Value:
     return Value(ROBTARGET, ((x + dx, y + dy, z + dz), *rest))
 
 
-def _rel_tool(run: Run, node: Call) -> Value:
+def _rel_tool(run: Execution, node: Call) -> Value:
     """The target shifted along its own tool axes, then turned about the new x, the new y and the new z."""
     args = bind(run, node, ("Point", "Dx", "Dy", "Dz"), ("Rx", "Ry", "Rz"))
     point, *shifts = args.required
@@ -66,7 +66,7 @@ def _rel_tool(run: Run, node: Call) -> Value:
     return Value(ROBTARGET, (moved, q, *rest))
 
 
-def _mir_pos(run: Run, node: Call) -> Value:
+def _mir_pos(run: Execution, node: Call) -> Value:
     r"""MirPos(Point, MirPlane [\WObj] [\MirY]): mirrored in the xy plane of the object frame of MirPlane.
 
     The tool's x and z are mirrored, or y and z with \MirY; the third follows, for a mirrored frame is no rotation.
@@ -85,7 +85,7 @@ def _mir_pos(run: Run, node: Call) -> Value:
     return Value(ROBTARGET, (*image, *target.value.data[2:]))
 
 
-def _object(run: Run, node: Expression) -> frames.Frame:
+def _object(run: Execution, node: Expression) -> frames.Frame:
     """U O of a work object, without the program displacement."""
     data = evaluate(run, node, WOBJDATA).data
     _, _, _, (up, uq), (op, oq) = data
@@ -94,7 +94,7 @@ def _object(run: Run, node: Expression) -> frames.Frame:
     return frames.compose(user, (op, orientation(run, oq, f"oframe of {name}", node, run.file, written)))
 
 
-def _o_rob_t(run: Run, node: Call) -> Value:
+def _o_rob_t(run: Execution, node: Call) -> Value:
     r"""ORobT(OrgPoint [\InPDisp] | [\InEOffs]): the target without program displacement and offsets."""
     args = bind(run, node, ("OrgPoint",), ("InPDisp", "InEOffs"))
     target = robtarget(run, args.required[0])
@@ -110,7 +110,7 @@ def _o_rob_t(run: Run, node: Call) -> Value:
 # ------------------------------------------------------------------------------------------------ where the robot is
 
 
-def _current(run: Run, node: Call, args: Arguments) -> Setup:
+def _current(run: Execution, node: Call, args: Arguments) -> Setup:
     position = run.position
     return position.equipment.current(run, node, position.setup, args.value("tool"), args.value("wobj"))
 
@@ -123,12 +123,12 @@ def _axes(extax: ExternalAxes) -> Data:
     return tuple(_NOWHERE if value is None else value for value in extax)
 
 
-def _without_offsets(run: Run, extax: ExternalAxes) -> Data:
+def _without_offsets(run: Execution, extax: ExternalAxes) -> Data:
     offsets = run.settings.eax_offset
     return tuple(_NOWHERE if v is None else v - more for v, more in zip(extax, offsets, strict=True))
 
 
-def _c_rob_t(run: Run, node: Call) -> Value:
+def _c_rob_t(run: Execution, node: Call) -> Value:
     r"""CRobT([\Tool] [\WObj]): where the robot is, as a target."""
     args = bind(run, node, (), _CURRENT)
     position = run.position
@@ -138,14 +138,14 @@ def _c_rob_t(run: Run, node: Call) -> Value:
     return _rob_target(place, position.conf(run, node, node.name), extax)
 
 
-def _c_pos(run: Run, node: Call) -> Value:
+def _c_pos(run: Execution, node: Call) -> Value:
     r"""CPos([\Tool] [\WObj])."""
     args = bind(run, node, (), _CURRENT)
     read_at_rest(run, node, "CPos reads where the robot is")
     return Value(POS, run.position.target(run, node, node.name, _current(run, node, args))[0])
 
 
-def _c_joint_t(run: Run, node: Call) -> Value:
+def _c_joint_t(run: Execution, node: Call) -> Value:
     """CJointT(): joints and external axes as they are, offsets included."""
     bind(run, node, (), ("TaskRef", "TaskName"))
     read_at_rest(run, node, "CJointT reads where the robot is")
@@ -157,7 +157,7 @@ def _joint_target(q: Array, extax: ExternalAxes) -> Value:
     return Value(JOINTTARGET, (tuple(degrees(float(value)) for value in q), _axes(extax)))
 
 
-def _calc_rob_t(run: Run, node: Call) -> Value:
+def _calc_rob_t(run: Execution, node: Call) -> Value:
     r"""CalcRobT(JointTarget, Tool [\WObj])."""
     args = bind(run, node, ("Joint_target", "Tool"), ("WObj",))
     joints, tool = args.required
@@ -172,7 +172,7 @@ def _calc_rob_t(run: Run, node: Call) -> Value:
     return _rob_target(place, robot.confdata(q), _without_offsets(run, extax))
 
 
-def _calc_joint_t(run: Run, node: Call) -> Value:
+def _calc_joint_t(run: Execution, node: Call) -> Value:
     r"""CalcJointT(RobTarget, Tool [\WObj] [\ErrorNumber]). Raises Fault ERR_ROBLIMIT for a target out of reach."""
     args = bind(run, node, ("Rob_target", "Tool"), ("UseCurWObjPos", "WObj", "ErrorNumber"))
     point, tool = args.required
@@ -194,13 +194,13 @@ def _calc_joint_t(run: Run, node: Call) -> Value:
     return _joint_target(q, extax)
 
 
-def _c_tool(run: Run, node: Call) -> Value:
+def _c_tool(run: Execution, node: Call) -> Value:
     """CTool(): the tool of the last move."""
     bind(run, node, (), ("TaskRef", "TaskName"))
     return Value(TOOLDATA, run.position.setup.tool_data)
 
 
-def _c_wobj(run: Run, node: Call) -> Value:
+def _c_wobj(run: Execution, node: Call) -> Value:
     """CWObj(): the work object of the last move."""
     bind(run, node, (), ("TaskRef", "TaskName"))
     return Value(WOBJDATA, run.position.setup.wobj_data)

@@ -16,7 +16,7 @@ from trajopt_cli.rapid.language.syntax import Call
 from trajopt_cli.scenario import Answer
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 EOF_NUM = 9.998e36  # what ReadNum gives behind the last number of a file
 EOF_BIN = -1.0
@@ -25,18 +25,18 @@ EOF_BIN = -1.0
 def _unknown(name: str, type_: Type, what: str, default: Answer | None = None) -> tuple[str, Function]:
     """A function that is answered under its own name; its arguments are not looked at."""
 
-    def handler(run: Run, node: Call) -> Value:
+    def handler(run: Execution, node: Call) -> Value:
         return ask(run, node, name, type_, f"{name} asks for {what}", default)
 
     return name, handler
 
 
-def _clock(run: Run, node: Call) -> Value:
+def _clock(run: Execution, node: Call) -> Value:
     (clock,) = bind(run, node, ("Clock",), ("HighRes",)).required
     return ask(run, clock, root(run, clock), NUM, f"ClkRead asks for the seconds on {run.text(clock)}")
 
 
-def _test_and_set(run: Run, node: Call) -> Value:
+def _test_and_set(run: Execution, node: Call) -> Value:
     """TRUE where the flag was free; it is taken afterwards."""
     (flag,) = bind(run, node, ("Object",)).required
     free = not condition(run, flag)
@@ -44,7 +44,7 @@ def _test_and_set(run: Run, node: Call) -> Value:
     return Value(BOOL, free)
 
 
-def _read_directory(run: Run, node: Call) -> Value:
+def _read_directory(run: Execution, node: Call) -> Value:
     """Whether there was one more file, and its name in the variable."""
     _, name = bind(run, node, ("Dev", "FileName")).required
     more = ask(run, node, "ReadDir", BOOL, "ReadDir asks whether the folder holds one more file")
@@ -53,7 +53,7 @@ def _read_directory(run: Run, node: Call) -> Value:
     return more
 
 
-def _next_symbol(run: Run, node: Call) -> Value:
+def _next_symbol(run: Execution, node: Call) -> Value:
     name, _ = bind(run, node, ("Object", "Block"), ("Recursive",)).required
     more = ask(run, node, "GetNextSym", BOOL, "GetNextSym asks whether the search finds one more name")
     if more.data:
@@ -61,7 +61,7 @@ def _next_symbol(run: Run, node: Call) -> Value:
     return more
 
 
-def _socket_status(run: Run, node: Call) -> Value:
+def _socket_status(run: Execution, node: Call) -> Value:
     """As the program itself has left the socket; one that it never made is closed."""
     (socket,) = bind(run, node, ("Socket",)).required
     value = locate(run, socket).value

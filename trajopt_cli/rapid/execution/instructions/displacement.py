@@ -20,16 +20,16 @@ from trajopt_cli.rapid.execution.position import read_at_rest
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _displace(run: Run, displacement: frames.Frame) -> None:
+def _displace(run: Execution, displacement: frames.Frame) -> None:
     active = displacement != IDENTITY
     run.position.equipment.displacement = displacement if active else None
     change(run, replace(run.settings, displaced=active))
 
 
-def _on(run: Run, node: ProcedureCall) -> None:
+def _on(run: Execution, node: ProcedureCall) -> None:
     r"""PDispOn [\Rot] [\ExeP] ProgPoint, Tool [\WObj]: ProgPoint comes to ExeP, or to where the robot is."""
     args = bind(run, node, ("ProgPoint", "Tool"), ("Rot", "ExeP", "WObj"))
     point, tool = args.required
@@ -45,35 +45,35 @@ def _on(run: Run, node: ProcedureCall) -> None:
     _displace(run, ((bx - ax, by - ay, bz - az), IDENTITY[1]))
 
 
-def _pose(run: Run, node: Expression) -> frames.Frame:
+def _pose(run: Execution, node: Expression) -> frames.Frame:
     data = evaluate(run, node, POSE).data
     written = data != POSE.default
     return data[0], run.position.equipment.orientation(run, data[1], run.text(node), node, run.file, written)
 
 
-def _set(run: Run, node: ProcedureCall) -> None:
+def _set(run: Execution, node: ProcedureCall) -> None:
     """PDispSet DispFrame."""
     (argument,) = bind(run, node, ("DispFrame",)).required
     _displace(run, _pose(run, argument))
 
 
-def _add(run: Run, node: ProcedureCall) -> None:
+def _add(run: Execution, node: ProcedureCall) -> None:
     """PDispAdd DispFrame: behind the displacement that is active, D := D DispFrame."""
     (argument,) = bind(run, node, ("DispFrame",)).required
     _displace(run, frames.compose(run.position.equipment.displacement or IDENTITY, _pose(run, argument)))
 
 
-def _off(run: Run, node: ProcedureCall) -> None:
+def _off(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
     _displace(run, IDENTITY)
 
 
-def _offset(run: Run, values: Data) -> None:
+def _offset(run: Execution, values: Data) -> None:
     a, b, c, d, e, f = (0.0 if abs(value) > NO_POSITION else value for value in values)
     change(run, replace(run.settings, eax_offset=(a, b, c, d, e, f)))
 
 
-def _offset_on(run: Run, node: ProcedureCall) -> None:
+def _offset_on(run: Execution, node: ProcedureCall) -> None:
     r"""EOffsOn [\ExeP] ProgPoint: the difference of the external axes; 0 for one that has no position."""
     args = bind(run, node, ("ProgPoint",), ("ExeP",))
     programmed, actual = evaluate(run, args.required[0], ROBTARGET).data[3], args.value("exep")
@@ -86,12 +86,12 @@ def _offset_on(run: Run, node: ProcedureCall) -> None:
     _offset(run, tuple(0.0 if max(abs(now), abs(was)) > NO_POSITION else now - was for now, was in pairs))
 
 
-def _offset_set(run: Run, node: ProcedureCall) -> None:
+def _offset_set(run: Execution, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("EAxOffs",)).required
     _offset(run, evaluate(run, argument, EXTJOINT).data)
 
 
-def _offset_off(run: Run, node: ProcedureCall) -> None:
+def _offset_off(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
     _offset(run, (0.0,) * 6)
 

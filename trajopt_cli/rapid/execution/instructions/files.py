@@ -7,28 +7,28 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.execution.answers import fill
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.plain import plain
+from trajopt_cli.rapid.execution.instructions.no_effect import plain
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
 def _reads(name: str, *required: str, optional: tuple[str, ...] = ()) -> tuple[str, Instruction]:
     """An instruction that fills its last argument, under that variable's name."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         _fill(run, name, bind(run, node, required, optional).required[-1])
 
     return name, handler
 
 
-def _fill(run: Run, name: str, target: Expression) -> None:
+def _fill(run: Execution, name: str, target: Expression) -> None:
     if fill(run, target, f"{name} reads {run.text(target)}") is None:
         run.ignored[name] += 1
 
 
-def _read_error(run: Run, node: ProcedureCall) -> None:
+def _read_error(run: Execution, node: ProcedureCall) -> None:
     options = ("Title", "Str1", "Str2", "Str3", "Str4", "Str5")
     args = bind(run, node, ("TrapEvent", "ErrorDomain", "ErrorId", "ErrorType"), options)
     for target in (*args.required[1:], *args.optional.values()):

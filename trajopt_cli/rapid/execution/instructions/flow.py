@@ -4,51 +4,51 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
 from trajopt_cli.rapid.data.predefined import BOOKED
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
+from trajopt_cli.rapid.execution.control_flow import Exit, Retry
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
 from trajopt_cli.rapid.execution.faults import raise_error
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.jumps import Exit, Retry
 from trajopt_cli.rapid.language.syntax import ProcedureCall
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _exit_cycle(run: Run, node: ProcedureCall) -> None:
+def _exit_cycle(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
     raise Exit
 
 
-def _stop(run: Run, node: ProcedureCall) -> None:
+def _stop(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, (), ("NoRegain", "AllMoveTasks"))
-    run.note("stop", NoticeKind.ASSUMED, f"{node.name} waits for the operator; the program goes on here", node)
+    run.note("stop", WarningKind.ASSUMED, f"{node.name} waits for the operator; the program goes on here", node)
 
 
-def _break(run: Run, node: ProcedureCall) -> None:
+def _break(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
     what = "Break stops the robot at once, somewhere on its way; the plan stops at the point before it"
-    run.warn(NoticeKind.ASSUMED, what, run.source(node))
+    run.warn(WarningKind.ASSUMED, what, run.source(node))
 
 
-def _call_by_var(run: Run, node: ProcedureCall) -> None:
+def _call_by_var(run: Execution, node: ProcedureCall) -> None:
     from trajopt_cli.rapid.execution.calls import call_by_name
 
     name, index = bind(run, node, ("Name", "Number")).required
     call_by_name(run, node, f"{evaluate(run, name, STRING).data}{integer(run, index, 'Number')}", ())
 
 
-def _book_error(run: Run, node: ProcedureCall) -> None:
+def _book_error(run: Execution, node: ProcedureCall) -> None:
     (target,) = bind(run, node, ("ErrorName",)).required
     run.booked += 1
     run.assign(target, Value(NUM, BOOKED + run.booked))
 
 
-def _err_raise(run: Run, node: ProcedureCall) -> None:
+def _err_raise(run: Execution, node: ProcedureCall) -> None:
     """RAISE of the booked number in the variable that a string names, with a text for the log."""
     names = ("ErrorName", "ErrorId", *(f"Argument{i}" for i in range(1, 6)))
     spelled = bind(run, node, names).required[0]
@@ -59,12 +59,12 @@ def _err_raise(run: Run, node: ProcedureCall) -> None:
     raise_error(run, node, f'{node.name} "{name}"', name, float(place.value.data))
 
 
-def _reset_retry(run: Run, node: ProcedureCall) -> None:
+def _reset_retry(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
     run.frame.retried = (0, 0, 0)
 
 
-def _start_move_retry(run: Run, node: ProcedureCall) -> None:
+def _start_move_retry(run: Execution, node: ProcedureCall) -> None:
     """StartMove and RETRY in one."""
     bind(run, node, ())
     if run.frame.handling is None:
@@ -72,12 +72,12 @@ def _start_move_retry(run: Run, node: ProcedureCall) -> None:
     raise Retry
 
 
-def _skip_warn(run: Run, node: ProcedureCall) -> None:
+def _skip_warn(run: Execution, node: ProcedureCall) -> None:
     """Keeps a warning out of the log."""
     bind(run, node, ())
 
 
-def _refused(run: Run, node: ProcedureCall) -> None:
+def _refused(run: Execution, node: ProcedureCall) -> None:
     """ProcerrRecovery stops the robot wherever it is; RaiseToUser asks which modules a user may step into."""
     what = f"{node.name} raises an error whose place or handler is not modelled"
     raise run.error(node, f"{what}; leave it out, or write RAISE with the number of the error")

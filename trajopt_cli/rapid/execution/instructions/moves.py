@@ -27,24 +27,24 @@ from trajopt_cli.motion import (
     UnitMove,
     Written,
 )
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.construction import made, maker
 from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
-from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions import speed_settings
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.manner import manner
+from trajopt_cli.rapid.execution.instructions.motion_settings import manner
 from trajopt_cli.rapid.execution.instructions.multimove import together
-from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.execution.positioners import moved
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 NO_POSITION = 8.9e9  # RAPID's 9E9, with room for rounding
 _NEAR = 0.1  # mm; a controller refuses circles with points nearer than this
@@ -93,25 +93,25 @@ def asked(args: Arguments, via: bool) -> Asked:
     return _asked((point, speed, zone, tool, args, None))
 
 
-def move_j(run: Run, node: ProcedureCall) -> None:
+def move_j(run: Execution, node: ProcedureCall) -> None:
     """MoveJ ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveJ, asked(args, via=False))
 
 
-def move_l(run: Run, node: ProcedureCall) -> None:
+def move_l(run: Execution, node: ProcedureCall) -> None:
     """MoveL ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveL, asked(args, via=False))
 
 
-def move_c(run: Run, node: ProcedureCall) -> None:
+def move_c(run: Execution, node: ProcedureCall) -> None:
     """MoveC CirPoint, ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("CirPoint", "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveC, asked(args, via=True))
 
 
-def move_abs_j(run: Run, node: ProcedureCall) -> None:
+def move_abs_j(run: Execution, node: ProcedureCall) -> None:
     """MoveAbsJ ToJointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
@@ -146,22 +146,22 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
     run.position.to_joints(setup, motion.q, motion.extax)
 
 
-def move_ext_j(run: Run, node: ProcedureCall) -> None:
+def move_ext_j(run: Execution, node: ProcedureCall) -> None:
     """MoveExtJ ToJointPos, Speed, Zone."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = evaluate(run, point, JOINTTARGET)
     at = run.units.checked(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
-    caps = pace.speed(run, speed, args, external=True)
+    caps = speed_settings.speed(run, speed, args, external=True)
     number, partner = together(run, node, args)
     motion = MoveExtJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
         target=said(run, point),
         speed=caps,
-        zone=pace.zone(run, zone, args),
+        zone=speed_settings.zone(run, zone, args),
         extax=at,
-        duration=pace.duration(run, args),
+        duration=speed_settings.duration(run, args),
         optional=marked(run, node),
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
@@ -175,7 +175,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
 
 
 def to_pose(
-    run: Run,
+    run: Execution,
     node: ProcedureCall,
     kind: PoseKind,
     asked: Asked,
@@ -248,7 +248,7 @@ def to_pose(
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
 
 
-def _succession(run: Run, node: ProcedureCall, args: Arguments) -> None:
+def _succession(run: Execution, node: ProcedureCall, args: Arguments) -> None:
     r"""\Conc: what follows runs while the robot moves; at most five moves in succession may have it."""
     run.concurrent = run.concurrent + 1 if "conc" in args.optional else 0
     if run.concurrent and run.stored:
@@ -258,7 +258,7 @@ def _succession(run: Run, node: ProcedureCall, args: Arguments) -> None:
         raise run.fault(node, "ERR_CONC_MAX", message)
 
 
-def _check_unit(run: Run, node: ProcedureCall, setup: Setup) -> None:
+def _check_unit(run: Execution, node: ProcedureCall, setup: Setup) -> None:
     """Refuse a move on a work object that moves by itself."""
     fixed, unit = setup.wobj_data[1:3]
     if not fixed and run.units.moves_by_itself(str(unit)):
@@ -271,7 +271,7 @@ def _check_unit(run: Run, node: ProcedureCall, setup: Setup) -> None:
 
 
 def _check_circle(
-    run: Run,
+    run: Execution,
     node: Expression,
     end: Expression,
     start: frames.Frame | None,
@@ -289,17 +289,17 @@ def _check_circle(
         return
     course = circle_through(at, via[0], place[0])
     if course is None:
-        run.warn(NoticeKind.UNUSUAL, f"start, {through} and {to} lie on one line, not on a circle", run.source(node))
+        run.warn(WarningKind.UNUSUAL, f"start, {through} and {to} lie on one line, not on a circle", run.source(node))
     elif degrees(course.angle) > _WIDEST_ARC:
         run.warn(
-            NoticeKind.UNUSUAL,
+            WarningKind.UNUSUAL,
             f"the arc through {through} is {degrees(course.angle):.4g} deg long; "
             f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two",
             run.source(node),
         )
 
 
-def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
+def written(run: Execution, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
     """Where the parts of an instruction stand in the text."""
     file, origin = run.file, target.origin
     return made(
@@ -318,7 +318,7 @@ def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression,
 _span = maker(Span)
 
 
-def marked(run: Run, node: ProcedureCall) -> bool:
+def marked(run: Execution, node: ProcedureCall) -> bool:
     """Whether a comment marks the move as one that may be dropped."""
     return bool(run.optional) and (run.file, node.start) in run.optional
 
@@ -326,7 +326,7 @@ def marked(run: Run, node: ProcedureCall) -> bool:
 # ------------------------------------------------------------------------------------------------------ the target
 
 
-def robtarget(run: Run, node: Expression) -> Target:
+def robtarget(run: Execution, node: Expression) -> Target:
     """A robtarget. Raises InputError for an orientation or a configuration that is none, at its literal."""
     value = value_of(run, node, ROBTARGET)
     (x, y, z), q, conf, extax = value.data
@@ -338,7 +338,7 @@ def robtarget(run: Run, node: Expression) -> Target:
     return _target((((x, y, z), q), _configuration(run, node, conf), external(run, extax), value))
 
 
-def _configuration(run: Run, point: Expression, conf: Data) -> ConfData:
+def _configuration(run: Execution, point: Expression, conf: Data) -> ConfData:
     known = _CONFIGURATIONS.get(conf)
     if known is None:
         if any(abs(value) > NO_POSITION or value != int(value) for value in conf):
@@ -355,7 +355,7 @@ _CONFIGURATIONS: dict[Data, ConfData] = {}
 _MANY = 4096
 
 
-def external(run: Run, extax: Data, offset: bool = True) -> ExternalAxes:
+def external(run: Execution, extax: Data, offset: bool = True) -> ExternalAxes:
     """External axes as the controller drives them. offset: whether EOffs adds to them."""
     offsets = run.settings.eax_offset
     a, b, c, d, e, f = extax

@@ -19,10 +19,10 @@ from trajopt_cli.rapid.execution.instructions.waits import record
 from trajopt_cli.rapid.language.syntax import ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def together(run: Run, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
+def together(run: Execution, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
     r"""The \ID of a move and what the other robots take for it [s], each None where nothing says it.
 
     Raises InputError for a synchronised move without an \ID, and for one with it that is not synchronised.
@@ -52,7 +52,7 @@ def together(run: Run, node: ProcedureCall, args: Arguments) -> tuple[int | None
 def _meeting(on: bool, required: tuple[str, ...]) -> Instruction:
     """SyncMoveOn or SyncMoveOff: a wait for the other tasks, at a stop point."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, required, ("TimeOut",))
         name = run.text(args.required[0])
         limit, least = args.value("timeout"), run.world.least(name)
@@ -71,7 +71,7 @@ def _meeting(on: bool, required: tuple[str, ...]) -> Instruction:
 def _set(on: bool) -> Instruction:
     """Moves go together from here on, or each by itself; at a stop point, without a wait for the other tasks."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         bind(run, node, ())
         if run.settings.synchronised is not on:
             record(run, node, 0.0, in_position=True)

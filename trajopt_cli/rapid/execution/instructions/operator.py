@@ -11,7 +11,7 @@ from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall, String
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _BREAKS = (
     "MaxTime", "DIBreak", "DIPassive", "DOBreak", "DOPassive", "PersBoolBreak", "PersBoolPassive", "BreakFlag",
@@ -19,7 +19,7 @@ _BREAKS = (
 )  # fmt: skip
 
 
-def _read_key(run: Run, node: ProcedureCall) -> None:
+def _read_key(run: Execution, node: ProcedureCall) -> None:
     """A function key, 1 to 5; the first one that has a text stands in."""
     args = bind(run, node, ("TPAnswer", "TPText", "TPFK1", "TPFK2", "TPFK3", "TPFK4", "TPFK5"), _BREAKS)
     answer, _, *keys = args.required
@@ -38,14 +38,14 @@ def _labelled(key: Expression) -> bool:
     return not (isinstance(key, Name) and key.name.lower() == "stempty")
 
 
-def _read_number(run: Run, node: ProcedureCall) -> None:
+def _read_number(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("TPAnswer", "TPText"), _BREAKS)
     answer = args.required[0]
     fill(run, answer, f"{node.name} asks the operator for {run.text(answer)}")
     _unbroken(run, args.value("breakflag"))
 
 
-def _message(run: Run, node: ProcedureCall) -> None:
+def _message(run: Execution, node: ProcedureCall) -> None:
     r"""A box on the pendant; only \Result is an answer."""
     options = ("Header", "MsgLine2", "MsgLine3", "MsgLine4", "MsgLine5", "Wrap", "Buttons", "Icon", "Image", "Result")
     args = bind(run, node, ("MsgLine1",), (*options, *_BREAKS))
@@ -55,7 +55,7 @@ def _message(run: Run, node: ProcedureCall) -> None:
     _unbroken(run, args.value("breakflag"))
 
 
-def _unbroken(run: Run, flag: Expression | None) -> None:
+def _unbroken(run: Execution, flag: Expression | None) -> None:
     """Nothing breaks off what the operator does."""
     if flag is not None:
         run.assign(flag, Value(NUM, 0.0))

@@ -9,26 +9,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, named, present
 from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.evaluate import locate, number
-from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions import speed_settings
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
 
 
 def _loose(
-    run: Run, node: ProcedureCall, names: list[tuple[str, ...]]
+    run: Execution, node: ProcedureCall, names: list[tuple[str, ...]]
 ) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
     """Arguments by place; optional ones of the process by name as written; those of every move.
 
@@ -69,7 +69,7 @@ def _process(
     kinds = [data[:count] for count in range(len(data) + 1)] + ([(*data[:-1], more, data[-1])] if more else [])
     forms = [(*points, "Speed", *form, *ends) for form in kinds]
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
         if not least <= len(places) <= len(forms[-1]):
@@ -96,7 +96,7 @@ def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression
     return {name: value for name, value in options.items() if name != "inpos"}
 
 
-def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
+def _process_speed(run: Execution, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
     """The speed while the process runs, which its data says; None: as Speed says."""
     place = _place(run, data)
     at = None if place is None else _speed_at(place.type, place.value.data)
@@ -104,22 +104,22 @@ def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expre
     if not (isinstance(value, float) and value > 0):
         what = "speed_data.main" if node.name.lower().startswith("cap") else "weld_speed"
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"the {what} of {run.text(data)} is not known; the move goes at its Speed {said(run, speed)}",
             run.source(node),
         )
         return None
     if place is not None and at is not None and len(at) == 2 and any(_at(place.value.data, at[:1])[2:4]):
         what = f"startspeed_time and startmove_delay of {run.text(data)} are not planned: the move starts at full speed"
-        run.note(f"start {run.text(data)}", NoticeKind.ASSUMED, what, node)
+        run.note(f"start {run.text(data)}", WarningKind.ASSUMED, what, node)
     if run.settings.override != 1:
         what = f"{run.text(data)} sets the speed of the process; VelSet and SpeedRefresh are taken not to change it"
-        run.note(f"override {run.text(data)}", NoticeKind.ASSUMED, what, node)
-    outside = pace.speed(run, speed, Arguments((), {}))
+        run.note(f"override {run.text(data)}", WarningKind.ASSUMED, what, node)
+    outside = speed_settings.speed(run, speed, Arguments((), {}))
     return Speed(said(run, data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
 
 
-def set_speed(run: Run, target: Expression, value: Expression) -> bool:
+def set_speed(run: Execution, target: Expression, value: Expression) -> bool:
     """`weld1.weld_speed:=12`, `cap1.speed_data.main:=15`: let data hold another speed; False for other parts."""
     if not isinstance(target, Component) or target.name.lower() not in ("weld_speed", "main"):
         return False
@@ -136,7 +136,7 @@ def set_speed(run: Run, target: Expression, value: Expression) -> bool:
     return True
 
 
-def _place(run: Run, node: Expression) -> Place | None:
+def _place(run: Execution, node: Expression) -> Place | None:
     base = node
     while isinstance(base, (Component, Element)):
         base = base.base

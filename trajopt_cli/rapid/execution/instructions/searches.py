@@ -12,11 +12,10 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import ExternalAxes, Move, MoveC, MoveJ, MoveL, Process
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.courses import between
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
+from trajopt_cli.rapid.data.line_fractions import between
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import Setup, frame, matrix, said
 from trajopt_cli.rapid.execution.instructions.effect import Effect
@@ -24,9 +23,10 @@ from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Targ
 from trajopt_cli.rapid.execution.position import reach, read_at_rest
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _STIFF = 0.1 + 1e-9  # m/s
 _STOPS = ("stop", "pstop", "sstop")
@@ -38,7 +38,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
     required = ("Signal", "SearchPoint", *via, "ToPoint", "Speed", "Tool")
     options = ("Stop", "PStop", "SStop", "Sup", *_FLANKS, "ID", "V", "T", "WObj", "Corr", "TLoad")
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, required, options)
         signal, searched, *points, speed, tool = args.required
         point, circle = points[-1], points[0] if via else None
@@ -64,23 +64,25 @@ def _search(kind: PoseKind, name: str) -> Instruction:
         else:
             to_pose(run, node, kind, request, process=process)
             what = f"{name} without \\Stop, \\PStop or \\SStop does not stop at the hit: it goes on to ToPoint"
-            run.note("flying search", NoticeKind.ASSUMED, what, node)
+            run.note("flying search", WarningKind.ASSUMED, what, node)
         run.assign(searched, hit.value)
 
     return handler
 
 
-def _tell_stop(run: Run, node: ProcedureCall, args: Arguments) -> None:
+def _tell_stop(run: Execution, node: ProcedureCall, args: Arguments) -> None:
     """What a controller makes of the stop of the last motion, a search (RAPID, SearchL)."""
     move = run.motions[-1]
     if "stop" in args.optional and isinstance(move, Move) and move.speed.v_tcp > _STIFF:
         what = f"{node.name} \\Stop is allowed below 100 mm/s only, found {move.speed.v_tcp / MM:.6g} mm/s"
-        run.warn(NoticeKind.UNUSUAL, f"{what}: search more slowly, or with \\PStop", run.source(node))
+        run.warn(WarningKind.UNUSUAL, f"{what}: search more slowly, or with \\PStop", run.source(node))
     what = f"{node.name} ends at the hit; a controller stops behind it and stays there (at 50 mm/s 1 to 3 mm "
-    run.note("search stop", NoticeKind.ASSUMED, f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)", node)
+    run.note(
+        "search stop", WarningKind.ASSUMED, f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)", node
+    )
 
 
-def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
+def _share(run: Execution, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
     """Where the signal comes, as a share of the way; None for never."""
     known = {name.lower(): share for name, share in run.scenario.searches.items()}
     keys = [said(run, argument).lower() for argument in (searched, signal)]
@@ -99,7 +101,7 @@ def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expressi
 
 
 def _hit(
-    run: Run,
+    run: Execution,
     node: ProcedureCall,
     kind: PoseKind,
     setup: Setup,

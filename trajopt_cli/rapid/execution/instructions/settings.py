@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import CirPathMode, Settings, Singularity
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
@@ -14,43 +13,44 @@ from trajopt_cli.rapid.execution.position import still_moving
 from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _LEAST_PATH_LIMIT, _NUM = 0.1, 1e-8  # m/s2, and the rounding of a num
 _LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
 
 
-def change(run: Run, settings: Settings) -> None:
+def change(run: Execution, settings: Settings) -> None:
     """Make settings those of the next moves; equal ones stay the same object."""
     if settings != run.settings:
         run.settings = settings
     tell(run)
 
 
-def _on(run: Run, node: ProcedureCall) -> bool:
+def _on(run: Execution, node: ProcedureCall) -> bool:
     args = bind(run, node, (), ("On", "Off"))
     _exclusive(run, node, args, "on", "off")
     return "off" not in args.optional
 
 
-def _exclusive(run: Run, node: ProcedureCall, args: Arguments, *names: str) -> None:
+def _exclusive(run: Execution, node: ProcedureCall, args: Arguments, *names: str) -> None:
     given = [name for name in names if name in args.optional]
     if len(given) > 1:
         found = " and ".join(f"\\{name}" for name in given)
         raise run.error(node, f"{node.name} takes one of these, found {found}")
 
 
-def _conf_j(run: Run, node: ProcedureCall) -> None:
+def _conf_j(run: Execution, node: ProcedureCall) -> None:
     change(run, replace(run.settings, conf_j=_on(run, node)))
 
 
-def _conf_l(run: Run, node: ProcedureCall) -> None:
+def _conf_l(run: Execution, node: ProcedureCall) -> None:
     change(run, replace(run.settings, conf_l=_on(run, node)))
 
 
-def _singularity(run: Run, node: ProcedureCall) -> None:
+def _singularity(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, (), ("Wrist", "LockAxis4", "Off"))
     _exclusive(run, node, args, "wrist", "lockaxis4", "off")
     kind = Singularity.OFF
@@ -61,14 +61,14 @@ def _singularity(run: Run, node: ProcedureCall) -> None:
     change(run, replace(run.settings, singularity=kind))
 
 
-def _circle(run: Run, node: ProcedureCall) -> None:
+def _circle(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, (), tuple(mode.value for mode in CirPathMode))
     _exclusive(run, node, args, *(mode.value.lower() for mode in CirPathMode))
     given = next((mode for mode in CirPathMode if mode.value.lower() in args.optional), CirPathMode.PATH_FRAME)
     change(run, replace(run.settings, circle=given))
 
 
-def _acceleration(run: Run, node: ProcedureCall) -> None:
+def _acceleration(run: Execution, node: ProcedureCall) -> None:
     r"""\FinePointRamp: the ramp of the braking to a stop point is Ramp times this share (RAPID reference, AccSet). Like
     Ramp it shapes jerk and leaves the plan as it is."""
     args = bind(run, node, ("Acc", "Ramp"), ("FinePointRamp",))
@@ -79,7 +79,9 @@ def _acceleration(run: Run, node: ProcedureCall) -> None:
             raise run.error(fine, f"AccSet takes a \\FinePointRamp above 0 and up to 100 %, found {share:.6g}")
         if share < 100:
             what = f"\\FinePointRamp:={share:.6g} makes the controller brake more gently to stop points, which takes"
-            run.note("finepointramp", NoticeKind.NO_EFFECT, f"{what} longer; plans and estimates do not count it", node)
+            run.note(
+                "finepointramp", WarningKind.NO_EFFECT, f"{what} longer; plans and estimates do not count it", node
+            )
     change(
         run,
         replace(
@@ -90,19 +92,19 @@ def _acceleration(run: Run, node: ProcedureCall) -> None:
     )
 
 
-def _percent(run: Run, node: ProcedureCall, value: Expression, least: float) -> float:
+def _percent(run: Execution, node: ProcedureCall, value: Expression, least: float) -> float:
     given = number(run, value)
     taken = min(max(given, least), 100.0)
     if taken != given:
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"{node.name} takes {least:g}..100 %, found {given:.6g}; taken as {taken:g}",
             run.source(value),
         )
     return taken
 
 
-def _velocity(run: Run, node: ProcedureCall) -> None:
+def _velocity(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Override", "Max"))
     percent, highest = (number(run, value) for value in args.required)
     if not 0 < percent <= 100:
@@ -113,7 +115,7 @@ def _velocity(run: Run, node: ProcedureCall) -> None:
     _pace(run)
 
 
-def _pace(run: Run) -> None:
+def _pace(run: Execution) -> None:
     """Speeds as VelSet asks, then that share of them that SpeedRefresh asks."""
     share, highest = run.velset
     v_max = None if highest is None else highest * run.refresh
@@ -121,7 +123,7 @@ def _pace(run: Run) -> None:
     run.position.equipment.speeds.clear()
 
 
-def _refresh(run: Run, node: ProcedureCall) -> None:
+def _refresh(run: Execution, node: ProcedureCall) -> None:
     """SpeedRefresh Override: a share of all speeds, of the move that runs and of those behind it, until another."""
     (argument,) = bind(run, node, ("Override",)).required
     percent = number(run, argument)
@@ -131,12 +133,12 @@ def _refresh(run: Run, node: ProcedureCall) -> None:
         raise run.error(argument, "SpeedRefresh 0 stops the robot until another task sets a higher value; leave it out")
     if still_moving(run) is not None:
         what = "SpeedRefresh also changes the move that runs at that moment; here it counts from the next move on"
-        run.warn(NoticeKind.ASSUMED, what, run.source(node))
+        run.warn(WarningKind.ASSUMED, what, run.source(node))
     run.refresh = percent / 100
     _pace(run)
 
 
-def _path_limits(run: Run, node: ProcedureCall) -> None:
+def _path_limits(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("AccLim", "DecelLim"), ("AccMax", "DecelMax"))
     first, second = args.required
     change(
@@ -149,7 +151,7 @@ def _path_limits(run: Run, node: ProcedureCall) -> None:
     )
 
 
-def _limit(run: Run, node: ProcedureCall, switch: Expression, args: Arguments, name: str) -> float | None:
+def _limit(run: Execution, node: ProcedureCall, switch: Expression, args: Arguments, name: str) -> float | None:
     if not condition(run, switch):
         return None
     value = args.optional.get(name.lower())
@@ -162,14 +164,14 @@ def _limit(run: Run, node: ProcedureCall, switch: Expression, args: Arguments, n
     return limit
 
 
-def _positive(run: Run, node: ProcedureCall, value: Expression) -> float:
+def _positive(run: Execution, node: ProcedureCall, value: Expression) -> float:
     limit = number(run, value)
     if not limit > 0:
         raise run.error(value, f"{node.name} takes an acceleration above 0 m/s2, found {limit:.6g}")
     return limit
 
 
-def _world_limit(run: Run, node: ProcedureCall) -> None:
+def _world_limit(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, (), ("On", "Off"))
     value = args.optional.get("on")
     if "on" in args.optional and value is None:
@@ -178,7 +180,7 @@ def _world_limit(run: Run, node: ProcedureCall) -> None:
     change(run, replace(run.settings, world_acceleration=limit))
 
 
-def _grip_load(run: Run, node: ProcedureCall) -> None:
+def _grip_load(run: Execution, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("Load",)).required
     change(run, replace(run.settings, load=load(run, argument)))
 

@@ -5,38 +5,38 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import SignalEvent, Written
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
 from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _event(run: Run, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+def _event(run: Execution, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
     run.motions.append(SignalEvent(source=run.source(node), written=written, signal=signal, value=value, delay=delay))
 
 
-def _change(run: Run, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+def _change(run: Execution, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
     run.world.set(signal, value)
     _event(run, node, signal, value, delay)
 
 
-def _set(run: Run, node: ProcedureCall) -> None:
+def _set(run: Execution, node: ProcedureCall) -> None:
     (signal,) = bind(run, node, ("Signal",)).required
     _change(run, node, run.signal(signal), 1.0)
 
 
-def _reset(run: Run, node: ProcedureCall) -> None:
+def _reset(run: Execution, node: ProcedureCall) -> None:
     (signal,) = bind(run, node, ("Signal",)).required
     _change(run, node, run.signal(signal), 0.0)
 
 
-def _set_digital(run: Run, node: ProcedureCall) -> None:
+def _set_digital(run: Execution, node: ProcedureCall) -> None:
     """Everything but 0 is 1, as on a controller."""
     args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
     signal, value = args.required
@@ -44,7 +44,7 @@ def _set_digital(run: Run, node: ProcedureCall) -> None:
     _change(run, node, run.signal(signal), float(number(run, value) != 0), _seconds(run, args, "SDelay"))
 
 
-def _set_group(run: Run, node: ProcedureCall) -> None:
+def _set_group(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Signal", "Value"), ("SDelay",))
     signal, value = run.signal(args.required[0]), number(run, args.required[1])
     if value < 0 or value != int(value):
@@ -53,13 +53,13 @@ def _set_group(run: Run, node: ProcedureCall) -> None:
     _change(run, node, signal, value, _seconds(run, args, "SDelay"))
 
 
-def _set_analog(run: Run, node: ProcedureCall) -> None:
+def _set_analog(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Signal", "Value"))
     signal, value = args.required
     _change(run, node, run.signal(signal), number(run, value))
 
 
-def _pulse(run: Run, node: ProcedureCall) -> None:
+def _pulse(run: Execution, node: ProcedureCall) -> None:
     r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
     args = bind(run, node, ("Signal",), ("High", "PLength"))
     signal = run.signal(args.required[0])
@@ -67,13 +67,13 @@ def _pulse(run: Run, node: ProcedureCall) -> None:
     _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - run.world.now(signal))
 
 
-def _invert(run: Run, node: ProcedureCall) -> None:
+def _invert(run: Execution, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("Signal",)).required
     signal = run.signal(argument)
     _change(run, node, signal, 1.0 - run.world.now(signal))
 
 
-def _seconds(run: Run, args: Arguments, name: str) -> float:
+def _seconds(run: Execution, args: Arguments, name: str) -> float:
     node = args.value(name.lower())
     seconds = number(run, node) if node is not None else 0.0
     if node is not None and not seconds >= 0:
@@ -84,18 +84,18 @@ def _seconds(run: Run, args: Arguments, name: str) -> float:
 # ------------------------------------------------------------------------------------------------------ other names
 
 
-def _alias(run: Run, node: ProcedureCall) -> None:
+def _alias(run: Execution, node: ProcedureCall) -> None:
     """From here on the alias stands for the signal."""
     original, alias = bind(run, node, ("FromSignal", "ToSignal")).required
     _rename(run, alias, _signal_name(run, original))
 
 
-def _alias_reset(run: Run, node: ProcedureCall) -> None:
+def _alias_reset(run: Execution, node: ProcedureCall) -> None:
     (alias,) = bind(run, node, ("Signal",)).required
     _rename(run, alias, None)
 
 
-def _signal_name(run: Run, node: Expression) -> str:
+def _signal_name(run: Execution, node: Expression) -> str:
     """A signal given as such or by a text that is its name."""
     if isinstance(node, Name):
         place = run.find(node.name)
@@ -106,10 +106,10 @@ def _signal_name(run: Run, node: Expression) -> str:
     return run.signal(node)
 
 
-def _rename(run: Run, alias: Expression, signal: str | None) -> None:
+def _rename(run: Execution, alias: Expression, signal: str | None) -> None:
     if isinstance(alias, Name) and run.find(alias.name) is None:
         run.warn(
-            NoticeKind.ASSUMED,
+            WarningKind.ASSUMED,
             f"alias '{alias.name}' is not declared in the files read; it is taken as a signal",
             run.source(alias),
         )

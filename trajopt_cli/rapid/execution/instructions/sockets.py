@@ -12,11 +12,11 @@ from trajopt_cli.rapid.execution.answers import fill
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import locate
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.plain import plain
+from trajopt_cli.rapid.execution.instructions.no_effect import plain
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 # SOCKET_CREATED ... SOCKET_CLOSED of the manual
 CREATED, CONNECTED, BOUND, LISTENING, CLOSED = 1.0, 2.0, 3.0, 4.0, 5.0
@@ -25,21 +25,21 @@ CREATED, CONNECTED, BOUND, LISTENING, CLOSED = 1.0, 2.0, 3.0, 4.0, 5.0
 def _to(status: float, *required: str, optional: tuple[str, ...] = ()) -> Instruction:
     """An instruction that leaves its first argument, a socket, in a status."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, ("Socket", *required), optional)
         _mark(run, args.required[0], status)
 
     return handler
 
 
-def _mark(run: Run, socket: Expression, status: float) -> None:
+def _mark(run: Execution, socket: Expression, status: float) -> None:
     place = locate(run, socket)
     if place.type.name != "socketdev":
         raise run.error(socket, f"needs a socketdev, found {run.text(socket)} of type {place.type.name}")
     place.value = Value(place.type, status)
 
 
-def _accept(run: Run, node: ProcedureCall) -> None:
+def _accept(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Socket", "ClientSocket"), ("ClientAddress", "Time"))
     _mark(run, args.required[1], CONNECTED)
     address = args.value("clientaddress")
@@ -47,7 +47,7 @@ def _accept(run: Run, node: ProcedureCall) -> None:
         fill(run, address, f"SocketAccept tells {run.text(address)}, who has connected")
 
 
-def _receive(run: Run, node: ProcedureCall) -> None:
+def _receive(run: Execution, node: ProcedureCall) -> None:
     required = ("Socket",)
     options = ("Str", "RawData", "Data", "ReadNoOfBytes", "NoRecBytes", "RemoteAddress", "RemotePort", "Time")
     args = bind(run, node, required, options)
@@ -64,14 +64,14 @@ def _receive(run: Run, node: ProcedureCall) -> None:
         fill(run, count, f"{node.name} counts the bytes it receives in {run.text(count)}")
 
 
-def _camera_parameter(run: Run, node: ProcedureCall) -> None:
+def _camera_parameter(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Camera", "ParName"), ("NumVar", "BoolVar", "StrVar"))
     for target in args.optional.values():
         if target is not None:
             fill(run, target, f"CamGetParameter asks the camera for {run.text(target)}")
 
 
-def _camera_result(run: Run, node: ProcedureCall) -> None:
+def _camera_result(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Camera", "CamTarget"), ("SceneId", "MaxTime"))
     target = args.required[1]
     fill(run, target, f"CamGetResult asks the camera for {run.text(target)}")

@@ -13,18 +13,18 @@ from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _WHERE = ("Block", "TaskRef", "TaskName")
 
 
-def _get(run: Run, node: ProcedureCall) -> None:
+def _get(run: Execution, node: ProcedureCall) -> None:
     """Read the data that a text names."""
     name, target = bind(run, node, ("Object", "Value"), _WHERE).required
     run.assign(target, evaluate(run, _data(run, name, locate(run, target).type)))
 
 
-def _set(run: Run, node: ProcedureCall) -> None:
+def _set(run: Execution, node: ProcedureCall) -> None:
     """Change the data that a text names."""
     name, value = bind(run, node, ("Object", "Value"), _WHERE).required
     given = evaluate(run, value)
@@ -35,7 +35,7 @@ def _set(run: Run, node: ProcedureCall) -> None:
     run.assign(target, given)
 
 
-def _data(run: Run, node: Expression, type_: Type) -> Name:
+def _data(run: Execution, node: Expression, type_: Type) -> Name:
     text = str(evaluate(run, node, STRING).data).strip()
     place = run.find(text)
     if not isinstance(place, Place):
@@ -46,7 +46,7 @@ def _data(run: Run, node: Expression, type_: Type) -> Name:
     return Name(node.start, node.end, text)
 
 
-def _load(run: Run, node: ProcedureCall) -> None:
+def _load(run: Execution, node: ProcedureCall) -> None:
     """Every module is in memory from the start, so it only has to be among the program's files."""
     start = node.name.lower() == "startload"
     args = bind(run, node, ("FilePath", "LoadNo") if start else ("FilePath",), ("Dynamic", "File", "CheckRef"))
@@ -57,12 +57,12 @@ def _load(run: Run, node: ProcedureCall) -> None:
         raise run.fault(file, "ERR_FILNOTFND", message)
 
 
-def _unload(run: Run, node: ProcedureCall) -> None:
+def _unload(run: Execution, node: ProcedureCall) -> None:
     """The module stays: a program that does not use it any more does not notice."""
     bind(run, node, ("FilePath",), ("ErrIfChanged", "Save", "File"))
 
 
-def _wait_load(run: Run, node: ProcedureCall) -> None:
+def _wait_load(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ("LoadNo",), ("UnloadPath", "UnloadFile", "CheckRef"))
 
 

@@ -9,8 +9,8 @@ from trajopt_cli.rapid.execution.instructions import (
     flow,
     moves,
     multimove,
+    no_effect,
     operator,
-    plain,
     processes,
     searches,
     settings,
@@ -41,11 +41,11 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **sockets.INSTRUCTIONS,
     **symbols.INSTRUCTIONS,
     **multimove.INSTRUCTIONS,
-    **plain.INSTRUCTIONS,
+    **no_effect.INSTRUCTIONS,
 }
 _TOPICS = (
     moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, files,
-    operator, sockets, symbols, multimove, plain,
+    operator, sockets, symbols, multimove, no_effect,
 )  # fmt: skip
 
 

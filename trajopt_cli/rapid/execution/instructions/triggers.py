@@ -15,7 +15,7 @@ from trajopt_cli.rapid.language.syntax import Expression, LateCall, ProcedureCal
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _OUTPUTS = ("DOp", "GOp", "AOp")
 _NUMBERED = tuple(f"T{i}" for i in range(2, 9))
@@ -23,14 +23,14 @@ _NUMBERED = tuple(f"T{i}" for i in range(2, 9))
 # --------------------------------------------------------------------------------------------- setting up triggers
 
 
-def _trigger(run: Run, node: ProcedureCall, argument: Expression, event: PathEvent) -> None:
+def _trigger(run: Execution, node: ProcedureCall, argument: Expression, event: PathEvent) -> None:
     place = locate(run, argument)
     if place.type.name != "triggdata":
         raise run.error(argument, f"{run.text(argument)} is a {place.type.name}; {node.name} sets up triggdata")
     place.value = Value(place.type, (event,))
 
 
-def _where(run: Run, distance: Expression, args: Arguments) -> tuple[float, float, bool]:
+def _where(run: Execution, distance: Expression, args: Arguments) -> tuple[float, float, bool]:
     r"""distance [m], time [s], from_start; \Time makes a time of the number."""
     value = number(run, distance)
     if value < 0:
@@ -39,14 +39,14 @@ def _where(run: Run, distance: Expression, args: Arguments) -> tuple[float, floa
     return (0.0, value, start) if "time" in args.optional else (value * MM, 0.0, start)
 
 
-def _output(run: Run, node: ProcedureCall, args: Arguments) -> str:
+def _output(run: Execution, node: ProcedureCall, args: Arguments) -> str:
     given = [(name, args.optional[name.lower()]) for name in _OUTPUTS if name.lower() in args.optional]
     if len(given) != 1 or given[0][1] is None:
         raise run.error(node, f"{node.name} needs one output: \\DOp, \\GOp or \\AOp")
     return run.signal(given[0][1])
 
 
-def _io(run: Run, node: ProcedureCall) -> None:
+def _io(run: Execution, node: ProcedureCall) -> None:
     r"""TriggIO TriggData, Distance [\Start | \Time] \DOp | \GOp | \AOp, SetValue."""
     options = ("Start", "Time", *_OUTPUTS, "ProcID", "DODelay")
     args = bind(run, node, ("TriggData", "Distance", "SetValue"), options)
@@ -61,7 +61,7 @@ def _io(run: Run, node: ProcedureCall) -> None:
     _trigger(run, node, trigger, event)
 
 
-def _equipment(run: Run, node: ProcedureCall) -> None:
+def _equipment(run: Execution, node: ProcedureCall) -> None:
     r"""TriggEquip TriggData, Distance [\Start], EquipLag \DOp | \GOp | \AOp, SetValue."""
     options = ("Start", *_OUTPUTS, "ProcID", "Inhib", "InhibDO", "Mode")
     args = bind(run, node, ("TriggData", "Distance", "EquipLag", "SetValue"), options)
@@ -72,7 +72,7 @@ def _equipment(run: Run, node: ProcedureCall) -> None:
     _trigger(run, node, trigger, event)
 
 
-def _interrupt(run: Run, node: ProcedureCall) -> None:
+def _interrupt(run: Execution, node: ProcedureCall) -> None:
     r"""TriggInt TriggData, Distance [\Start | \Time], Interrupt."""
     args = bind(run, node, ("TriggData", "Distance", "Interrupt"), ("Start", "Time"))
     trigger, distance, interrupt = args.required
@@ -81,7 +81,7 @@ def _interrupt(run: Run, node: ProcedureCall) -> None:
     _trigger(run, node, trigger, event)
 
 
-def _check(run: Run, node: ProcedureCall) -> None:
+def _check(run: Execution, node: ProcedureCall) -> None:
     r"""TriggCheckIO TriggData, Distance [\Start | \Time], Signal, Relation, CheckValue [\StopMove], Interrupt."""
     required = ("TriggData", "Distance", "Signal", "Relation", "CheckValue", "Interrupt")
     args = bind(run, node, required, ("Start", "Time", "StopMove"))
@@ -91,7 +91,7 @@ def _check(run: Run, node: ProcedureCall) -> None:
     _trigger(run, node, trigger, event)
 
 
-def _ramp(run: Run, node: ProcedureCall) -> None:
+def _ramp(run: Execution, node: ProcedureCall) -> None:
     r"""TriggRampAO TriggData, Distance [\Start], EquipLag, AOutput, SetValue, RampLength [\Time]."""
     required = ("TriggData", "Distance", "EquipLag", "AOutput", "SetValue", "RampLength")
     args = bind(run, node, required, ("Start", "Time"))
@@ -108,7 +108,7 @@ def _ramp(run: Run, node: ProcedureCall) -> None:
     _trigger(run, node, trigger, event)
 
 
-def _scaled(run: Run, node: ProcedureCall) -> None:
+def _scaled(run: Execution, node: ProcedureCall) -> None:
     r"""TriggSpeed TriggData, Distance [\Start], ScaleLag, AOp, ScaleValue: an output that follows the TCP speed.
 
     Its value depends on the speed, so the event has none.
@@ -128,7 +128,7 @@ def _triggered(kind: PoseKind, name: str) -> Instruction:
     via = ("CirPoint",) if kind is MoveC else ()
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg_1", "Zone", "Tool"), options)
         *points, speed, trigger, zone, tool = args.required
         given = [trigger, *(args.optional[key.lower()] for key in _NUMBERED if key.lower() in args.optional)]
@@ -141,7 +141,7 @@ def _triggered(kind: PoseKind, name: str) -> Instruction:
     return handler
 
 
-def _events(run: Run, argument: Expression) -> tuple[PathEvent, ...]:
+def _events(run: Execution, argument: Expression) -> tuple[PathEvent, ...]:
     data = locate(run, argument).value.data
     found = tuple(data) if isinstance(data, tuple) else ()
     flat = tuple(event for part in found for event in (part if isinstance(part, tuple) else (part,)))
@@ -152,7 +152,7 @@ def _events(run: Run, argument: Expression) -> tuple[PathEvent, ...]:
     return tuple(event for event in flat if isinstance(event, PathEvent))
 
 
-def _happen(run: Run, event: PathEvent) -> None:
+def _happen(run: Execution, event: PathEvent) -> None:
     if event.kind is Happens.SIGNAL and event.value is not None:
         run.world.set(event.name, event.value)
 
@@ -162,7 +162,7 @@ def _with_output(kind: PoseKind, name: str) -> Instruction:
     via = ("CirPoint",) if kind is MoveC else ()
     group = name.endswith("GO")
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "Signal", *(() if group else ("Value",)))
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad", *(("Value", "DValue") if group else ())))
         value = args.value("value") or args.value("dvalue") if group else args.required[-1]
@@ -180,7 +180,7 @@ def _with_procedure(kind: PoseKind, name: str) -> Instruction:
     """MoveLSync and its like: a procedure is run in the middle of the corner; here right after the move."""
     via = ("CirPoint",) if kind is MoveC else ()
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "ProcName")
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad"))
         argument = args.required[-1]

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import WOBJDATA
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.equipment import data_of, load
@@ -16,16 +15,17 @@ from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.waits import record, wait_for
 from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import Name, ProcedureCall
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _MOVING = "moving work objects"
 _APART = "plan the motions between such moves on their own (--entry)"
 
 
 def _switch(on: bool) -> Instruction:
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         unit = unit_name(run, bind(run, node, ("MechUnit",)).required[0])
         record(run, node, 0.0, in_position=True)
         if unit.lower() in run.units.axes:
@@ -42,7 +42,7 @@ def _switch(on: bool) -> Instruction:
         else:
             run.ignored[node.name] += 1
             message = f"{node.name} {unit} changes nothing here: no cell file has such a unit"
-            run.note(f"unit {unit}", NoticeKind.NO_EFFECT, run.meant(unit, message, run.units.axes), node)
+            run.note(f"unit {unit}", WarningKind.NO_EFFECT, run.meant(unit, message, run.units.axes), node)
 
     return handler
 
@@ -53,7 +53,7 @@ def _switch(on: bool) -> Instruction:
 def _alone(*required: str) -> Instruction:
     """An axis turns on its own, beside the program."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         options = ("ToAbsPos", "ToAbsNum", "ToRelPos", "ToRelNum", "Short", "Fwd", "Bwd", "Ramp")
         unit, axis, *_ = bind(run, node, ("MecUnit", "Axis", *required), options).required
         name = unit_name(run, unit)
@@ -67,12 +67,12 @@ def _alone(*required: str) -> Instruction:
         else:
             run.ignored[node.name] += 1
             text = f"{what}; the cell file has no such axis, so it is not planned"
-            run.note(f"alone {name}", NoticeKind.NO_EFFECT, text, node)
+            run.note(f"alone {name}", WarningKind.NO_EFFECT, text, node)
 
     return handler
 
 
-def _reset(run: Run, node: ProcedureCall) -> None:
+def _reset(run: Execution, node: ProcedureCall) -> None:
     options = ("RefPos", "RefNum", "Short", "Fwd", "Bwd", "Old")
     unit, axis = bind(run, node, ("MecUnit", "Axis"), options).required
     unit_name(run, unit), number(run, axis)
@@ -81,18 +81,18 @@ def _reset(run: Run, node: ProcedureCall) -> None:
 # ------------------------------------------------------------------------------------------------------------- loads
 
 
-def _unit_load(run: Run, node: ProcedureCall) -> None:
+def _unit_load(run: Execution, node: ProcedureCall) -> None:
     """What a positioner's axis carries: the axis keeps the limits of the cell file with any load."""
     unit, axis, carried = bind(run, node, ("MechUnit", "AxisNo", "Load")).required
     unit_name(run, unit), number(run, axis), load(run, carried)
 
 
-def _identify(run: Run, node: ProcedureCall) -> None:
+def _identify(run: Execution, node: ProcedureCall) -> None:
     text = f"{node.name} moves the arm by itself to identify a load; that motion is not planned"
-    run.note(node.name, NoticeKind.NOT_CHECKED, text, node)
+    run.note(node.name, WarningKind.NOT_CHECKED, text, node)
 
 
-def _hollow_wrist(run: Run, node: ProcedureCall) -> None:
+def _hollow_wrist(run: Execution, node: ProcedureCall) -> None:
     bind(run, node, ())
 
 
@@ -102,7 +102,7 @@ def _hollow_wrist(run: Run, node: ProcedureCall) -> None:
 def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruction:
     """An instruction about a work object that follows a conveyor or a sensor: no plan knows where that is, or when."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, ("MechUnit" if unit else "WObj",), (*options, "MaxTime", "TimeFlag"))
         (what,) = args.required
         if unit:

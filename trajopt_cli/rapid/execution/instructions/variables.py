@@ -11,10 +11,10 @@ from trajopt_cli.rapid.execution.evaluate import evaluate, integer, locate
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
-def _number(run: Run, target: Expression) -> Place:
+def _number(run: Execution, target: Expression) -> Place:
     place = locate(run, target)
     if not is_number(place.type):
         raise run.error(target, f"needs a num or a dnum, found {place.type.name}")
@@ -22,7 +22,7 @@ def _number(run: Run, target: Expression) -> Place:
 
 
 def _step(sign: float) -> Instruction:
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         (target,) = bind(run, node, ("Name",)).required
         place = _number(run, target)
         run.store(place, target, Value(place.type, place.value.data + sign))
@@ -30,14 +30,14 @@ def _step(sign: float) -> Instruction:
     return handler
 
 
-def _add(run: Run, node: ProcedureCall) -> None:
+def _add(run: Execution, node: ProcedureCall) -> None:
     target, added = bind(run, node, ("Name", "AddValue")).required
     place = _number(run, target)
     value = evaluate(run, added, DNUM if place.type is DNUM else NUM)
     run.store(place, target, Value(place.type, place.value.data + value.data))
 
 
-def _clear(run: Run, node: ProcedureCall) -> None:
+def _clear(run: Execution, node: ProcedureCall) -> None:
     (target,) = bind(run, node, ("Name",)).required
     place = _number(run, target)
     run.store(place, target, Value(place.type, 0.0))
@@ -46,7 +46,7 @@ def _clear(run: Run, node: ProcedureCall) -> None:
 def _bit(on: bool) -> Instruction:
     """Set or clear a bit of a byte (of a dnum: of its 52 bits); the lowest is 1."""
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         target, where = bind(run, node, ("BitData", "BitPos")).required
         place = _number(run, target)
         bits = 52 if place.type is DNUM else 8

@@ -13,7 +13,6 @@ from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Hold, Move, Wait, Written
-from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
 from trajopt_cli.rapid.execution.answers import root
@@ -36,13 +35,14 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import LONGEST_WAIT, condition_key, yaml_name
+from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
 def record(
-    run: Run, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
+    run: Execution, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
 ) -> None:
     """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
     if in_position:
@@ -66,7 +66,7 @@ _HALTS = frozenset(  # the robot stands for them, whatever runs beside a move
 )
 
 
-def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
+def hold_up(run: Execution, node: ProcedureCall | Call, name: str) -> None:
     """A wait in an instruction or a function that is none by itself (Effect.STOPS); its name is the wait's. Where the
     robot stands for it already, as in a loop that reads a file, no time more is no wait more."""
     least = run.world.least(name)
@@ -81,7 +81,7 @@ def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
 # ------------------------------------------------------------------------------------------------- time, standstill
 
 
-def _wait_time(run: Run, node: ProcedureCall) -> None:
+def _wait_time(run: Execution, node: ProcedureCall) -> None:
     args = bind(run, node, ("Time",), ("InPos",))
     seconds = number(run, args.required[0])
     if not seconds >= 0:
@@ -92,7 +92,7 @@ def _wait_time(run: Run, node: ProcedureCall) -> None:
     record(run, node, seconds, in_position="inpos" in args.optional)
 
 
-def _wait_robot(run: Run, node: ProcedureCall) -> None:
+def _wait_robot(run: Execution, node: ProcedureCall) -> None:
     if bind(run, node, (), ("InPos", "ZeroSpeed")).optional:
         record(run, node, 0.0, in_position=True)
     else:
@@ -114,7 +114,7 @@ _TIMEOUT = ("MaxTime", "TimeFlag")
 def _signal_wait(*switches: str, digital: bool = False) -> Instruction:
     options = (*switches, *_TIMEOUT, "ValueAtTimeout", "Visualize", "Header", "Message")
 
-    def handler(run: Run, node: ProcedureCall) -> None:
+    def handler(run: Execution, node: ProcedureCall) -> None:
         args = bind(run, node, ("Signal", "Value"), options)
         signal, wanted = run.signal(args.required[0]), number(run, args.required[1])
         if digital:
@@ -128,7 +128,7 @@ def _signal_wait(*switches: str, digital: bool = False) -> Instruction:
     return handler
 
 
-def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
+def _await(run: Execution, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
     fits = _TESTS[test]
     left = run.world.awaited(signal, lambda value: fits(value, wanted), wanted if test == "=" else None)
     if left:
@@ -142,7 +142,7 @@ def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float)
 
 
 def _over(
-    run: Run, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
+    run: Execution, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
 ) -> bool:
     r"""Record a wait and say whether it came true; if not, \TimeFlag is set.
 
@@ -172,7 +172,7 @@ def _over(
 # ------------------------------------------------------------------------------------------------------- conditions
 
 
-def _wait_until(run: Run, node: ProcedureCall) -> None:
+def _wait_until(run: Execution, node: ProcedureCall) -> None:
     options = ("InPos", *_TIMEOUT, "PollRate", "Visualize", "Header", "Message")
     args = bind(run, node, ("Cond",), options)
     (wanted,) = args.required
@@ -193,7 +193,9 @@ def _wait_until(run: Run, node: ProcedureCall) -> None:
             _assume(run, node, term, shown)
 
 
-def _from_outside(run: Run, node: ProcedureCall, wanted: Expression, terms: list[_Term] | None, shown: str) -> bool:
+def _from_outside(
+    run: Execution, node: ProcedureCall, wanted: Expression, terms: list[_Term] | None, shown: str
+) -> bool:
     """Let what the condition reads come from outside as the cell file says, or ask for it; whether it holds then."""
 
     def holds() -> bool:
@@ -217,12 +219,12 @@ def _from_outside(run: Run, node: ProcedureCall, wanted: Expression, terms: list
     return False
 
 
-def _given(run: Run, name: str) -> Told | None:
+def _given(run: Execution, name: str) -> Told | None:
     place = run.find(name)
     return place if isinstance(place, Told) and run.outside.gives(place.name) else None
 
 
-def _parts(run: Run, node: Expression) -> Iterator[Expression]:
+def _parts(run: Execution, node: Expression) -> Iterator[Expression]:
     """The data in a condition that the program may change, each part as written."""
     if isinstance(node, Name | Component | Element):
         if _variable(run, node) is not None:
@@ -243,7 +245,7 @@ def _operands(node: Expression) -> list[Expression]:
     return []
 
 
-def _unanswered(run: Run, node: Expression, type_: Type) -> bool:
+def _unanswered(run: Execution, node: Expression, type_: Type) -> bool:
     """Whether a condition calls functions that nobody knows or answers for: they lack, each in the type that its place
     has."""
     if isinstance(node, Call) and not run.knows(node.name):
@@ -257,21 +259,21 @@ def _unanswered(run: Run, node: Expression, type_: Type) -> bool:
     return any([_unanswered(run, one, NUM if isinstance(node, Call) else BOOL) for one in _operands(node)])
 
 
-def _kind(run: Run, node: Expression) -> Type:
+def _kind(run: Execution, node: Expression) -> Type:
     """The type of what a function is held against; a number's where only a run tells."""
     if isinstance(node, Boolean):
         return BOOL
     return STRING if isinstance(node, String) else _variable(run, node) or NUM
 
 
-def _unknown(run: Run, node: Expression) -> list[Name]:
+def _unknown(run: Execution, node: Expression) -> list[Name]:
     """The names in a condition that nothing declares."""
     if isinstance(node, Name):
         return [node] if run.find(node.name) is None else []
     return [name for one in _operands(node) for name in _unknown(run, one)]
 
 
-def _values(run: Run, wanted: Expression, parts: list[Expression]) -> list[Data]:
+def _values(run: Execution, wanted: Expression, parts: list[Expression]) -> list[Data]:
     """Values to try for data of a condition: what it is held against, and a little more or less."""
     held = [node.value for node in walk(wanted) if isinstance(node, Number | String)]
     held += [locate(run, part).value.data for part in parts]
@@ -280,7 +282,7 @@ def _values(run: Run, wanted: Expression, parts: list[Expression]) -> list[Data]
     return [True, False, 1.0, 0.0, *near, *(value for value in (*held, "1") if isinstance(value, str))]
 
 
-def _contradictory(run: Run, terms: list[_Term]) -> bool:
+def _contradictory(run: Execution, terms: list[_Term]) -> bool:
     """Whether a conjunction asks one signal or variable for two values."""
     values: dict[str, Data] = {}
     for term in terms:
@@ -290,7 +292,7 @@ def _contradictory(run: Run, terms: list[_Term]) -> bool:
     return False
 
 
-def _assume(run: Run, node: ProcedureCall, term: _Term, shown: str) -> None:
+def _assume(run: Execution, node: ProcedureCall, term: _Term, shown: str) -> None:
     """Let a variable have the value that was waited for, where it is a flag or a counter."""
     place = locate(run, term.target)
     if place.value.data == term.value.data:
@@ -301,7 +303,7 @@ def _assume(run: Run, node: ProcedureCall, term: _Term, shown: str) -> None:
         run.assign(term.target, term.value)
         return
     name = root(run, term.target)
-    run.warn(NoticeKind.ASSUMED, f"{node.name} {shown} is taken to come true; {name} is not changed", run.source(node))
+    run.warn(WarningKind.ASSUMED, f"{node.name} {shown} is taken to come true; {name} is not changed", run.source(node))
 
 
 @dataclass(frozen=True)
@@ -313,7 +315,7 @@ class _Term:
     signal: str | None = None
 
 
-def _terms(run: Run, node: Expression) -> list[_Term] | None:
+def _terms(run: Execution, node: Expression) -> list[_Term] | None:
     """The parts of a plain conjunction of `signal = value`, TestDI(signal), `variable = constant` and `flag`."""
     match node:
         case Binary(operator="AND"):
@@ -329,14 +331,14 @@ def _terms(run: Run, node: Expression) -> list[_Term] | None:
 _READERS = frozenset({"dinput", "doutput", "ginput", "goutput", "ainput", "aoutput"})
 
 
-def _true(run: Run, node: Expression, wanted: bool) -> list[_Term] | None:
+def _true(run: Execution, node: Expression, wanted: bool) -> list[_Term] | None:
     if isinstance(node, Call):
         signal = _argument(node, frozenset({"testdi"}))
         return [_Term(signal, Value(NUM, float(wanted)), run.signal(signal))] if signal else None
     return [_Term(node, Value(BOOL, wanted))] if _variable(run, node) == BOOL else None
 
 
-def _equal(run: Run, left: Expression, right: Expression) -> list[_Term] | None:
+def _equal(run: Execution, left: Expression, right: Expression) -> list[_Term] | None:
     variable = _variable(run, left)
     if variable is not None:
         return [_Term(left, evaluate(run, right, variable))] if _steady(run, right, constant=True) else None
@@ -351,7 +353,7 @@ def _argument(call: Call, functions: frozenset[str]) -> Expression | None:
     return call.args[0].value if call.name.lower() in functions and len(call.args) == 1 else None
 
 
-def _variable(run: Run, node: Expression) -> Type | None:
+def _variable(run: Execution, node: Expression) -> Type | None:
     """The type of data that the program may change; None for anything else."""
     base = node
     while isinstance(base, (Component, Element)):
@@ -362,12 +364,12 @@ def _variable(run: Run, node: Expression) -> Type | None:
     return None if place.constant else place.type
 
 
-def _is_signal(run: Run, node: Name) -> bool:
+def _is_signal(run: Execution, node: Name) -> bool:
     place = run.find(node.name)
     return place is None or (isinstance(place, Place) and place.type.name in SIGNALS)
 
 
-def _steady(run: Run, node: Expression, constant: bool) -> bool:
+def _steady(run: Execution, node: Expression, constant: bool) -> bool:
     """Whether an expression has one value during the wait: no signal in it, no call, only constants if wanted."""
     match node:
         case Number() | Boolean() | String():
@@ -393,7 +395,7 @@ def _names(node: Expression) -> list[str]:
 # -------------------------------------------------------------------------------------------------- the other waits
 
 
-def _test_and_set(run: Run, node: ProcedureCall) -> None:
+def _test_and_set(run: Execution, node: ProcedureCall) -> None:
     """Waits until a flag that tasks share is FALSE, and sets it."""
     (flag,) = bind(run, node, ("Object",)).required
     shown = f"{run.text(flag)} = FALSE"
@@ -401,12 +403,12 @@ def _test_and_set(run: Run, node: ProcedureCall) -> None:
     run.assign(flag, Value(BOOL, True))
 
 
-def wait_for(run: Run, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
+def wait_for(run: Execution, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
     """Record a wait for something that only the cell knows; name: of it in the cell file, as shown is."""
     _over(run, node, args, shown, (shown, name))
 
 
-def _sync_task(run: Run, node: ProcedureCall) -> None:
+def _sync_task(run: Execution, node: ProcedureCall) -> None:
     """Until the other tasks have come to the same point."""
     args = bind(run, node, ("SyncID", "TaskList"), ("InPos", "TimeOut", *_TIMEOUT))
     shown = run.text(args.required[0])

@@ -1,0 +1,614 @@
+"""Against plain peers: python benchmarks/bench_peers.py [--seeds 101-150] [--jobs N] [--json FILE] [--only ...]
+
+Each seed is one program of stops of one kind on a cell of its own: stations at random places along a rail (or around a
+robot without one), served in random order. The peer is what an engineer writes in a day around toppra:
+dynamic programming over rail positions on a uniform grid (and those written), branches and turns at every point; joint
+moves straight in the joints, lines and waits along a rail that shares the way's progress; every edge of the best chain
+timed by toppra, the chain searched anew until none of its edges is an estimate; then twice on finer grids around it.
+Caps on the TCP's acceleration slow a whole leg down until they hold. That answers the question of a RAPID controller;
+for a stream, Ruckig drives the joint moves of the same chain, every axis on its own, where that is faster. Drake, where
+it is installed, says how long the chain takes by its own Toppra. Beside them stand trajopt's plans for both targets.
+All but Drake's are judged from the rows of a file; seconds are those of the processor, from program to rows.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import os
+import tempfile
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from itertools import count, pairwise
+from multiprocessing.connection import Connection
+from pathlib import Path
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.graph_search.ik_tables import IkTable, station_table
+from trajopt_cli.job import Job, read_job
+from trajopt_cli.joint_csv import write_csv_text
+from trajopt_cli.pipeline.planning import judge, may_change, worst
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import EVERYTHING
+from trajopt_cli.problem.editable import Loops
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
+from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
+from trajopt_cli.study.rows import Piece, hold, rows_of
+from trajopt_cli.study.rows import apart as apart_enough
+from trajopt_cli.timing.law import TimeLaw, fastest_law
+from trajopt_cli.timing.point_to_point import point_to_point
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectory import Trajectory, hermite
+
+KINDS = ("literal", "offs", "loop", "call", "bench")  # bench: no rail
+PATIENCE = 400.0  # s of wall clock for one answer
+HOME = "[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]]"
+
+CELL = """robot: irb140_rail
+profile: default
+rail: {eax: a, stroke: [-0.2, 2.2]}
+limits:
+  rail: {velocity: 1.0, acceleration: 3.0, source: "benchmark"}
+tcp: {speed: 2.5, acceleration: 20, source: "benchmark"}
+start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
+"""
+BENCH = 'robot: irb140\nprofile: default\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n'
+REPOSITORY = Path(__file__).parents[1]
+Row = dict[str, Any]  # of the table: seed, kind, and the answers by name
+POSITIONS = 25  # of the rail on the first grid
+FINER = ((4, 4), (4, 16))  # positions to either side of the chain's, and into how many parts they split the first grid
+COARSE, FINE = 25, 401  # points of toppra on an edge of the search, and of the answer
+AGAIN = 25  # chains between two times that states out of the question are left out
+NEARLY = 0.97  # of an estimated time stand for a least one
+BUDGET = 8.0  # s of processor for the peer's search on each grid
+SETTLED = 2e-4  # relative: the chain is that near the least that any could take
+SAFE = 1 + 2e-6  # slowing besides: rows of a file are not quite the path
+
+
+def program(seed: int) -> tuple[str, str, str]:
+    """Kind, RAPID text and cell file of one seed."""
+    rng = np.random.default_rng(seed)
+    kind = KINDS[(seed - 1) % len(KINDS)]
+    n, rail = int(rng.integers(2, 6)), kind != "bench"
+    lift = int(rng.integers(60, 141))
+    fast, slow = rng.choice(["v1000", "v2500"]), rng.choice(["v200", "v500", "v800"])
+    targets, waits = [], [f"{rng.choice([0.15, 0.3, 0.5, 0.8]):g}" for _ in range(n)]
+    for _ in range(n):
+        x = rng.uniform(430, 560)
+        y = rng.uniform(0, 1900) if rail else rng.uniform(-280, 280)
+        z, turn = rng.uniform(200, 400), rng.uniform(-np.pi / 4, np.pi / 4)
+        eax = f"{y:.1f}" if rail else "9E9"
+        quaternion = f"[0,{np.sin(turn / 2):.7f},{np.cos(turn / 2):.7f},0]"
+        targets.append(f"[[{x:.1f},{y:.1f},%s],{quaternion},[0,0,0,0],[{eax},9E9,9E9,9E9,9E9,9E9]]|{z:.1f}")
+    at = [t.split("|")[0] % t.split("|")[1] for t in targets]
+    above = [t.split("|")[0] % f"{float(t.split('|')[1]) + lift:.1f}" for t in targets]
+    head = ["MODULE Cell", f"CONST jointtarget home:={HOME if rail else HOME.replace('[0,9E9', '[9E9,9E9')};"]
+    serve = f"MoveJ Offs(p,0,0,{lift}), {fast}, fine, tool0;\nMoveL p, {slow}, fine, tool0;\nWaitTime %s;\n"
+    serve += f"MoveL Offs(p,0,0,{lift}), {slow}, fine, tool0;\n"
+    body = ""
+    for i in range(n):
+        head.append(f"CONST robtarget p{i}:={at[i]};")
+        if kind in ("literal", "bench"):
+            head.append(f"CONST robtarget a{i}:={above[i]};")
+            move = f"a{i}, %s, fine, tool0;\n"
+            body += f"MoveJ {move % fast}MoveL p{i}, {slow}, fine, tool0;\nWaitTime {waits[i]};\nMoveL {move % slow}"
+        elif kind == "offs":
+            body += (serve % waits[i]).replace("Offs(p,", f"Offs(p{i},").replace("MoveL p,", f"MoveL p{i},")
+        elif kind == "call":
+            body += f"serve p{i};\n"
+    tail = ""
+    if kind == "loop":
+        head.append(f"CONST robtarget p{{{n}}}:=[{','.join(at)}];")
+        body = f"FOR i FROM 1 TO {n} DO\n{(serve % waits[0]).replace('(p,', '(p{i},').replace(' p,', ' p{i},')}ENDFOR\n"
+    elif kind == "call":
+        tail = f"PROC serve(robtarget p)\n{serve % waits[0]}ENDPROC\n"
+    text = "\n".join(head) + f"\nPROC main()\n{body}MoveAbsJ home, {fast}, fine, tool0;\nENDPROC\n{tail}ENDMODULE\n"
+    return kind, text, CELL if rail else BENCH
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """One leg from axes q_0 to q_1 (k,): at shares s (m,) of it q, dq/ds, d2q/ds2 (m, k)."""
+
+    axes: Axes
+    leg: Leg
+    q_0: Array
+    q_1: Array
+    X_WF: Array  # (4, 4) where the tool rests
+    cfx: int
+
+    def at(self, s: Array) -> tuple[Array, Array, Array] | None:
+        """None where the configuration ends on the way."""
+        D = self.q_1 - self.q_0
+        if self.leg.kind is LegKind.JOINT:
+            return self.q_0 + s[:, None] * D, np.tile(D, (len(s), 1)), np.zeros((len(s), len(D)))
+        layout, robot, segment = self.axes.layout, self.axes.robot, self.leg.segment
+        way = float(layout.place(D))
+        # turns are followed from the begin, so the points between are dense whatever s is
+        every = np.union1d(s, np.linspace(0, 1, COARSE))
+        X_WF = self.X_WF if segment is None else segment.pose(every) @ inverse_pose(self.leg.X_FT)
+        rail = float(layout.place(self.q_0)) + every * way
+        arm = self.axes.inverse(np.broadcast_to(X_WF, (len(every), 4, 4)), rail)[:, self.cfx]
+        arm = np.unwrap(arm, axis=0)
+        arm += 2 * np.pi * np.round((self.q_0[layout.arm] - arm[0]) / (2 * np.pi))
+        q = layout.join(rail, arm)
+        inside = (q >= self.axes.lower - 1e-9) & (q <= self.axes.upper + 1e-9)
+        if not inside.all() or np.abs(q[[0, -1]] - [self.q_0, self.q_1]).max() > 1e-6:
+            return None
+        q[0], q[-1] = self.q_0, self.q_1
+        q = q[np.searchsorted(every, s)]
+        twist = np.zeros((len(s), 6)) if segment is None else segment.twist(s)
+        try:
+            dq = inverse_velocity(robot, q, twist, way if layout.has_rail else None, self.leg.X_FT)
+            ddq = inverse_acceleration(robot, q, dq, 0 * twist, 0.0 if layout.has_rail else None, self.leg.X_FT)
+        except ValueError:  # singular on the way
+            return None
+        return q, dq, ddq
+
+    def tool(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array]:
+        """The TCP's velocity (m, 6) and acceleration (m, 3)."""
+        motion = self.axes.differential(q, self.leg.X_FT).motion(qd, qdd)
+        return motion[:, 0], motion[:, 1, :3]
+
+    def used(self, qd: Array, V: Array) -> Array:
+        """The greatest share (m,) of a speed's limit that axes at qd (m, k) and the tool at V (m, 6) use."""
+        tool = np.linalg.norm(V[:, :3], axis=1) / self.leg.v_tcp, np.linalg.norm(V[:, 3:], axis=1) / self.leg.v_ori
+        return np.max([(np.abs(qd) / self.axes.velocity_on(self.leg)).max(axis=1), *tool], axis=0)
+
+    def slowing(self, q: Array, qd: Array, qdd: Array) -> float:
+        """By what factor a motion on this leg must take longer to keep its limits."""
+        V, A = self.tool(q, qd, qdd)
+        hard = (np.abs(qdd) / self.axes.acceleration).max(), np.linalg.norm(A, axis=1).max() / self.leg.a_tcp
+        return float(max(1.0, self.used(qd, V).max(), np.sqrt(max(hard))))
+
+    def law(self, n: int) -> TimeLaw | None:
+        """By toppra on n points; longer where the TCP's acceleration wants it, and where the program says how long."""
+        s = np.linspace(0, 1, n)
+        path = self.at(s)
+        if path is None:
+            return None
+        q, dq, ddq = path
+        V, bent = self.tool(q, dq, ddq)
+        used = self.used(dq, V)
+        # toppra's solver dislikes columns of nothing
+        moves = np.abs(dq).max(axis=0) > 1e-9
+        slope, bend = ((x / self.axes.acceleration)[:, moves] for x in (dq, ddq))
+        law = None
+        if moves.any():
+            for scale in (1.0, 10.0, 0.1):  # it also gives up on some numbers that it finds too large or too small
+                rows = slope / scale, bend / scale**2
+                law = fastest_law(
+                    s * scale, scale / np.maximum(used, 1e-6), (rows[0][:-1], rows[1][:-1]),
+                    (rows[0][1:], rows[1][1:]), 0.0, 0.0,
+                )  # fmt: skip
+                if law is not None:
+                    law = TimeLaw(s, law.rates / scale)
+                    break
+        if law is None:
+            return None
+        u = np.gradient(law.rates**2, s) / 2
+        A = V[:, :3] * u[:, None] + bent * (law.rates**2)[:, None]
+        law = law.slowed(max(1.0, float(np.sqrt(np.linalg.norm(A, axis=1).max() / self.leg.a_tcp))))
+        if self.leg.duration is None:
+            return law
+        return law.slowed(self.leg.duration / law.duration) if law.duration <= self.leg.duration else None
+
+    def piece(self) -> Piece | None:
+        """The motion as it is written, slowed down until the cubics between rows keep all limits."""
+        still = not np.any(self.q_1 != self.q_0)
+        if still:
+            return hold(self.q_0, self.leg.duration or 0.0)
+        law = self.law(FINE)
+        for _ in range(3):
+            if law is None:
+                return None
+            piece = Piece(law.duration, law.times, partial(self._run, law))
+            rows = rows_of(self.axes.names, [piece], self.q_1)
+            factor = self.slowing(*hermite(rows, np.r_[rows.t[:-1] + 1e-9, rows.t[1:] - 1e-9]))
+            if factor == 1.0 or self.leg.duration is not None:
+                break
+            law = law.slowed(factor * SAFE)
+        return piece
+
+    def by_ruckig(self) -> tuple[Piece, ...]:
+        """A joint move with every axis on its own, slowed down until the tool's caps hold; none for other legs."""
+        if self.leg.kind is not LegKind.JOINT or not np.any(self.q_1 != self.q_0):
+            return ()
+        V, A = self.axes.velocity_on(self.leg), self.axes.acceleration
+        found = point_to_point(self.q_0, self.q_1, V, A, least=self.leg.duration or 0.0)
+        factor = self.slowing(*found.at(np.linspace(0, found.duration, FINE)))
+        if factor > 1.0 and self.leg.duration is not None:
+            return ()
+        if factor > 1.0:
+            found = found.slowed(factor * SAFE)
+        piece = Piece(found.duration, found.switches, lambda t: found.at(t)[:2])
+        return (piece,) if apart_enough(found.switches) else ()
+
+    def _run(self, law: TimeLaw, t: Array) -> tuple[Array, Array]:
+        s, rate, _ = law.at(t)
+        unique, where = np.unique(s, return_inverse=True)
+        path = self.at(unique)
+        assert path is not None, "the way was driven at its points"
+        return path[0][where], path[1][where] * rate[:, None]
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """What the axes may be at one waypoint: q (m, k), the number of the station's label and its branch (m,)."""
+
+    q: Array
+    label: Array
+    cfx: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Axes q and branch at every waypoint, and the time that all legs take by toppra."""
+
+    time: float
+    q: list[Array]
+    cfx: list[int]
+
+
+def trapezoid(way: Array, v: Array | float, a: Array | float) -> Array:
+    """Time of a way from rest to rest."""
+    return np.where(way > v * v / a, way / v + v / a, 2 * np.sqrt(way / a))
+
+
+class Peer:
+    """The search of one program."""
+
+    def __init__(self, axes: Axes, problem: Problem):
+        if problem.ties:
+            raise NotImplementedError("targets that serve several passes: the peer knows no such thing")
+        self.axes, self.problem = axes, problem
+        self.times: dict[tuple[int, bytes], float] = {}  # of edges that toppra timed
+
+    # ---------------------------------------------------------------------------------------------- states and edges
+
+    def layers(self, chain: list[Array] | None, beside: int, parts: int) -> list[Layer]:
+        """States at all waypoints: on the first grid, or beside a chain (M, k) on a finer one."""
+        place, out = self.axes.layout.place, list[Layer]()
+        for first, last in self.problem.stations:
+            stops = self.problem.waypoints[first : last + 1]
+            fixed = [stop.rail[0] for stop in stops if stop.rail[0] == stop.rail[1]]
+            low, high = max((stop.rail for stop in stops), key=lambda rail: rail[1] - rail[0])
+            grid = np.linspace(low, high, POSITIONS)
+            if chain is not None:
+                step = (grid[1] - grid[0]) / parts
+                near = np.array([float(place(q)) for q in chain[first : last + 1]])
+                grid = (near[:, None] + step * np.arange(-beside, beside + 1)).ravel()
+            written = [stop.written for stop in stops]
+            grid = np.round(np.clip(np.r_[grid, written], low, high), 9)
+            table = station_table(self.axes, self.problem, first, last, np.unique(np.r_[grid, fixed]))
+            out += [self._layer(table, i) for i in range(last - first + 1)]
+        return out
+
+    def _layer(self, table: IkTable, i: int) -> Layer:
+        arm = table.waypoints[i]
+        label, rail = np.nonzero(~np.isnan(arm[..., 0]))
+        cfx = np.array([one.cfx for one in table.labels], dtype=int)
+        return Layer(self.axes.layout.join(table.d[rail], arm[label, rail]), label, cfx[label])
+
+    def least(self, k: int, a: Layer, b: Layer) -> Array:
+        """No edge (m_a, m_b) of leg k takes less: every axis by itself (in joint moves all in proportion), and the
+        tool along the chord."""
+        leg, axes = self.problem.legs[k], self.axes
+        D = np.abs(b.q[None] - a.q[:, None])
+        V, A = axes.velocity_on(leg), axes.acceleration
+        rail = axes.layout.place(D) > 0 if axes.layout.has_rail else np.zeros(D.shape[:2], dtype=bool)
+        if leg.kind is LegKind.JOINT:
+            share = np.maximum(D, 1e-12)
+            T = trapezoid(np.ones(D.shape[:2]), (V / share).min(axis=-1), (A / share).min(axis=-1))
+            p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
+            chord = np.linalg.norm(p_b[None] - p_a[:, None], axis=-1)
+            T = np.maximum(T, trapezoid(chord, leg.v_tcp, leg.a_tcp))
+        else:
+            T = trapezoid(D, V, A).max(axis=-1)
+            if leg.segment is not None:
+                T = np.maximum(T, trapezoid(np.array(leg.chord), leg.v_tcp, leg.a_tcp))
+                T = np.maximum(T, leg.angle / leg.v_ori)
+            T = np.where(a.label[:, None] == b.label, T, np.inf)
+        if leg.duration is not None:
+            T = np.where(leg.duration * (1 + 1e-9) >= T, leg.duration, np.inf)
+        return np.where(rail & (not leg.rail_moves), np.inf, T)
+
+    def bent(self, k: int, a: Layer, b: Layer, rows: Array, columns: Array) -> Array:
+        """Somewhat less than the time of the given edges of a joint move: a trapezoid whose top follows the tool's way
+        through nine places."""
+        leg, axes = self.problem.legs[k], self.axes
+        s = np.linspace(0, 1, 9)[:, None]
+        T = np.empty(len(rows))
+        for part in np.array_split(np.arange(len(rows)), len(rows) // 2000 + 1):
+            q_0, q_1 = a.q[rows[part]], b.q[columns[part]]
+            p = (axes.forward(q_0[:, None] + s * (q_1 - q_0)[:, None]) @ leg.X_FT)[..., :3, 3]
+            slope = np.linalg.norm(np.diff(p, axis=1), axis=-1) * (len(s) - 1)
+            D = np.maximum(np.abs(q_1 - q_0), 1e-12)
+            hard, axis_top = ((limit / D).min(axis=1) for limit in (axes.acceleration, axes.velocity_on(leg)))
+            top = np.minimum(leg.v_tcp / np.maximum(slope, 1e-9), np.minimum(axis_top, np.sqrt(hard))[:, None])
+            T[part] = NEARLY * ((1 / top).mean(axis=1) + (top[:, 0] + top[:, -1]) / (2 * hard))
+        return T
+
+    def way(self, k: int, q_0: Array, q_1: Array, cfx: int) -> Way:
+        """Leg k between two states."""
+        return Way(self.axes, self.problem.legs[k], q_0, q_1, np.asarray(self.problem.waypoints[k].X_WF), cfx)
+
+    def timed(self, k: int, q_0: Array, q_1: Array, cfx: int) -> float:
+        """Time of an edge by toppra, infinite where there is none."""
+        key = k, q_0.tobytes() + q_1.tobytes()
+        if key not in self.times:
+            leg = self.problem.legs[k]
+            law = self.way(k, q_0, q_1, cfx).law(COARSE) if np.any(q_0 != q_1) else None
+            still = np.inf if np.any(q_0 != q_1) else leg.duration or 0.0
+            self.times[key] = still if law is None else law.duration
+        return self.times[key]
+
+    # -------------------------------------------------------------------------------------------------------- search
+
+    def best(self, layers: list[Layer], found: Chain | None = None) -> Chain | None:
+        """The chain of least time: estimates say too little, and are replaced along each best chain in turn. found: a
+        chain known already, which the answer does not fall behind."""
+        if not all(len(layer.q) for layer in layers):
+            return found
+        edges = [self.least(k, a, b) for k, (a, b) in enumerate(pairwise(layers))]
+        until = process_time() + BUDGET
+        for turn in count():
+            if found is not None and turn % AGAIN == 0:
+                self._bend(layers, edges, found.time)
+                layers, edges = _cut(layers, edges, found.time)
+            least, path = _shortest(edges)
+            if not np.isfinite(least) or process_time() > until:
+                break
+            if found is not None and least >= found.time * (1 - SETTLED):
+                break
+            for k, (i, j) in enumerate(pairwise(path)):
+                a, b = layers[k], layers[k + 1]
+                edges[k][i, j] = self.timed(k, a.q[i], b.q[j], int(max(a.cfx[i], b.cfx[j])))
+            time = float(sum(T[i, j] for T, (i, j) in zip(edges, pairwise(path), strict=True)))
+            if np.isfinite(time) and (found is None or time < found.time):
+                states = list(zip(layers, path, strict=True))
+                found = Chain(time, [x.q[i] for x, i in states], [int(x.cfx[i]) for x, i in states])
+        return found
+
+    def _bend(self, layers: list[Layer], edges: list[Array], most: float) -> None:
+        """The sharper estimate for all joint moves that may be part of a chain that takes less than `most`."""
+        before, after = _from_ends(edges)
+        for k, T in enumerate(edges):
+            if self.problem.legs[k].kind is LegKind.JOINT and np.isfinite(self.problem.legs[k].v_tcp):
+                rows, columns = np.nonzero(before[k][:, None] + T + after[k + 1] < most)
+                T[rows, columns] = np.maximum(T[rows, columns], self.bent(k, layers[k], layers[k + 1], rows, columns))
+
+
+def _shortest(edges: list[Array]) -> tuple[float, list[int]]:
+    """The least time from the first layer to the last, and the states on the way."""
+    before, back = np.zeros(len(edges[0])), []
+    for T in edges:
+        total = before[:, None] + T
+        back.append(np.argmin(total, axis=0))
+        before = total.min(axis=0)
+    path = [int(np.argmin(before))]
+    for step in reversed(back):
+        path.append(int(step[path[-1]]))
+    return float(before.min()), path[::-1]
+
+
+def _from_ends(edges: list[Array]) -> tuple[list[Array], list[Array]]:
+    """The least time to every state from the first layer, and from it to the last."""
+    before, after = [np.zeros(len(edges[0]))], [np.zeros(edges[-1].shape[1])]
+    for T in edges:
+        before.append((before[-1][:, None] + T).min(axis=0))
+    for T in reversed(edges):
+        after.append((T + after[-1]).min(axis=1))
+    return before, after[::-1]
+
+
+def _cut(layers: list[Layer], edges: list[Array], most: float) -> tuple[list[Layer], list[Array]]:
+    """Without the states that no chain goes through in less than `most`; those of one such chain remain."""
+    before, after = _from_ends(edges)
+    keep = [a + b <= most * (1 + 1e-9) for a, b in zip(before, after, strict=True)]
+    kept = [Layer(x.q[some], x.label[some], x.cfx[some]) for x, some in zip(layers, keep, strict=True)]
+    return kept, [T[np.ix_(a, b)] for T, (a, b) in zip(edges, pairwise(keep), strict=True)]
+
+
+Answers = dict[str, tuple[Trajectory | str | float, Target]]
+
+
+def peer(job: Job) -> Answers:
+    """The peer's motion, which is one for the RAPID controller, with Ruckig one for a stream, and Drake's time; or why
+    there is none."""
+    agreed = may_change(job, Loops.KEEP)
+    problem = build_problem(job.program, job.plant, EVERYTHING, Target.RAPID, agreed.changes[Target.RAPID])
+    if isinstance(problem, Infeasible):
+        return {"toppra": (str(problem), Target.RAPID)}
+    axes = Axes.of(job.plant)
+    search = Peer(axes, problem)
+    found = search.best(search.layers(None, 0, 1))
+    for beside, parts in FINER if axes.layout.has_rail else ():
+        if found is not None:
+            found = search.best(search.layers(found.q, beside, parts), found)
+    if found is None:
+        return {"toppra": ("no chain", Target.RAPID)}
+    q, cfx = found.q, found.cfx
+    ways = [search.way(k, q[k], q[k + 1], max(cfx[k], cfx[k + 1])) for k in range(len(problem.legs))]
+    pieces = [way.piece() for way in ways]
+    straight = [piece for piece in pieces if piece is not None]
+    if len(straight) < len(ways):
+        return {"toppra": (f"leg {pieces.index(None)} is not timed on the fine grid", Target.RAPID)}
+    own = [
+        min((piece, *way.by_ruckig()), key=lambda one: one.duration) for way, piece in zip(ways, straight, strict=True)
+    ]
+    out: Answers = {}
+    for name, chosen, target in (("toppra", straight, Target.RAPID), ("ruckig", own, Target.STREAM)):
+        out[name] = rows_of(axes.names, [piece for piece in chosen if piece.duration > 0], q[-1]), target
+    return out | {"drake": (by_drake(job, ways), Target.RAPID)}
+
+
+def by_drake(job: Job, ways: list[Way]) -> float | str:
+    """The time [s] of all legs by Drake's Toppra under the limits of the axes and of the tool's speed; caps on turning
+    and on the tool's acceleration are left out, so it may be too short."""
+    try:
+        from pydrake.multibody.optimization import Toppra
+        from pydrake.multibody.parsing import Parser
+        from pydrake.multibody.plant import MultibodyPlant
+        from pydrake.trajectories import PiecewisePolynomial
+    except ImportError:
+        return "not installed"
+    plant, total, s = MultibodyPlant(0.0), 0.0, np.linspace(0, 1, FINE)
+    model = Parser(plant).AddModels(str(REPOSITORY / "robots" / f"{job.plant.robot.name}.urdf"))[0]
+    root = plant.get_body(plant.GetBodyIndices(model)[0])
+    plant.WeldFrames(plant.world_frame(), root.body_frame())
+    plant.Finalize()
+    for way in ways:
+        path = way.at(s) if np.any(way.q_0 != way.q_1) else None
+        if path is None:
+            total += way.leg.duration or 0.0
+            continue
+        curve = PiecewisePolynomial.CubicHermite(s, path[0].T, path[1].T)  # Toppra does not keep it alive
+        solver = Toppra(curve, plant, s)
+        V, A = way.axes.velocity_on(way.leg), way.axes.acceleration
+        solver.AddJointVelocityLimit(-V, V)
+        solver.AddJointAccelerationLimit(-A, A)
+        solver.AddFrameTranslationalSpeedLimit(plant.GetFrameByName("tool0"), min(way.leg.v_tcp, 1e3))
+        law = solver.SolvePathParameterization()
+        if law is None:
+            return "no timing"
+        total += max(float(law.end_time()), way.leg.duration or 0.0)
+    return total
+
+
+def planned(job: Job, target: Target) -> Answers:
+    """trajopt's plan for a target, without its lower bound."""
+    changes = may_change(job, Loops.KEEP).changes[target]
+    found = optimize(job.program, job.plant, target, bounded=False, changes=changes)
+    return {target.value: (str(found) if isinstance(found, Infeasible) else found.trajectory, target)}
+
+
+MAKERS: dict[str, Callable[[Job], Answers]] = {
+    "peer": peer,
+    "rapid": partial(planned, target=Target.RAPID),
+    "stream": partial(planned, target=Target.STREAM),
+}
+NAMES = ("toppra", "ruckig", "drake", "rapid", "stream")
+AGAINST = {"rapid": "toppra", "stream": "ruckig"}  # who answers the same question
+
+
+def answer(job: Job, name: str) -> dict[str, dict[str, object]]:
+    """One maker's answers as numbers: time, the processor's seconds, the judge's word; or why there is none."""
+    found = MAKERS[name](job)
+    seconds, out = round(sum(os.times()[:4]), 1), dict[str, dict[str, object]]()
+    for one, (motion, target) in found.items():
+        if isinstance(motion, str):
+            out[one] = {"seconds": seconds, "says": motion}
+        elif isinstance(motion, float):
+            out[one] = {"seconds": seconds, "says": "", "time": motion}
+        else:
+            report = judge(job.plant, job.program, write_csv_text(motion), "rows", (), target, advice=False)
+            says = "legal" if report.legal else f"ILLEGAL: {worst(report).message}"
+            out[one] = {"seconds": seconds, "says": says, "time": motion.duration}
+    return out
+
+
+def apart(job: Job, name: str) -> dict[str, dict[str, object]]:
+    """The answers of a process of its own, so that no failure and no patience ends the table."""
+
+    def work(end: Connection) -> None:
+        end.send(answer(job, name))
+
+    ours, theirs = multiprocessing.Pipe(duplex=False)
+    process = multiprocessing.get_context("fork").Process(target=work, args=(theirs,))
+    process.start()
+    theirs.close()
+    first = "toppra" if name == "peer" else name
+    try:
+        if ours.poll(PATIENCE):
+            return dict(ours.recv())
+        return {first: {"seconds": PATIENCE, "says": f"nothing after {PATIENCE:g} s"}}
+    except EOFError:
+        return {first: {"says": "failed; its traceback stands above"}}
+    finally:
+        process.terminate()
+        process.join()
+
+
+def run(seed: int, folder: Path, makers: Sequence[str]) -> Row:
+    """All answers to one program."""
+    kind, text, cell = program(seed)
+    module = folder / f"cell{seed}.mod"
+    module.write_text(text)
+    module.with_suffix(".yaml").write_text(cell)
+    job, row = read_job(module), {"seed": seed, "kind": kind}
+    for name in makers:
+        row |= apart(job, name)
+    return row
+
+
+def line(row: Row) -> str:
+    """A row of the table: times, ours as a difference to the peer's, seconds of processor, and what is wrong."""
+    text, says = f"{row['seed']:4} {row['kind']:8}", list[str]()
+    for name in NAMES:
+        one = row.get(name, {})
+        text += f" {one['time']:8.3f}" if "time" in one else f" {'-':>8}"
+        if name in AGAINST:
+            lead = ahead(row, name)
+            text += f" {'-':>8}" if lead is None else f" {100 * lead:+6.2f} %"
+        if name not in ("ruckig", "drake"):
+            text += f" {one.get('seconds', 0):6.1f} s"
+        if one.get("says", "legal") not in ("legal", "", "not installed"):
+            says.append(f"{name}: {one['says']}")
+    return text + "  " + "; ".join(says)
+
+
+def ahead(row: Row, name: str) -> float | None:
+    """How one of ours stands against the peer that answers the same question; None where one of the two is missing."""
+    ours, theirs = row.get(name, {}), row.get(AGAINST[name], {})
+    if not ours.get("says") == theirs.get("says") == "legal":
+        return None
+    return float(ours["time"] / theirs["time"] - 1)
+
+
+def main() -> None:
+    """Run every seed and print the table, worst first at the end."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seeds", default="101-150")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--only", choices=tuple(MAKERS), action="append", help="leave the others out")
+    options = parser.parse_args()
+    first, _, last = options.seeds.partition("-")
+    rows: list[Row] = []
+    ours = "".join(f" {name:>8} {'':8} {'':8}" for name in AGAINST)
+    head = f"seed kind     {'toppra':>8} {'':8} {'ruckig':>8} {'drake':>8}{ours}"
+    print(head)
+    with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(options.jobs) as pool:
+        work = partial(run, folder=Path(place), makers=options.only or [*MAKERS])
+        for row in pool.map(work, range(int(first), int(last or first) + 1)):
+            rows.append(row)
+            print(line(row), flush=True)
+            if options.json:
+                options.json.write_text(json.dumps(rows, indent=1))
+    print("\nworst first\n" + head)
+    for row in sorted(rows, key=lambda row: -max(ahead(row, name) or -1.0 for name in AGAINST)):
+        print(line(row))
+    print("\n".join(summary(rows, name) for name in AGAINST))
+
+
+def summary(rows: list[Row], name: str) -> str:
+    """How one of ours stands against the peer over all programs on which both are legal."""
+    ratios = [lead for row in rows if (lead := ahead(row, name)) is not None]
+    answered, slower = sum(row.get(name, {}).get("says") == "legal" for row in rows), sum(x > 1e-4 for x in ratios)
+    text = f"{name}: legal on {answered} of {len(rows)}; slower than {AGAINST[name]} on {slower} of {len(ratios)}"
+    if ratios:
+        text += f", {100 * float(np.median(ratios)):+.2f} % in the middle, {100 * max(ratios):+.2f} % at most"
+    return text
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+"""Lag: the deviation of eq. 6.8, the steady one in closed form, and when the arm arrives."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from trajopt_cli.iiwa.controller.lag import (
+    deviation,
+    held,
+    lag_of,
+    settling,
+    steady_lag,
+    time_constants,
+    turn_deviation,
+)
+from trajopt_cli.iiwa.controller.regulator import response
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, RotationLaw
+
+THESIS = Compliance(np.r_[[1000.0] * 3, [30.0] * 3], np.r_[[500.0] * 3, [20.0] * 3], np.r_[[25.0] * 3, [3.0] * 3])
+
+
+def sequence(pose, pieces, h=1e-3):
+    R = np.tile(np.eye(3), (len(pose), 1, 1))
+    return Equilibrium(h, pose, R, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, pieces)
+
+
+def test_deviation_is_of_the_positions_alone_and_turn_deviation_of_the_orientations() -> None:
+    x = np.array([[3.0, 0.0, 4.0, 9.0, 9.0, 9.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]])
+    x_e = np.array([[0.0, 0.0, 0.0, 9.0, 5.0, 6.0], [0.0, 0.0, 0.0, 0.0, 0.0, 2.0]])
+    assert deviation(x, x_e) == pytest.approx([5.0, 1.0])
+    turned = [Rotation.from_euler("xyz", rows[:, 3:]) for rows in (x, x_e)]
+    assert turn_deviation(x, x_e) == pytest.approx((turned[0] * turned[1].inv()).magnitude())
+    with pytest.raises(ValueError, match=r"\(2, 6\) against an equilibrium of \(1, 6\)"):
+        deviation(x, x_e[:1])
+
+
+@pytest.mark.parametrize("velocity", [[0.1, 0.0, 0.0], [0.05, -0.1, 0.02]])
+def test_on_a_long_line_the_simulated_lag_is_the_steady_one(velocity: list[float]) -> None:
+    stiff = Compliance(np.r_[2000.0, 1000.0, 500.0, [30.0] * 3], THESIS.D, THESIS.M)
+    t = np.arange(12_000) * 1e-3
+    x_e = np.zeros((len(t), 6))
+    x_e[:, :3] = t[:, None] * np.array(velocity)
+    d = deviation(response(x_e, 1e-3, stiff).x, x_e)
+    assert d[-1] == pytest.approx(steady_lag(np.array(velocity), stiff), rel=0.01)
+    assert steady_lag([0.4, 0.0, 0.0], THESIS) == pytest.approx(500 * 0.4 / 1000)
+
+
+def test_nothing_pulls_along_an_axis_without_stiffness() -> None:
+    guided = Compliance(np.r_[1000.0, 1000.0, 0.0, [30.0] * 3], THESIS.D, THESIS.M)
+    assert steady_lag([0.1, 0.0, 0.1], guided) == np.inf
+    assert steady_lag([0.1, 0.0, 0.0], guided) == pytest.approx(0.05)
+    assert time_constants(guided)[2] == np.inf
+
+
+@pytest.mark.parametrize(("k", "d", "m"), [(1000.0, 500.0, 25.0), (500.0, 50.0, 25.0), (100.0, 2000.0, 25.0)])
+def test_time_constant_is_that_of_the_slowest_root(k: float, d: float, m: float) -> None:
+    compliance = Compliance(np.full(6, k), np.full(6, d), np.full(6, m))
+    assert time_constants(compliance) == pytest.approx(np.full(6, -1 / np.max(np.roots([m, d, k]).real)))
+
+
+def test_lag_says_where_the_worst_is() -> None:
+    pose = np.zeros((11, 6))
+    pieces = (Piece(0, 4, "a", "b"), Piece(4, 10, "b", "c"))
+    x = np.zeros((14, 6))
+    x[7, 1], x[3, 5] = 0.3, 0.2
+    lag = lag_of(x, sequence(pose, pieces, 0.01))
+    assert (lag.maximum, lag.row, lag.piece, lag.share) == (pytest.approx(0.3), 7, pieces[1], pytest.approx(0.5))
+    assert (lag.time, lag.mean) == (pytest.approx(0.07), pytest.approx(0.3 / 14))
+    assert (lag.turn_maximum, lag.turn_time) == (pytest.approx(0.2), pytest.approx(0.03))
+    x[4, 1] = 0.4
+    assert lag_of(x, sequence(pose, pieces)).piece == pieces[0]
+    x[13, 1] = 0.5  # after the end, where the last pose is held
+    late = lag_of(x, sequence(pose, pieces))
+    assert (late.row, late.piece, late.share) == (13, pieces[1], 1.0)
+    with pytest.raises(ValueError, match="10 rows, the equilibrium 11"):
+        lag_of(x[:10], sequence(pose, pieces))
+
+
+def test_held_and_settling() -> None:
+    x_e = np.arange(12.0).reshape(2, 6)
+    longer = held(x_e, 0.0031, 1e-3)
+    assert len(longer) == 2 + 4
+    assert np.array_equal(longer[2:], np.tile(x_e[1], (4, 1)))
+    assert len(held(x_e, 0.003, 1e-3)) == 2 + 3
+    with pytest.raises(ValueError, match="nan"):
+        held(x_e, float("nan"), 1e-3)
+    x = np.zeros((6, 6))
+    x[:, 0] = [0.5, 0.05, 0.2, 0.05, 0.01, 0.0]
+    assert settling(x, np.zeros(6), 0.1, 1.0, 0.01) == pytest.approx(0.03)
+    assert settling(x[:3], np.zeros(6), 0.1, 1.0, 0.01) is None
+    assert settling(x[4:], np.zeros(6), 0.1, 1.0, 0.01) == 0.0
+    x[4, 3:] = [0.6, 0.0, 0.8]  # a turn of norm 1
+    assert settling(x, np.zeros(6), 0.1, 1.0, 0.01) == pytest.approx(0.03)
+    assert settling(x, np.zeros(6), 0.1, 0.99, 0.01) == pytest.approx(0.05)

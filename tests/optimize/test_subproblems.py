@@ -1,0 +1,240 @@
+"""Windows change a motion only for the better: how they lie, what they hold, and what becomes of the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
+
+from trajopt_cli.motion import Program
+from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, Stage, on_grid
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.path_timing.path_parameterized_plan import duration
+from trajopt_cli.plan import local_refinement, subproblems
+from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.local_refinement import Sweeps, Tally, improved
+from trajopt_cli.plan.subproblems import Span, Window, colours, pieces
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
+
+pytestmark = pytest.mark.usefixtures("coarse")
+
+STATION = """MoveJ Offs(p_in,0,{y},0), v2500, fine, tool0;
+MoveL Offs(p_low,0,{y},0), v500, fine, tool0;
+MoveL Offs(p_in,0,{y},0), v500, fine, tool0;
+"""
+
+
+def program(*places: float, home: str = "") -> Program:
+    """Stations at places [mm] beyond the first along the rail, home between them if it is given, and at the end."""
+    return rapid(home.join(STATION.format(y=y) for y in places) + "MoveAbsJ j_home, v2500, fine, tool0;")
+
+
+AXES = Axes.of(plant_with_rail((-0.16, 0.8)))
+
+
+@cache
+def base(*places: float, home: str = "") -> Legal:
+    problem = problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_search(patch)
+        found = legal_of(AXES, [problem], Patience(), lambda _: None, {})
+    assert isinstance(found, Legal)
+    return found
+
+
+@cache
+def whole() -> Iterate:
+    """One window over two stations."""
+    _, draft, notes = improved(AXES, base(0, 300), Patience(), lambda _: None, {})
+    assert notes == ()
+    return draft
+
+
+def stand_in(monkeypatch: pytest.MonkeyPatch, solve: Callable[[Problem, Iterate], Iterate]) -> list[int]:
+    """Refiners that do as solve says; how many legs each was asked for."""
+    asked: list[int] = []
+
+    def finished(self: Refiner, stage: Stage) -> Iterate:
+        asked.append(len(self.problem.legs))
+        return solve(self.problem, stage.draft)
+
+    monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
+    monkeypatch.setattr(Refiner, "finished", finished)
+    return asked
+
+
+def quicker(problem: Problem, draft: Iterate) -> Iterate:
+    """No motion at all: the legs a little shorter than what the start takes, down to 0.1 s each."""
+    legs = [replace(motion, T=max(0.1, 0.9 * motion.T)) for motion in draft.legs if motion is not None]
+    return replace(draft, legs=tuple(legs))
+
+
+def swept(legal: Legal, tally: Tally | None = None) -> Iterate:
+    return Sweeps(AXES, LONG, Patience(), {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
+
+
+@pytest.mark.parametrize("most", [4, 5, 14])
+def test_windows_cover_the_whole_and_one_anothers_borders(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(subproblems, "WINDOW", most)
+    problem = problem_of(program(0, 300, 600, 0), plant_with_rail())
+    even, odd = colours(problem)
+    assert [first for first, _ in even] + [13] == [0] + [last for _, last in even]
+    assert max(last - first for first, last in even) <= most
+    if most == 14:
+        assert (even, odd) == ([(0, 13)], [])
+        return
+    for border in (last for _, last in even[:-1]):
+        (over,) = [(first, last) for first, last in odd if first < border < last]
+        assert over[1] - over[0] <= most + 2
+    assert all(a[1] <= b[0] for a, b in pairwise(odd))
+
+
+def test_repeated_passes_have_equal_windows(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Passes of six legs: windows of seven begin with a pass, but for those into which the end is cut evenly."""
+    monkeypatch.setattr(subproblems, "WINDOW", 7)
+    problem = problem_of(program(*([0, 300] * 8)), plant_with_rail())
+    even, odd = colours(problem)
+    assert even[:4] == [(0, 6), (6, 12), (12, 18), (18, 24)]
+    assert odd[:3] == [(3, 9), (9, 15), (15, 21)]
+
+
+def test_no_window_leaves_its_piece(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(subproblems, "WINDOW", 2)
+    problem = problem_of(program(0, 300, home="MoveAbsJ j_home, v2500, fine, tool0;\n"), plant_with_rail())
+    assert pieces(problem) == [(0, 4), (4, 8)]
+    assert all(last <= 4 or first >= 4 for spans in colours(problem) for first, last in spans)
+
+
+def test_a_window_is_held_where_and_as_fast_as_the_motion_passes_its_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Solved for real: a window in the middle of a motion in which the rail runs through the stops."""
+    legal, draft = base(0, 300), whole()
+    window = Window.of(legal.problem, draft, (2, 5))
+    assert np.abs(draft.qd[[2, 5], 0]).min() > 0.05
+    start = on_grid(AXES, window.problem, window.draft)
+    found = Refiner(AXES, Formulation(AXES), window.problem, Patience()).run(start)
+    np.testing.assert_array_equal(found.q[[0, -1]], draft.q[[2, 5]])
+    np.testing.assert_array_equal(found.qd[[0, -1]], draft.qd[[2, 5]])
+    assert duration(found) == pytest.approx(window.duration, rel=1e-3)  # nothing is to be gained there
+    for motion, q, qd in zip(found.legs, pairwise(found.q), pairwise(found.qd), strict=True):
+        assert motion is not None
+        ends = motion.sample(AXES, np.array([1e-9, motion.T - 1e-9]))
+        np.testing.assert_allclose(ends.q, q, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(ends.qd, qd, rtol=0, atol=1e-5)
+
+
+def test_a_window_that_fails_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def solve(problem: Problem, draft: Iterate) -> Iterate:
+        if problem.legs[0].motion >= 3:
+            raise NotConverged("no")
+        return quicker(problem, draft)
+
+    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    stand_in(monkeypatch, solve)
+    legal = base(0, 300, 600)
+    even, _ = colours(legal.problem)
+    assert even == [(0, 3), (3, 6), (6, 10)]
+    tally = Tally()
+    found = swept(legal, tally)
+    assert duration(found) < legal.duration
+    assert all(a is b for a, b in zip(found.legs[6:], legal.draft.legs[6:], strict=True))
+    np.testing.assert_array_equal(found.q, legal.draft.q)
+    assert (0, 3) in tally.tried
+    failed = sum(first >= 3 for first, _ in tally.tried)
+    assert list(tally.notes(True, Patience())) == [
+        f"{failed} of {len(tally.tried)} windows failed to converge: their parts stay as found without them"
+    ]
+
+
+def test_a_window_that_is_slower_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slower(_: Problem, draft: Iterate) -> Iterate:
+        return replace(draft, legs=tuple(replace(motion, T=3.0) for motion in draft.legs if motion is not None))
+
+    stand_in(monkeypatch, slower)
+    legal = base(0, 300)
+    tally = Tally()
+    assert swept(legal, tally) is legal.draft
+    assert list(tally.notes(False, Patience())) == [
+        "each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found"
+    ]
+
+
+@pytest.mark.parametrize(("few", "ratios"), [(48, [0.8, 0.9]), (48, [0.9, 0.8]), (3, [0.9, 0.8])])
+def test_the_start_that_leads_farthest_goes_on_and_the_first_that_gains_where_legs_are_many(
+    few: int, ratios: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    legal = base(0)
+    left = iter([*ratios, 1.0])
+
+    def begun(_: Refiner, draft: Iterate) -> Stage:
+        by = next(left) / 10
+        legs = tuple(replace(motion, T=by) for motion in draft.legs if motion is not None)
+        return Stage(replace(draft, legs=legs), [], [])
+
+    monkeypatch.setattr(local_refinement, "FEW_LEGS", few)
+    stand_in(monkeypatch, lambda _, draft: draft)
+    monkeypatch.setattr(Refiner, "begun", begun)
+    found = [motion.T for motion in swept(legal).legs if motion]
+    assert set(found) == {(min(ratios) if few > len(found) else ratios[0]) / 10}
+
+
+def test_equal_windows_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = stand_in(monkeypatch, quicker)
+    legal = base(0, 0, home="MoveAbsJ j_home, v2500, fine, tool0;\n")
+    assert len(pieces(legal.problem)) == 2
+    found = swept(legal)
+    assert asked == [4]
+    assert [motion.T for motion in found.legs[:4] if motion] == [motion.T for motion in found.legs[4:] if motion]
+
+
+def test_the_order_of_windows_side_by_side_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    stand_in(monkeypatch, quicker)
+    legal = base(0, 300, 600)
+    forth = swept(legal)
+
+    def backwards(problem: Problem) -> tuple[list[Span], list[Span]]:
+        even, odd = colours(problem)
+        return even[::-1], odd[::-1]
+
+    monkeypatch.setattr(local_refinement, "colours", backwards)
+    back = swept(legal)
+    assert [motion.T for motion in forth.legs if motion] == [motion.T for motion in back.legs if motion]
+
+
+def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A window is solved again only where one over its borders gained something since."""
+    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    gains = iter([0.9, 0.9, 0.9, 0.9, 0.9] + [1.0] * 50)
+
+    def solve(problem: Problem, draft: Iterate) -> Iterate:
+        share = next(gains)
+        return replace(draft, legs=tuple(replace(motion, T=share * motion.T) for motion in draft.legs if motion))
+
+    asked = stand_in(monkeypatch, solve)
+    legal = base(0, 300, 600)
+    swept(legal)
+    even, odd = colours(legal.problem)
+    assert len(even) + len(odd) == 5
+    assert 5 < len(asked) <= 10  # the even ones again, which gain nothing, and so the odd ones are not
+
+
+def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    stand_in(monkeypatch, quicker)
+    legal, found = base(0, 300, 600), []
+    for hands in (1, 3):
+        told: list[float] = []
+        sweeps = Sweeps(AXES, LONG, Patience(), {}, lambda hands=hands: hands)
+        found.append(sweeps.run(legal.problem, legal.draft, None, Tally(), told.append))
+        assert told[-1] == pytest.approx(duration(found[-1]))
+    assert [motion.T for motion in found[0].legs if motion] == [motion.T for motion in found[1].legs if motion]

@@ -1,0 +1,533 @@
+"""A lower bound on the cycle time: shortest path through cells that together contain every legal motion.
+
+A cell at a stop is a range of rail position, a range of rail velocity and a pair of shoulder and elbow signs; it
+encloses the first three arm joints and their velocities. Between cells of one stop and the next no motion is faster
+than the least time in which rail and these joints can cover the gap within their limits (ends free inside the cells),
+nor than the tool on its way (tool_time). Points that are passed have no cells, so any configuration may pass them; but
+where a line ends beside a joint move, every motion goes through one pose at any velocity, and that has cells. Lines and
+arcs keep the signs, as a problem's stations do.
+Everything else (wrist, ranges on the way, the tool's caps on joint moves beyond the chord) is left out, so the bound
+holds for every legal motion of the target; it is not called certified because its arithmetic is not outward rounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, straight, tool_time
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.robot.enclosure import Enclosure, Range
+from trajopt_cli.settings import (
+    BOUND_AIM,
+    BOUND_CHUNK,
+    BOUND_COARSE,
+    BOUND_HOPS,
+    BOUND_LEVELS,
+    BOUND_LIKELY,
+    BOUND_ORDER,
+    BOUND_RAIL,
+    BOUND_SPEEDS,
+    BOUND_WINDOW,
+    FEW_PAIRS,
+    MOST_PAIRS,
+    WINDOW_PAIRS,
+)
+from trajopt_cli.timing.double_integrator import reach, trapezoid_time
+from trajopt_cli.trajectories.axes import Axes
+
+
+@dataclass(frozen=True, eq=False)
+class _Cells:
+    """Cells at one waypoint: position and velocity (r+3, m) of rail, q1, q2, q3; key (m, 3): signs, rail, velocity."""
+
+    q: Range
+    v: Range
+    key: IndexArray
+
+
+@dataclass(frozen=True, eq=False)
+class _Place:
+    """Where every motion comes by: waypoint k, a stop, or the gate beside it. rail: where the rail may be [m]."""
+
+    k: int
+    gate: Gate | None
+    rail: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """What is asked on the way between two places. V, A (r+3,): greatest limits in force. floor [s]: no motion is
+    faster.
+
+    fixed: it takes exactly that. still: all axes rest at both ends, as far as the target asks for it; straight: and
+    share one progress along a straight way. branch: the signs of shoulder and elbow stay.
+    """
+
+    V: Array
+    A: Array
+    floor: float
+    fixed: bool
+    still: bool
+    straight: bool
+    branch: bool
+
+
+@dataclass(frozen=True, eq=False)
+class _Chain:
+    """All places in order, what is asked between each and the next (one less), and between the stops of runs that have
+    gates (numbers of two places)."""
+
+    places: list[_Place]
+    hops: list[_Run]
+    direct: dict[tuple[int, int], _Run]
+
+
+def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
+    """No legal motion of this problem and target is faster [s].
+
+    incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
+    are left, that value is the bound, whatever the incumbent's quality.
+    """
+    chain = _chain(axes, problem)
+    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {})
+    zeros = [np.zeros(0)] * len(chain.places)
+    if len(chain.hops) <= BOUND_HOPS:
+        return refinement.of(chain, 0, None, zeros, incumbent, BOUND_AIM * incumbent)[0]
+    # long programs in windows: what is ahead of each window is known from the first level
+    cells, ahead = refinement.ahead(chain)
+    least = [float(np.min(x, initial=np.inf)) for x in ahead]
+    if not np.isfinite(least[0]):
+        return incumbent
+    begin, spent, best = 0, ahead[0] * 0.0, least[0]
+    while begin < len(chain.hops):
+        end = _cut(chain, begin)
+        share = (least[begin] - least[end]) / least[0]
+        aims = (best + max(share * (aim - least[0]), 0.0) for aim in (incumbent, BOUND_AIM * incumbent))
+        keys = cells[begin].key, cells[end].key
+        _, reached = refinement.of(_part(chain, begin, end), begin, (keys, spent), ahead[begin : end + 1], *aims)
+        assert reached is not None
+        begin, spent = end, reached
+        best = max(best, float(np.min(spent + ahead[end])))
+    return min(best, incumbent)
+
+
+def _cut(chain: _Chain, begin: int) -> int:
+    """Where a window of the chain ends: at a stop."""
+    for end in range(begin + BOUND_WINDOW, len(chain.hops)):
+        if chain.places[end].gate is None and not any(i < end < j for i, j in chain.direct):
+            return end
+    return len(chain.hops)
+
+
+def _part(chain: _Chain, begin: int, end: int) -> _Chain:
+    direct = {(i - begin, j - begin): run for (i, j), run in chain.direct.items() if begin <= i and j <= end}
+    return _Chain(chain.places[begin : end + 1], chain.hops[begin:end], direct)
+
+
+@dataclass(frozen=True, eq=False)
+class _Refinement:
+    """Cells that are halved level by level. grids: of all places; cache: enclosures by pose."""
+
+    axes: Axes
+    problem: Problem
+    grids: list[Array]
+    cache: dict[bytes, Enclosure]
+
+    def _cells(self, chain: _Chain, first: int, level: int, keep: Sequence[IndexArray | None]) -> list[_Cells]:
+        return [
+            _cells(self.axes, self.problem, place, self.grids[first + i], level, keep[i], self.cache)
+            for i, place in enumerate(chain.places)
+        ]
+
+    def ahead(self, chain: _Chain) -> tuple[list[_Cells], list[Array]]:
+        """The cells of the first level, and the least time from each to the end."""
+        cells = self._cells(chain, 0, 0, [None] * len(chain.places))
+        ahead = [np.zeros(len(cells[-1].key))]
+        for k in reversed(range(len(chain.hops))):
+            ahead.append(_least(self.axes, self.problem, chain.hops[k], cells[k], cells[k + 1], ahead[-1]))
+            for (i, j), run in chain.direct.items() if len(chain.direct) else ():
+                if i == k:
+                    beyond = ahead[len(chain.hops) - j]
+                    straight = _least(self.axes, self.problem, run, cells[k], cells[j], beyond)
+                    ahead[-1] = np.maximum(ahead[-1], straight)
+        return cells, ahead[::-1]
+
+    def of(
+        self, chain: _Chain, first: int, ends: tuple[tuple[IndexArray, IndexArray], Array] | None,
+        known: Sequence[Array], aim: float, lower_aim: float,
+    ) -> tuple[float, Array | None]:  # fmt: skip
+        """A bound, at most the aim, on the time of all motions through some places, the first of which has a number.
+
+        ends: keys of the first level at the first place and the last, and the time spent before each of the first.
+        known: of the first level, the least time from there to the end. Also the least time spent at each cell of the
+        first level at the last place. Without ends nothing is spent, and nothing comes behind.
+        """
+        axes, problem = self.axes, self.problem
+        keep: list[IndexArray | None] = [None] * len(chain.places)
+        ahead: list[Array | None] = [None] * len(chain.places)
+        dead = np.isinf(known[-1]) if ends is not None else np.zeros(0, dtype=bool)
+
+        def left(aim: float) -> Array:
+            """What is spent at least at each last cell by motions that are not looked at."""
+            return np.where(dead, np.inf, aim - np.where(dead, 0.0, known[-1]))
+
+        reached = None if ends is None else left(aim)
+        start = aim if ends is None else float(np.min(ends[1] + known[0]))
+        best = 0.0 if ends is None else start
+        for level in range(BOUND_LEVELS if axes.layout.has_rail else 1):  # only rails have anything to halve
+            cells = self._cells(chain, first, level, keep)
+            if any(not len(c.key) for c in cells):
+                return aim, reached
+            pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
+            if level and pairs > MOST_PAIRS:
+                break
+            parents = [
+                (np.zeros(len(c.key)) if ends is None else at_first)
+                if found is None or keys is None
+                else _parent_values(c, keys, found)
+                for c, keys, found, at_first in zip(cells, keep, ahead, known, strict=True)
+            ]
+            if ends is None:
+                spent, beyond = np.zeros(len(cells[0].key)), np.zeros(len(cells[-1].key))
+            else:
+                spent = _coarse_values(cells[0], level, ends[0][0], ends[1])
+                beyond = _coarse_values(cells[-1], level, ends[0][1], known[-1])
+            forward, backward = _costs(axes, problem, chain, cells, parents, aim, spent, beyond)
+            best = max(best, min(float(np.min(forward[-1] + beyond)), aim))
+            if ends is not None:
+                reached = _at_first_level(cells[-1], level, ends[0][1], forward[-1], left(aim))
+            for k, c in enumerate(cells):
+                live = forward[k] + backward[k] <= aim
+                keep[k], ahead[k] = c.key[live], backward[k][live]
+            if any(not len(x) for x in keep if x is not None):
+                return aim, None if ends is None else left(aim)
+            next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
+                a * b for a, b in pairwise([len(x) for x in keep if x is not None])
+            )
+            if ends is not None and next_pairs > WINDOW_PAIRS:
+                break
+            if best < lower_aim < aim and next_pairs > FEW_PAIRS:
+                aim = lower_aim
+        return best, reached
+
+
+def _coarse_values(cells: _Cells, level: int, keys: IndexArray, values: Array) -> Array:
+    """Of each cell the value of the one of the first level that it is in."""
+    table = {tuple(key): value for key, value in zip(keys.tolist(), values.tolist(), strict=True)}
+    return np.array([table[s, d >> level, v >> level] for s, d, v in cells.key.tolist()])
+
+
+def _at_first_level(cells: _Cells, level: int, keys: IndexArray, values: Array, most: Array) -> Array:
+    """Of each cell of the first level the least value of those in it, which are for all motions that spend no more."""
+    place = {tuple(key): i for i, key in enumerate(keys.tolist())}
+    out = most.copy()
+    at = [place[s, d >> level, v >> level] for s, d, v in cells.key.tolist()]
+    np.minimum.at(out, at, values)
+    return out
+
+
+def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead: Array) -> Array:
+    """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it. What a few likely cells take
+    settles most of the others."""
+    out = np.full(len(a.key), np.inf)
+    if not len(ahead) or not len(out):
+        return out
+    gap = _gap(axes, run, a, b, slice(None)) + ahead
+    if run.branch:
+        gap[a.key[:, :1] != b.key[:, 0]] = np.inf
+    few = min(BOUND_LIKELY, gap.shape[1])
+    ib = np.argpartition(gap, few - 1, axis=1)[:, :few].ravel()
+    ia = np.repeat(np.arange(len(out)), few)
+    ia, ib = (x[np.isfinite(gap[ia, ib])] for x in (ia, ib))
+    T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, np.zeros(len(out)), np.zeros(len(ahead)), np.inf)
+    np.minimum.at(out, ia, T + ahead[ib])
+    T = _edge(axes, problem, run, a, b, -out, ahead, 1e-12)
+    return np.minimum(out, np.min(T + ahead, axis=1))
+
+
+def _costs(
+    axes: Axes, problem: Problem, chain: _Chain, cells: list[_Cells], parents: list[Array], aim: float, spent: Array,
+    beyond: Array,
+) -> tuple[list[Array], list[Array]]:  # fmt: skip
+    """Least time to every cell of every place, spent at those of the first, and from there on, beyond the last."""
+    starts = {j: i for i, j in chain.direct}
+    forward = [spent]
+    edges, direct = [], {}
+    for k, run in enumerate(chain.hops):
+        T = _edge(axes, problem, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
+        edges.append(T)
+        forward.append(np.min(forward[-1][:, None] + T, axis=0))
+        if (i := starts.get(k + 1)) is not None:
+            run = chain.direct[i, k + 1]
+            T = _edge(axes, problem, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
+            direct[i] = k + 1, T
+            forward[-1] = np.maximum(forward[-1], np.min(forward[i][:, None] + T, axis=0))
+    backward = [beyond]
+    for k in reversed(range(len(edges))):
+        backward.append(np.min(edges[k] + backward[-1][None], axis=1))
+        if k in direct:
+            j, T = direct[k]
+            backward[-1] = np.maximum(backward[-1], np.min(T + backward[len(edges) - j][None], axis=1))
+    return forward, backward[::-1]
+
+
+def _chain(axes: Axes, problem: Problem) -> _Chain:
+    """The problem as places and what is asked between them."""
+    places, hops, direct = [_Place(0, None, problem.waypoints[0].rail)], [], {}
+    for first, last in problem.runs:
+        begin, parts = len(places) - 1, list[TcpPart]()
+        for part in course(problem, first, last):
+            if isinstance(part, TcpPart):
+                parts.append(part)
+                continue
+            places.append(_Place(part.k, part, _rail_at(axes, problem, part.k)))
+            hops.append(_between(axes, problem, parts, *places[-2:]))
+            parts = []
+        places.append(_Place(last, None, problem.waypoints[last].rail))
+        run = _run(axes, problem, first, last)
+        if len(places) - 2 == begin:
+            hops.append(run)
+        else:
+            hops.append(_between(axes, problem, parts, *places[-2:]))
+            direct[begin, len(places) - 1] = run
+    return _Chain(places, hops, direct)
+
+
+def _run(axes: Axes, problem: Problem, first: int, last: int) -> _Run:
+    """From stop to stop."""
+    legs = problem.legs[first:last]
+    run = _asked(axes, problem, legs, tool_time(problem, first, last))
+    straight = problem.coordinated and len(legs) == 1 and legs[0].kind is LegKind.JOINT
+    fixed = legs[0].kind is LegKind.DWELL and legs[0].duration is not None
+    given = any(problem.waypoints[k].q is not None for k in (first, last))  # cells of given joints have no signs
+    return replace(run, fixed=fixed, still=problem.coordinated, straight=straight, branch=run.branch and not given)
+
+
+def _between(axes: Axes, problem: Problem, parts: list[TcpPart], a: _Place, b: _Place) -> _Run:
+    """Between a gate and the next one or a stop."""
+    first, last = a.gate.leg if a.gate else a.k, b.gate.leg if b.gate else b.k - 1
+    legs = problem.legs[first : last + 1]
+    stops = (a.gate is None) + (b.gate is None)
+    X_a, X_b = (place.gate.X_WF if place.gate else problem.waypoints[place.k].X_WF for place in (a, b))
+    ramps = ramps_of(legs)
+    ways = parts, [straight(problem, legs, X_a, X_b)]
+    run = _asked(axes, problem, legs, max(parts_time(way, *ramps, stops) for way in ways))
+    given = any(place.gate is None and problem.waypoints[place.k].q is not None for place in (a, b))
+    return replace(run, branch=run.branch and not given)
+
+
+def _asked(axes: Axes, problem: Problem, legs: Sequence[Leg], floor: float) -> _Run:
+    """Of legs, whatever the axes do at their ends. A programmed time replaces the rail's programmed speed."""
+    columns = _columns(axes)
+    V = [axes.velocity_on(leg) if leg.duration is None else axes.velocity for leg in legs]
+    A = [axes.acceleration_on(leg) for leg in legs]
+    lines = all(leg.kind is not LegKind.JOINT for leg in legs)
+    return _Run(np.max(V, axis=0)[columns], np.max(A, axis=0)[columns], floor, False, False, False, lines)
+
+
+def _rail_at(axes: Axes, problem: Problem, k: int) -> tuple[float, float]:
+    """Where the rail may be near waypoint k [m]: coordinated, between the waypoints beside it; free, anywhere."""
+    if not problem.coordinated:
+        return float(axes.layout.place(axes.lower)), float(axes.layout.place(axes.upper))
+    near = [point.rail for point in problem.waypoints[k - 1 : k + 2]]
+    return min(low for low, _ in near), max(high for _, high in near)
+
+
+def _grid(axes: Axes, problem: Problem, place: _Place) -> Array:
+    """Ends of the rail intervals at a place: those within the arm's reach, whole cells of the first level."""
+    low, high = place.rail
+    if low == high or (place.gate is None and problem.waypoints[place.k].q is not None):
+        return np.array([low, high])
+    n = max(1, int(np.ceil((high - low) / BOUND_RAIL)))
+    n = -(-n // BOUND_COARSE) * BOUND_COARSE
+    d = np.linspace(low, high, n + 1)
+    X_WF = problem.waypoints[place.k].X_WF if place.gate is None else place.gate.X_WF
+    near = np.clip(axes.robot.rail_within(X_WF[None])[0], low, high)
+    first, last = (int(np.searchsorted(d, at)) for at in near)
+    first = max(first - 1, 0) // BOUND_COARSE * BOUND_COARSE
+    last = min(-(-(last + 1) // BOUND_COARSE) * BOUND_COARSE, n)
+    return d[first : max(last, first + BOUND_COARSE) + 1]
+
+
+def _parent_values(cells: _Cells, parent_keys: IndexArray, values: Array) -> Array:
+    """What the level above knew to be still ahead of each cell."""
+    table = {tuple(key): value for key, value in zip(parent_keys.tolist(), values.tolist(), strict=True)}
+    return np.array([table[s, d // 2, v // 2] for s, d, v in cells.key.tolist()])
+
+
+def _children(keys: IndexArray) -> IndexArray:
+    """The four halves of each kept cell."""
+    s, d, v = keys.T
+    return np.concatenate([np.stack([s, 2 * d + i, 2 * v + j], axis=1) for i in (0, 1) for j in (0, 1)])
+
+
+def _cells(
+    axes: Axes,
+    problem: Problem,
+    place: _Place,
+    grid: Array,
+    level: int,
+    kept: IndexArray | None,
+    cache: dict[bytes, Enclosure],
+) -> _Cells:
+    stop, gate = problem.waypoints[place.k], place.gate
+    if gate is None and stop.q is not None:
+        q = stop.q[_columns(axes), None]
+        zero = np.zeros_like(q)
+        return _Cells(Range(q, q), Range(zero, zero), np.zeros((1, 3), dtype=int))
+    X_WF = stop.X_WF if gate is None else gate.X_WF
+    twist = None if gate is None else gate.twist
+    name = X_WF.tobytes() + grid.tobytes() + (b"" if twist is None else twist.tobytes())
+    if name not in cache:
+        cache[name] = axes.robot.enclose(X_WF, grid, problem.plant.limits, twist)
+    e = cache[name]
+    single = len(grid) == 2
+    width = 1 if single else max(1, BOUND_COARSE >> level)
+    n_d = (len(grid) - 1) // width
+    top = float(axes.layout.place(axes.velocity))
+    rest = top == 0.0 or (gate is None and problem.rests(place.k))
+    n_v = BOUND_SPEEDS << level
+    if kept is None:
+        key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
+    else:
+        key = _children(kept)
+        key = key[(key[:, 1] < n_d) & ((key[:, 2] == 0) if rest else True)]
+    s, d, v = key.T
+    V = axes.velocity[axes.layout.arm]
+    edges = np.linspace(-top, top, n_v + 1)
+    rail_v = Range(np.zeros(len(key)), np.zeros(len(key))) if rest else Range(edges[v], edges[v + 1])
+    inside = d[:, None] * width + np.arange(width)  # (n, width) base intervals
+    joints = Range(e.q.lo[:, s[:, None], inside], e.q.hi[:, s[:, None], inside])
+    rate = Range(e.rate.lo[:, s[:, None], inside], e.rate.hi[:, s[:, None], inside])
+    speed = rate * Range(
+        np.broadcast_to(rail_v.lo[:, None], inside.shape), np.broadcast_to(rail_v.hi[:, None], inside.shape)
+    )
+    if e.way is not None:  # at any speed from rest to the greatest
+        way = Range(e.way.lo[:, s[:, None], inside], e.way.hi[:, s[:, None], inside])
+        speed = speed + Range(np.minimum(way.lo, 0.0), np.maximum(way.hi, 0.0))
+    limit = V[:3, None, None]
+    alive = e.alive[s[:, None], inside] & np.all((speed.lo <= limit) & (speed.hi >= -limit), axis=0)
+    clipped = Range(np.maximum(speed.lo, -limit), np.minimum(speed.hi, limit))
+    live = alive.any(axis=1)
+    stood = _over_alive(Range(grid[inside], grid[inside + 1]), alive)
+    hull, speeds = _over_alive(joints, alive), _over_alive(clipped, alive)
+
+    def joined(rail: Range, arm: Range) -> Range:
+        r = axes.layout.r
+        return Range(np.array([*[rail.lo] * r, *arm.lo])[:, live], np.array([*[rail.hi] * r, *arm.hi])[:, live])
+
+    return _Cells(joined(stood, hull), joined(rail_v, speeds), key[live])
+
+
+def _columns(axes: Axes) -> IndexArray:
+    """The axes (r+3,) that cells enclose: the rail and the first three joints."""
+    every = np.arange(axes.n)
+    return np.r_[every[axes.layout.rail], every[axes.layout.arm][:3]]
+
+
+def _over_alive(ranges: Range, alive: BoolArray) -> Range:
+    """The hull over the last axis of the ranges that are alive."""
+    low = np.where(alive, ranges.lo, np.inf).min(axis=-1)
+    return Range(low, np.where(alive, ranges.hi, -np.inf).max(axis=-1))
+
+
+def _edge(
+    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float
+) -> Array:
+    """(n_a, n_b) least time of a run between cells; infinite where no motion fits or none can matter."""
+    out = np.full((len(a.key), len(b.key)), np.inf)
+    rows = max(1, BOUND_CHUNK // len(b.key))
+    for start in range(0, len(a.key), rows):
+        part = slice(start, start + rows)
+        least = np.maximum(_gap(axes, run, a, b, part), run.floor)
+        live = so_far[part, None] + least + ahead <= incumbent
+        if run.branch:
+            live &= a.key[part, :1] == b.key[:, 0]
+        ia, ib = np.nonzero(live)
+        ia += start
+        T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, so_far, ahead, incumbent)
+        out[ia, ib] = T
+    return out
+
+
+def _gap(axes: Axes, run: _Run, a: _Cells, b: _Cells, part: slice) -> Array:
+    """What the rail's way (n_a, n_b) between cells takes at least, at its top speed all along."""
+    T = np.zeros((len(a.key[part]), len(b.key)))
+    for j in range(axes.layout.r):
+        apart = np.maximum(b.q.lo[j] - a.q.hi[j, part, None], a.q.lo[j, part, None] - b.q.hi[j])
+        np.maximum(T, apart / run.V[j], out=T)
+    return T
+
+
+def _pairs(
+    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ia: IndexArray, ib: IndexArray, so_far: Array,
+    ahead: Array, incumbent: float,
+) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
+    columns, r = _columns(axes), axes.layout.r
+    V, A = run.V, run.A
+    T = np.full(len(ia), run.floor)
+    turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
+    order = [*range(r), *(r + j for j in BOUND_ORDER if not (j == 0 and turns))]
+    top_v = np.full(len(ia), np.inf)
+    top_a = np.full(len(ia), np.inf)
+    for j in order:
+        low, high = b.q.lo[j, ib] - a.q.hi[j, ia], b.q.hi[j, ib] - a.q.lo[j, ia]
+        if run.still:
+            least = np.maximum(np.maximum(low, -high), 0.0)
+            if run.straight:
+                least = np.maximum(least, 1e-12)
+                top_v, top_a = np.minimum(top_v, V[j] / least), np.minimum(top_a, A[j] / least)
+                time = trapezoid_time(1.0, top_v, top_a)
+            else:
+                time = trapezoid_time(least, V[j], A[j])
+        else:
+            rates = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
+            time = _least_of_axis(T, low, high, rates, V[j], A[j])
+        if run.fixed:
+            live = time <= run.floor + 1e-9
+        else:
+            T = np.maximum(T, time)
+            live = so_far[ia] + T + ahead[ib] <= incumbent
+        ia, ib, T, top_v, top_a = ia[live], ib[live], T[live], top_v[live], top_a[live]
+    return T, ia, ib
+
+
+def _least_of_axis(T: Array, low: Array, high: Array, rates: tuple[Array, ...], V: float, A: float) -> Array:
+    """The least times >= T (k,) in which an axis can travel between low and high, from the first range of velocity to
+    the second: rates (lo, hi, lo, hi). Where it gets as far as low at last it is not beyond high, and reversely."""
+    a_lo, a_hi, c_lo, c_hi = rates
+    out = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
+    _leave(out, low, a_hi, c_hi, V, A)
+    _leave(out, -high, -a_lo, -c_lo, V, A)
+    return out
+
+
+def _leave(T: Array, D: Array, a: Array, c: Array, V: float, A: float) -> None:
+    """Put T (k,), in place, to the least time >= T in which some motion with end velocities below a and c travels at
+    least D; see _most."""
+    short = np.flatnonzero(_most(T, a, c, V, A) < D - 1e-9)
+    t, d, v, w = T[short], D[short], a[short], c[short]
+    m, M = np.minimum(v, w), np.maximum(v, w)
+    squares = (v * v + w * w) / 2
+    with np.errstate(invalid="ignore", divide="ignore"):
+        early = (np.sqrt(np.maximum(m * m + 2 * A * d, 0)) - m) / A
+        peak = np.sqrt(np.maximum(A * d + squares, 0))
+        slow = (2 * peak - v - w) / A
+        fast = (2 * V - v - w) / A + (d - (V * V - squares) / A) / V
+    late = np.where(peak <= V, slow, fast)
+    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > d), early, late)
+    T[short] = np.maximum(t, end - 1e-9)
+
+
+def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
+    """Most displacement in T when the end velocities may be chosen below a and c: convex and smooth in T."""
+    out = reach(T, a, c, V, A)
+    early = np.flatnonzero(np.abs(c - a) > T * A)
+    m, T = np.minimum(a[early], c[early]), T[early]
+    out[early] = m * T + A * T * T / 2
+    return out

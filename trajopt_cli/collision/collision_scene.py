@@ -1,0 +1,392 @@
+"""What the robot must stay clear of, as the planner asks it: distances, gradients, and whether a motion is free.
+
+Clear means: the distance wanted from every body that stands, none from its own links, and MARGIN more, so that a plan
+that is free here is free for the judge, who measures by other means. A question about several motions at once names
+the motion of each row: what stands and what is carried may differ between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.collision_objects import Bodies, bodies_on
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.proximity.near import WORLD, NearPairs
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.settings import CLEAR_AT_ONCE, CLEAR_MARGIN, CLEAR_STEP
+from trajopt_cli.shapes import MeshFile, Shape, Solid, outline
+from trajopt_cli.trajectories.clearance_queries import Contacts
+
+_FLANGE = 7  # number of the flange behind base and six links
+
+
+@dataclass(frozen=True, eq=False)
+class Hit:
+    """Where a way comes too close first: axes q (n,), the link or carried body, what it meets, and by how much the
+    distance is less than wanted [m]; touch: the signed distance itself."""
+
+    q: Array
+    body: str
+    against: str
+    missing: float
+    touch: float
+    own: bool
+
+    @property
+    def said(self) -> str:
+        """For people: "link_3 is 4.1 mm inside 'post'", "gripper comes to 2.0 mm of 'wall', 10 mm wanted"."""
+        other = self.against if self.own else f"'{self.against}'"
+        if self.touch < 0:
+            return f"{self.body} is {-self.touch * 1e3:.1f} mm inside {other}"
+        near, wanted = f"{self.touch * 1e3:.1f} mm from {other}", f"{(self.touch + self.missing) * 1e3:.1f} mm"
+        if self.missing > 0:
+            return f"{self.body} is {near}, {wanted} wanted"
+        spare = f"plans keep {CLEAR_MARGIN * 1e3:g} mm more than the {wanted} wanted"
+        return f"{self.body} is {near}, and {spare} (where they may touch, say so: ignore, may_touch)"
+
+
+@dataclass(frozen=True, eq=False)
+class _Pair:
+    """A body of the robot and what it is held against: another one of its bodies, or one that stands. wanted [m]: the
+    least distance between them, the margin included."""
+
+    body: _Body
+    other: _Body | Solid
+    wanted: float
+
+    @property
+    def frame(self) -> int:
+        """What carries the other."""
+        return self.other.frame if isinstance(self.other, _Body) else WORLD
+
+    @property
+    def name(self) -> str:
+        """Of both."""
+        return f"{self.body.name}|{self.other.name}"
+
+    @property
+    def levers(self) -> Array:
+        """How far (6,) each joint moves the body against the other per turn: those behind the other's link."""
+        return np.where(np.arange(len(self.body.levers)) >= self.frame, self.body.levers, 0.0)
+
+    @property
+    def shapes(self) -> tuple[Shape, int, Shape, int]:
+        """Both with their frames."""
+        other = self.other.shape if isinstance(self.other, _Body) else _shape(self.other)
+        return self.body.shape, self.body.frame, other, self.frame
+
+
+@dataclass(frozen=True, eq=False)
+class _Body:
+    """A shape carried by a frame: 0 the base, 1..6 the links, 7 the flange. levers (6,): how far it reaches at most
+    from the axis of each joint that moves it [m]; 0 of the others."""
+
+    name: str
+    shape: Shape
+    frame: int
+    levers: Array
+
+
+class _Scene:
+    """The pairs to look at during some motions."""
+
+    def __init__(self, robot: RobotModel, pairs: Sequence[_Pair]):
+        self.robot, self.pairs = robot, pairs
+        self.wanted = np.array([pair.wanted for pair in pairs])
+        rides = [float(pair.frame == WORLD) for pair in pairs]  # the rail takes one along and not the other
+        own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
+        if robot.linkage:  # axis 2 shifts the upper arm against the base and turns it against the lower arm
+            own[:, 1] = np.maximum(own[:, 1], own[:, 2])
+        self.levers = np.column_stack([rides, own]) if robot.has_rail else own
+        self.near = NearPairs([pair.shapes for pair in pairs])
+
+    def least(self, q: Array) -> Array:
+        """The least distance over all pairs (m,), less what is wanted."""
+        X = links(self.robot, q)
+        bound = self.near.bound(X) - self.wanted
+        rows = np.arange(len(q))
+        first = np.argmin(bound, axis=1)
+        out = self.distance(X, rows, first)
+        rows, pairs = np.nonzero(bound < out[:, None])
+        np.minimum.at(out, rows, self.distance(X, rows, pairs))
+        return out
+
+    def free(self, q: Array) -> BoolArray:
+        """Whether (m,) no pair is too close."""
+        X = links(self.robot, q)
+        rows, pairs = np.nonzero(self.near.bound(X) < self.wanted)
+        out = np.ones(len(q), dtype=bool)
+        out[rows[self.distance(X, rows, pairs) < 0]] = False
+        return out
+
+    def distance(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Array:
+        """Distances (k,) of pairs in rows of placings of the links, less what is wanted."""
+        return self.near.nearest(X, rows, pairs).distance - self.wanted[pairs]
+
+    def ways_free(self, q: Array, first: IndexArray, last: IndexArray) -> BoolArray:
+        """Whether ways (m,) are free that lead straight from each of axes q (N, n) to the next, from row first to row
+        last of them: halved until what the axes move cannot bridge the distance."""
+        out = self.free(q[first])
+        ends = np.flatnonzero(out)
+        out[ends] = self.free(q[last[ends]])
+        # what the axes move each pair's bodies at most, from the beginning (N, pairs)
+        steps = np.abs(np.diff(q, axis=0)) @ self.levers.T
+        gone = np.concatenate([np.zeros((1, len(self.pairs))), np.cumsum(steps, axis=0)])
+        owner = np.flatnonzero(out)
+        low, high = first[owner].astype(float), last[owner].astype(float)
+        alive = gone[last[owner]] - gone[first[owner]] > 2 * CLEAR_STEP
+        while True:
+            some = alive.any(axis=1) & out[owner]
+            owner, low, high, alive = owner[some], low[some], high[some], alive[some]
+            if not len(owner):
+                return out
+            middle = (low + high) / 2
+            middle = np.where(high - low > 1, np.floor(middle), middle)
+            for part in (slice(i, i + CLEAR_AT_ONCE) for i in range(0, len(owner), CLEAR_AT_ONCE)):
+                here = _at(gone, middle[part])
+                half = np.maximum(_at(gone, high[part]) - here, here - _at(gone, low[part]))
+                self._look(_at(q, middle[part]), half, alive[part], owner[part], out)
+            owner, alive = np.concatenate([owner, owner]), np.concatenate([alive, alive])
+            low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+
+    def _look(self, q: Array, half: Array, alive: BoolArray, owner: IndexArray, out: BoolArray) -> None:
+        """Looks at the middles q (k, n) of ways on which bodies move by half (k, pairs) at most: alive (k, pairs) is
+        left where a pair may still meet, and out[owner] (k,) where none does."""
+        X = links(self.robot, q)
+        alive &= self.near.bound(X) - self.wanted < half
+        rows, pairs = np.nonzero(alive)
+        distance = self.distance(X, rows, pairs)
+        alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > CLEAR_STEP)
+        out[owner[rows[distance < 0]]] = False
+
+
+class CollisionScene:
+    """What a program's motions must stay clear of on a plant."""
+
+    def __init__(self, plant: Plant, program: Program):
+        self._robot = plant.robot
+        moving = [
+            _Body(name, plant.robot.capsules[name], i, _levers(plant.robot, plant.robot.capsules[name], i))
+            for i, name in enumerate(plant.robot.link_names)
+            if name in plant.robot.capsules
+        ]
+        known: dict[Bodies, int] = {}
+        self._scenes: list[_Scene] = []
+        number = []
+        for index in range(-1, len(program.motions)):
+            bodies = bodies_on(plant, program, index)
+            if bodies not in known:
+                known[bodies] = len(self._scenes)
+                self._scenes.append(_Scene(plant.robot, [*_pairs(plant, moving, bodies)]))
+            number.append(known[bodies])
+        self._number = np.array(number)
+
+    @cached_property
+    def anything(self) -> bool:
+        """Whether there is anything to stay clear of."""
+        return any(scene.pairs for scene in self._scenes)
+
+    def scene(self, index: int) -> int:
+        """A number that is equal for motions with the same bodies."""
+        return int(self._number[index + 1])
+
+    def distances(self, q: Array, index: int | IndexArray) -> Array:
+        """The least distance (m,) at axes q (m, n) during motions index, less what is wanted and CLEAR_MARGIN; infinite
+        where there is nothing."""
+        out = np.full(len(q), np.inf)
+        for scene, rows in self._by_scene(len(q), index):
+            for part in _parts(rows):
+                out[part] = scene.least(q[part])
+        return out
+
+    def free(self, q: Array, index: int | IndexArray) -> BoolArray:
+        """Whether (m,) the robot may be at axes q (m, n) during motions index; not where q is NaN."""
+        out = ~np.isnan(q[:, -1])
+        for scene, rows in self._by_scene(len(q), index):
+            for part in _parts(rows[out[rows]]):
+                out[part] = scene.free(q[part])
+        return out
+
+    def free_between(self, q_0: Array, q_1: Array, index: int | IndexArray) -> BoolArray:
+        """Whether (m,) straight ways in the space of the axes, from q_0 to q_1 (m, n), are free all along; what moves
+        less than CLEAR_STEP between two looks counts as one place."""
+        first = 2 * np.arange(len(q_0))
+        return self.ways_free(np.stack([q_0, q_1], axis=1).reshape(-1, q_0.shape[1]), first, first + 1, index)
+
+    def ways_free(self, q: Array, first: IndexArray, last: IndexArray, index: int | IndexArray) -> BoolArray:
+        """The same of ways (m,) that lead straight from each of axes q (N, n) to the next, from row first to last."""
+        out = np.ones(len(first), dtype=bool)
+        for scene, rows in self._by_scene(len(first), index):
+            out[rows] = scene.ways_free(q, first[rows], last[rows])
+        return out
+
+    def way_free(self, q: Array, index: int) -> bool:
+        """The same of one way through axes q (N, n)."""
+        return bool(self.ways_free(q, np.zeros(1, dtype=np.intp), np.array([len(q) - 1]), index)[0])
+
+    def contacts(self, q: Array, index: int | IndexArray, within: float) -> Contacts:
+        """All pairs nearer than what is wanted, the margin and within [m] at axes q (m, n), by rows."""
+        parts: list[tuple[IndexArray, IndexArray, Array, Array, BoolArray]] = []
+        names: list[str] = []
+        for scene, all_mine in self._by_scene(len(q), index):
+            own_pairs = np.array([pair.frame != WORLD for pair in scene.pairs])
+            for mine in _parts(all_mine):
+                X = links(self._robot, q[mine])
+                rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
+                found = scene.near.nearest(X, rows, pairs)
+                distance = found.distance - scene.wanted[pairs]
+                kept = np.flatnonzero(distance < within)
+                rows, pairs = rows[kept], pairs[kept]
+                gradient = _gradients(self._robot, scene, X[rows], pairs, found.on_a[kept], found.normal[kept])
+                parts.append((mine[rows], len(names) + pairs, distance[kept], gradient, own_pairs[pairs]))
+            names += [pair.name for pair in scene.pairs]
+        if not parts:
+            none = np.zeros(0, dtype=np.intp)
+            return Contacts(none, none, (), np.zeros(0), np.zeros((0, q.shape[1])), np.zeros(0, dtype=bool))
+        row, number, distance, gradient, own = (np.concatenate(part) for part in zip(*parts, strict=True))
+        order = np.lexsort((number, row))
+        return Contacts(row[order], number[order], tuple(names), distance[order], gradient[order], own[order])
+
+    def hits(self, q: Array, index: int) -> list[Hit]:
+        """Each pair that is too close at any of axes q (m, n) during a motion, where it is worst; the worst first."""
+        out = []
+        for scene, _ in self._by_scene(len(q), index):
+            X = links(self._robot, q)
+            rows, pairs = np.nonzero(scene.near.bound(X) < scene.wanted)
+            distance = scene.distance(X, rows, pairs)
+            for number in np.unique(pairs[distance < 0]).tolist():
+                pair, mine = scene.pairs[number], np.flatnonzero(pairs == number)
+                i = mine[np.argmin(distance[mine])]
+                touch = float(distance[i] + pair.wanted)
+                missing, own = pair.wanted - CLEAR_MARGIN - touch, isinstance(pair.other, _Body)
+                out.append(Hit(q[rows[i]], pair.body.name, pair.other.name, missing, touch, own))
+        return sorted(out, key=lambda hit: -hit.missing)
+
+    def _by_scene(self, m: int, index: int | IndexArray) -> Iterator[tuple[_Scene, IndexArray]]:
+        """The scenes in which there is something to look at, with the rows asked about them."""
+        if isinstance(index, int | np.integer):
+            scene = self._scenes[self._number[int(index) + 1]]
+            if scene.pairs and m:
+                yield scene, np.arange(m)
+            return
+        of = self._number[index + 1]
+        for number in np.unique(of):
+            if self._scenes[number].pairs:
+                yield self._scenes[number], np.flatnonzero(of == number)
+
+
+@lru_cache(maxsize=8)
+def _known(plant: Plant, program: Program) -> CollisionScene | None:
+    around = CollisionScene(plant, program)
+    return around if around.anything else None
+
+
+def collision_scene_of(problem: Problem) -> CollisionScene | None:
+    """What a problem's motions must stay clear of; None where that is nothing, or where nothing may change that could
+    avoid it: the program as written is driven as it is, and the judge tells."""
+    return _known(problem.plant, problem.program) if problem.freedom.ways else None
+
+
+def _parts(rows: IndexArray) -> Iterator[IndexArray]:
+    """Rows in parts that are looked at at once."""
+    yield from (rows[i : i + CLEAR_AT_ONCE] for i in range(0, len(rows), CLEAR_AT_ONCE))
+
+
+def _at(rows: Array, s: Array) -> Array:
+    """Values (m, ...) at fractional row numbers s (m,)."""
+    i = np.minimum(s.astype(np.intp), len(rows) - 2)
+    u = (s - i)[:, None]
+    return np.asarray(rows[i] + u * (rows[i + 1] - rows[i]))
+
+
+def links(robot: RobotModel, q: Array) -> Array:
+    """Poses X_WL (m, 8, 4, 4) of the base, the six links and the flange at axes q (m, n)."""
+    m, arm = len(q), robot.chain_axes(q)[:, robot.layout.arm]
+    X = np.zeros((m, _FLANGE + 1, 4, 4))
+    X[..., 3, 3] = 1.0
+    X[:, 0] = robot.base(robot.layout.place(q))
+    R, p = X[:, 0, :3, :3], X[:, 0, :3, 3]
+    for i, joint in enumerate(robot.chain):
+        p = p + R @ joint.X[:3, 3]
+        R = R @ joint.X[:3, :3]
+        if i < len(robot.chain) - 1:
+            R = R @ _turned(joint.axis, arm[:, i])
+        X[:, i + 1, :3, :3], X[:, i + 1, :3, 3] = R, p
+    return X
+
+
+def _turned(axis: Array, angle: Array) -> Array:
+    """Rotations (m, 3, 3) about a unit axis (3,) by angles (m,)."""
+    c, s = np.cos(angle), np.sin(angle)
+    x, y, z = axis
+    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.asarray(np.eye(3) + s[:, None, None] * K + (1 - c)[:, None, None] * (K @ K))
+
+
+def _levers(robot: RobotModel, shape: Shape, frame: int) -> Array:
+    """How far (6,) a body on a frame reaches from the axis of each joint at most, whatever the joints are."""
+    points, radius = outline(shape)
+    offsets = [joint.X[:3, 3] for joint in robot.chain]
+    if frame == _FLANGE:  # fixed to the last link
+        X = robot.chain[6].X
+        points = points @ X[:3, :3].T + X[:3, 3]
+        frame -= 1
+    out = np.zeros(6)
+    for j in range(frame):
+        axis = robot.chain[j].axis
+
+        def across(p: Array, axis: Array = axis) -> Array:
+            return np.asarray(np.linalg.norm(p - (p @ axis)[..., None] * axis, axis=-1))
+
+        if j == frame - 1:
+            out[j] = across(points).max() + radius
+        else:
+            rest = sum(float(np.linalg.norm(offsets[k])) for k in range(j + 2, frame))
+            out[j] = float(across(offsets[j + 1])) + rest + float(np.linalg.norm(points, axis=1).max()) + radius
+    return out
+
+
+def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pair]:
+    """What is held against what: bodies that an axis moves against those that stand, and the robot against itself."""
+    held = [_Body(one.name, _shape(one), _FLANGE, _levers(plant.robot, _shape(one), _FLANGE)) for one in bodies.carried]
+    for solid in bodies.standing:
+        for body in (*links, *held):
+            if body.name not in solid.ignore and (body.frame > 0 or plant.robot.has_rail):
+                yield _Pair(body, solid, plant.clearance + CLEAR_MARGIN)
+    by_name = {body.name: body for body in (*links, *held)}
+    for first, second in plant.self_pairs:
+        if second in by_name:  # else it is not carried now
+            yield _Pair(by_name[second], by_name[first], CLEAR_MARGIN)
+
+
+def _shape(solid: Solid) -> Shape:
+    assert not isinstance(solid.shape, MeshFile)  # build_plant loads them
+    return solid.shape
+
+
+def _gradients(
+    robot: RobotModel, scene: _Scene, X_WL: Array, pairs: IndexArray, on_body: Array, normal: Array
+) -> Array:
+    """How distances change with each axis (k, n): along the normal, as the body's nearest point moves against what it
+    is held against. X_WL (k, 8, 4, 4)."""
+    layout = robot.layout
+    out = np.zeros((len(pairs), layout.n))
+    arm = out[:, layout.arm]
+    frame = np.array([pair.body.frame for pair in scene.pairs], dtype=np.intp)[pairs]
+    since = np.array([pair.frame for pair in scene.pairs], dtype=np.intp)[pairs]
+    for j in range(6):
+        X = X_WL[:, j + 1]
+        axis = X[:, :3, :3] @ robot.chain[j].axis
+        rate = np.einsum("ki,ki->k", np.cross(axis, on_body - X[:, :3, 3]), normal)
+        arm[:, j] = np.where((since <= j) & (j < frame), rate, 0.0)
+    arm[:, 1] -= robot.linkage * arm[:, 2]
+    if robot.rail_axis_W is not None:
+        out[:, layout.rail] = np.where(since == WORLD, normal @ robot.rail_axis_W, 0.0)[:, None]
+    return out

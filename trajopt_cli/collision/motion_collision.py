@@ -1,0 +1,73 @@
+"""Whether motions that were found touch anything on their way: what is not clear is not taken."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.collision.collision_scene import CollisionScene, Hit, collision_scene_of
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.settings import CLEAR_EVERY
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import LegMotion, sample_times, samples
+
+
+def touching(axes: Axes, problem: Problem, draft: Iterate) -> tuple[int, ...]:
+    """The numbers of the legs whose motion is not clear, in order; none where there is nothing to touch."""
+    around = collision_scene_of(problem)
+    if around is None:
+        return ()
+    numbers = [k for k, motion in enumerate(draft.legs) if motion is not None]
+    q, first, last = _courses(axes, [motion for motion in draft.legs if motion is not None])
+    index = np.array([problem.legs[k].motion for k in numbers])
+    free = around.ways_free(q, first, last, index)
+    return tuple(k for k, clear in zip(numbers, free, strict=True) if not clear)
+
+
+def clear(axes: Axes, problem: Problem, draft: Iterate) -> bool:
+    """Whether a draft touches nothing."""
+    return not touching(axes, problem, draft)
+
+
+def hit_on(axes: Axes, problem: Problem, draft: Iterate, k: int) -> Hit | None:
+    """The worst that leg k of a draft touches."""
+    around, motion = collision_scene_of(problem), draft.legs[k]
+    if around is None or motion is None:
+        return None
+    return worst(around, _courses(axes, [motion])[0], problem.legs[k].motion)
+
+
+def worst(around: CollisionScene, q: Array, index: int) -> Hit | None:
+    """The worst that a way through axes q (m, n) touches, on it and between its places."""
+    return next(iter(around.hits(_dense(q), index)), None)
+
+
+def names_on(around: CollisionScene, q: Array, index: int) -> tuple[str, ...]:
+    """The names of the bodies in a way through axes q (m, n), the deepest first."""
+    return tuple(dict.fromkeys(hit.against for hit in around.hits(_dense(q), index)))
+
+
+def _dense(q: Array) -> Array:
+    """A way through axes q (m, n) with places between them."""
+    parts = max(2, min(400, int(4000 / len(q))))
+    steps = [np.linspace(0, 1, parts)[:-1, None] * (b - a) + a for a, b in pairwise(q)]
+    return np.concatenate([*steps, q[-1:]])
+
+
+def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArray, IndexArray]:
+    """Places (N, n) along motions, one after the other, and the first and last row of each."""
+    times = [_times(motion) for motion in motions]
+    ends = np.cumsum([len(t) for t in times])
+    q = np.empty((ends[-1] if len(ends) else 0, axes.n))
+    for at, sample in samples(axes, motions, times):
+        q[at] = sample.q
+    return q, ends - [len(t) for t in times], ends - 1
+
+
+def _times(motion: LegMotion) -> Array:
+    """When a motion is looked at: at its breaks, and often enough between them for straight ways in between."""
+    return np.clip(sample_times(motion, CLEAR_EVERY, 1)[0], 0.0, motion.T)

@@ -1,0 +1,1 @@
+"""Plans as files other machines read: joint CSV and RAPID."""

@@ -1,0 +1,86 @@
+"""A joint motion as an MCAP file of ROS 2 messages, which bag tools play and draw."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.exporters.ros2 import accelerations, checked_names
+from trajopt_cli.geometry import Array
+from trajopt_cli.trajectory import Trajectory
+
+_NANO = 10**9
+_BAR = "=" * 80
+_TIME = f"{_BAR}\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n"
+_HEADER = f"{_BAR}\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n"
+# Name and fields of a message, those of the messages in it behind a bar: how MCAP holds a ROS 2 definition.
+JOINT_STATE = (
+    "sensor_msgs/msg/JointState",
+    "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n"
+    f"{_HEADER}{_TIME}",
+)
+JOINT_TRAJECTORY = (
+    "trajectory_msgs/msg/JointTrajectory",
+    "std_msgs/Header header\nstring[] joint_names\ntrajectory_msgs/JointTrajectoryPoint[] points\n"
+    f"{_HEADER}{_TIME}{_BAR}\nMSG: trajectory_msgs/JointTrajectoryPoint\nfloat64[] positions\nfloat64[] velocities\n"
+    "float64[] accelerations\nfloat64[] effort\nbuiltin_interfaces/Duration time_from_start\n"
+    f"{_BAR}\nMSG: builtin_interfaces/Duration\nint32 sec\nuint32 nanosec\n",
+)
+
+
+def mcap(trajectory: Trajectory, names: Sequence[str] | None = None) -> bytes:
+    """The file: /joint_trajectory once, with all rows, and /joint_states row by row, each stamped with its time.
+
+    Times count from 0 at the first row, as time and as stamp, so the same motion gives the same bytes. names: as in
+    joint_trajectory. Raises InputError as that does, and where mcap-ros2-support, the extra mcap, is missing.
+    """
+    try:
+        from mcap_ros2.writer import Writer
+    except ImportError as error:
+        missing = "mcap-ros2-support is not installed: pip install 'trajopt-cli[mcap]'"
+        raise InputError(missing if error.name == "mcap_ros2" else f"MCAP cannot be written: {error}") from error
+    trajectory = trajectory.whole
+    names, qd = checked_names(trajectory, names)
+    out = BytesIO()
+    with Writer(out) as writer:
+        state, whole = writer.register_msgdef(*JOINT_STATE), writer.register_msgdef(*JOINT_TRAJECTORY)
+        points = [*_points(trajectory, qd)]
+        plan = {"header": _header(0), "joint_names": [*names], "points": points}
+        writer.write_message("/joint_trajectory", whole, plan, log_time=0)
+        for number, point in enumerate(points):
+            since = point["time_from_start"]
+            time = since["sec"] * _NANO + since["nanosec"]
+            message = {
+                "header": _header(time),
+                "name": [*names],
+                "position": point["positions"],
+                "velocity": point["velocities"],
+                "effort": [],
+            }
+            writer.write_message("/joint_states", state, message, log_time=time, sequence=number)
+    return out.getvalue()
+
+
+def _points(trajectory: Trajectory, qd: Array) -> Iterator[dict[str, Any]]:
+    times = np.rint((trajectory.t - trajectory.t[0]) * _NANO).astype(np.int64).tolist()
+    for time, *row in zip(times, trajectory.q, qd, accelerations(trajectory), strict=True):
+        positions, velocities, acceleration = (values.tolist() for values in row)
+        yield {
+            "positions": positions,
+            "velocities": velocities,
+            "accelerations": acceleration,
+            "effort": [],
+            "time_from_start": _stamp(time),
+        }
+
+
+def _header(time: int) -> dict[str, Any]:
+    return {"stamp": _stamp(time), "frame_id": ""}
+
+
+def _stamp(time: int) -> dict[str, int]:
+    return {"sec": time // _NANO, "nanosec": time % _NANO}

@@ -1,0 +1,1 @@
+"""The search over rail positions and arm configurations."""

@@ -1,0 +1,674 @@
+"""Where the rail may stand: arm joints over the rail's range for every waypoint and along every line, per IK branch.
+
+A station's table is continued along its lines, so one branch and one set of whole turns means one continuous
+configuration in the whole station. What cannot be reached is named here, before any optimising.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import astuple, dataclass, replace
+from functools import cached_property
+from hashlib import blake2b
+from itertools import groupby, product
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.graph_search.singular_start import SingularStart, usable
+from trajopt_cli.limits import Couplings
+from trajopt_cli.motion import MoveC, MoveJ, MoveL, motion_name
+from trajopt_cli.path.line import Line
+from trajopt_cli.problem.cache_keys import stretch_name
+from trajopt_cli.problem.configurations import check_configurations
+from trajopt_cli.problem.decision_scope import EVERYTHING
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plannable import with_exact_orientation
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
+from trajopt_cli.robot.turns import ON_LIMIT, excess
+from trajopt_cli.settings import (
+    FEWEST_NODES,
+    LINE_NODES,
+    LONG_LINE,
+    LONG_TURN,
+    REACH_APART,
+    REACH_CHUNK,
+    REACH_GRID,
+    SEARCH_APART,
+    SEARCH_COARSE,
+)
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
+from trajopt_cli.trajectories.route import IkBranch
+
+_LISTED = 4  # confdata in a message
+_PLACES = 5  # in a message
+_SAME = 1e-12  # m or 1: poses
+_FAR = np.pi / 2  # rad from node to node of a line: it may have been the other way round
+_CLOSE = 512  # places between such nodes
+_HALF_TURN = 3.1  # rad: below, a turn and the way back are about one axis
+_SERVED = WeakKeyDictionary[Plant, set[bytes]]()  # names of stations that can be: asked again by every question
+_NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
+
+
+@dataclass(frozen=True, eq=False)
+class IkTable:
+    """Arm joints of one station on a rail grid.
+
+    d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; raw: per leg
+    (branches, nodes, n, m) without turns, None for dwells. At a waypoint with fixed joints only its own rail value is
+    open. limits (2, m): lower and upper ones; couplings: of sums of joints. leaves (L, n): where the first line begins
+    at a singularity, to which places the rail can go in proportion; else None.
+    """
+
+    first: int
+    d: Array
+    labels: tuple[IkBranch, ...]
+    waypoints: tuple[Array, ...]
+    raw: tuple[Array | None, ...]
+    limits: Array
+    couplings: Couplings
+    leaves: BoolArray | None = None
+
+    def line(self, i: int) -> Array | None:
+        """Joints (L, nodes, n, m) along leg i of the station, NaN where the configuration is not to be had; None for a
+        dwell."""
+        raw = self.raw[i]
+        if raw is None:
+            return None
+        q = raw[[label.cfx for label in self.labels]] + np.array([label.turns for label in self.labels])[:, None, None]
+        return np.where(self._within(q)[..., None], q, np.nan)
+
+    def open_on(self, i: int) -> BoolArray:
+        """Where (L, nodes, n) along line i of the station each label is to be had."""
+        raw = self.raw[i]
+        assert raw is not None
+        open_ = np.ones((len(self.labels), *raw.shape[1:3]), dtype=bool)
+        for j, turn, some, cfx in self._turned:
+            q = raw[..., j] + turn
+            open_[some] &= ((q >= self.limits[0, j]) & (q <= self.limits[1, j]))[cfx]
+        if self.couplings:
+            for label, one in zip(self.labels, open_, strict=True):
+                one &= self.couplings.within(raw[label.cfx] + label.turns)
+        return open_
+
+    @cached_property
+    def _turned(self) -> list[tuple[int, float, IndexArray, IndexArray]]:
+        """Of every joint and whole turn the labels that have it, and their branches."""
+        cfx, turns = np.array([label.cfx for label in self.labels]), np.array([label.turns for label in self.labels])
+        pairs = [(j, value) for j, turn in enumerate(turns.T) for value in np.unique(turn).tolist()]
+        return [(j, value, some, cfx[some]) for j, value in pairs for some in np.nonzero(turns[:, j] == value)]
+
+    @property
+    def stands(self) -> bool:
+        """Whether every line has a label that serves all of it from one rail position, whichever."""
+        lines = [i for i, raw in enumerate(self.raw) if raw is not None]
+        return all(self._ends_open(i)[self.open_on(i).all(axis=1)].any() for i in lines)
+
+    def _ends_open(self, i: int) -> BoolArray:
+        """Where (L, n) each label is to be had at both ends of leg i."""
+        return ~np.isnan(self.waypoints[i][..., 0]) & ~np.isnan(self.waypoints[i + 1][..., 0])
+
+    def _within(self, q: Array) -> BoolArray:
+        each = np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1)
+        return np.asarray(each & self.couplings.within(q)) if self.couplings else np.asarray(each)
+
+
+def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
+    """Grid of rail positions for the waypoints first..last, fixed values included exactly."""
+    ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
+    fixed = [low for low, high in ranges if low == high]
+    free = [r for r in ranges if r[0] != r[1]]
+    if not free:
+        return np.unique(np.r_[fixed, np.linspace(min(fixed), max(fixed), n)])
+    low, high = free[0]
+    if window:
+        low, high = max(low, window[0]), min(high, window[1])
+    return np.unique(np.r_[np.linspace(low, high, n), fixed])
+
+
+def grid_in_reach(axes: Axes, problem: Problem, first: int, last: int, fewest: int, apart: float) -> Array:
+    """The same over the whole stroke, fewest positions or more that are no farther apart [m]; left out are those from
+    which the arm is too short for all waypoints and all ways between them."""
+    ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
+    low, high = next(((low, high) for low, high in ranges if low != high), (0.0, 0.0))
+    d = rail_grid(problem, first, last, max(fewest, 1 + int(np.ceil((high - low) / apart - 1e-9))))
+    if low == high:
+        return d
+    near = np.clip(hull_in_reach(axes, problem, first, last), d[0], d[-1])
+    step = float(np.diff(d).max())
+    fixed = np.array([at for at, end in ranges if at == end])
+    return np.asarray(d[((d > near[0] - step) & (d < near[1] + step)) | np.isin(d, fixed)])
+
+
+def hull_in_reach(axes: Axes, problem: Problem, first: int, last: int) -> tuple[float, float]:
+    """From which rail position to which [m] the arm could be long enough for some of the waypoints first..last."""
+    ends = _reaches(axes, problem, first, last)
+    return float(ends.min()), float(ends.max())
+
+
+def _reaches(axes: Axes, problem: Problem, first: int, last: int) -> Array:
+    """From which rail position to which (k, 2) [m] the arm could be long enough for each of the waypoints first..last,
+    and for places on the lines between them."""
+    X_WF = [problem.waypoints[k].X_WF for k in range(first, last + 1)]
+    for leg in problem.legs[first:last]:
+        if leg.segment is not None and leg.chord > 0:
+            X_WF += [*(leg.segment.pose(np.array([0.25, 0.5, 0.75])) @ inverse_pose(leg.X_FT))]
+    return np.asarray(axes.robot.rail_within(np.array(X_WF)))
+
+
+def _unwrap(arm: Array, axis: int) -> Array:
+    """Whole turns removed between neighbours along an axis, gaps of NaN bridged."""
+    x = np.moveaxis(arm, axis, 0)
+    turns = _windings(x)
+    return arm if turns is None else np.moveaxis(x - 2 * np.pi * turns, 0, axis)
+
+
+def _wound(axes: Axes, leg: Leg, line: Array, d: Array) -> Array:
+    """A line (b, nodes, n, m) without whole turns between neighbouring nodes, but those that an axis turns on its way
+    from one to the next: close to a singularity it may turn by more than half of one."""
+    far = np.abs(np.diff(line, axis=1)).max(axis=-1) > _FAR  # (b, nodes - 1, n); NaN is not
+    assert leg.segment is not None
+    for i in np.flatnonzero(far.any(axis=(0, 2))):
+        at = np.flatnonzero(far[:, i].any(axis=0))
+        s = (i + np.linspace(0, 1, _CLOSE + 1)) / (line.shape[1] - 1)
+        X = leg.segment.pose(s) @ inverse_pose(leg.X_FT)
+        arm = axes.inverse(np.repeat(X, len(at), axis=0), np.tile(d[at], len(s)))
+        arm = np.moveaxis(arm.reshape(len(s), len(at), *arm.shape[1:]), 2, 0)
+        arm[:, 0] = line[:, i, at]
+        turns = np.round((_unwrap(arm, 1)[:, -1] - line[:, i + 1, at]) / (2 * np.pi))
+        line[:, i + 1 :, at] += 2 * np.pi * np.where(far[:, i, at, None], turns, 0.0)[:, None]
+    return line
+
+
+def _unwrap_beside(line: Array, known: BoolArray) -> Array:
+    """Whole turns removed between neighbouring columns of a line (b, nodes, n, m). Columns (b, n) that are known stay
+    as they are; the others are continued from the known one before, or from the first.
+
+    A column that is continued from the line's start is known. Beside it another may go round axis 1 the other way.
+    """
+    x = np.moveaxis(line, 2, 0)
+    turns = _windings(x)
+    if turns is None:
+        return line
+    rows = np.arange(len(x))[:, None]
+    before = np.maximum.accumulate(np.where(known.T, rows, -1), axis=0)
+    near = np.where(before >= 0, before, np.argmax(known, axis=1))
+    turns = turns - np.take_along_axis(turns, near[:, :, None, None], axis=0)
+    return np.moveaxis(x - 2 * np.pi * turns, 0, 2)
+
+
+def _windings(x: Array) -> Array | None:
+    """Whole turns by which values (k, ..., m) are ahead of the first, gaps of NaN bridged; None for none anywhere."""
+    missing = np.isnan(x[..., 0])  # all joints of a place or none
+    before = x[:-1]
+    if missing.any():
+        rows = np.arange(len(x)).reshape(-1, *[1] * (missing.ndim - 1))
+        held = np.maximum.accumulate(np.where(missing, 0, rows), axis=0)
+        before = np.take_along_axis(x, held[:-1, ..., None], axis=0)
+    apart = x[1:] - before
+    if not np.any(np.abs(apart) > np.pi):
+        return None
+    steps = np.nan_to_num(np.round(apart / (2 * np.pi)))
+    return np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
+
+
+def line_nodes(leg: Leg) -> int:
+    """How many points of a line or an arc are held against the inverse kinematics: fewer on short ones."""
+    share = max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)
+    return int(np.clip(1 + np.ceil((LINE_NODES - 1) * min(share, 1.0)), FEWEST_NODES, LINE_NODES))
+
+
+def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
+    """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
+    n = len(d)
+    behind = np.cumsum([nodes * n for _, nodes in legs])
+    for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // REACH_CHUNK):
+        some = [legs[i] for i in group]
+        X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
+        counts = [m for _, m in some]
+        arm = axes.inverse(np.repeat(np.concatenate(X), n, axis=0), np.tile(d, sum(counts)))
+        arm = np.moveaxis(usable(axes, arm, pinned).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
+        yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
+
+
+def back_along(problem: Problem, first: int, k: int) -> int | None:
+    """The leg from waypoint first on, before leg k and waits, along which leg k leads straight back; None for none."""
+    j = k - 1
+    while j >= first and problem.legs[j].kind is LegKind.DWELL:
+        j -= 1
+    leg, back = problem.legs[k], problem.legs[j]
+    if j < first or not (isinstance(leg.segment, Line) and isinstance(back.segment, Line)):
+        return None
+    apart = (leg.segment.X_0 - back.segment.X_1, leg.segment.X_1 - back.segment.X_0, leg.X_FT - back.X_FT)
+    return j if leg.angle < _HALF_TURN and np.abs(apart).max() < _SAME else None
+
+
+def _raw(
+    axes: Axes, problem: Problem, first: int, last: int, d: Array, given: SingularStart | None
+) -> tuple[list[Array], list[Array | None], BoolArray | None]:
+    """Joints of a station by branch at its waypoints (branches, n, m) and along its legs (branches, nodes, n, m), each
+    continued from the one before; and where the first line can leave to."""
+    leaves, pinned = None, _pinned(problem, first, last)
+    if given is not None:
+        start, leaves = given.table(axes, problem, d)
+    else:
+        arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
+        arm = np.moveaxis(arm, 1, 0)
+        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm, pinned), 1)
+    stops, lines = [start], list[Array | None]()
+    legs = problem.legs[first:last]
+    left = None if given is None else given.leg
+    backs = [None if leg is left else back_along(problem, first, first + i) for i, leg in enumerate(legs)]
+    backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
+    asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
+    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d, pinned)
+    for leg, back in zip(legs, backs, strict=True):
+        if leg.segment is None:
+            stops.append(stops[-1])
+            lines.append(None)
+            continue
+        if back is not None:
+            line = lines[back - first]
+            assert line is not None
+            lines.append(line[:, ::-1])
+            stops.append(line[:, 0])
+            continue
+        raw = next(found)
+        raw[:, 0] = stops[-1]
+        # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
+        line = _unwrap_beside(_wound(axes, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
+        lines.append(line)
+        stops.append(line[:, -1])
+    return stops, lines, leaves
+
+
+def station_table(
+    axes: Axes, problem: Problem, first: int, last: int, d: Array, around: ClearanceQueries | None = None
+) -> IkTable:
+    """Tables of one station; around: what must not be touched, at the waypoints and at the nodes of lines."""
+    given = SingularStart.of(axes, problem, first, last)
+    stops, lines, leaves = _raw(axes, problem, first, last, d, given)
+    if around is not None:
+        stops, lines = _clear(axes, problem, first, d, stops, lines, around)
+    limits = np.array([axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9])
+    couplings = axes.couplings.arm(axes.layout.arm)
+    alone = problem.waypoints[first].q if first == last else None
+    if alone is not None:
+        d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
+        return IkTable(first, d, (IkBranch(-1, np.zeros_like(arm)),), (arm[None, None],), (), limits, couplings)
+    branches = np.arange(len(stops[0]))
+    if axes.robot.linkage and all(stop.q is None for stop in problem.waypoints[first : last + 1]):
+        branches = branches[branches & 2 == 0]  # where no joints are given, it stays unfolded
+    labels = [IkBranch(cfx, turns) for cfx, turns in product(branches.tolist(), axes.robot.turns)]
+    kept = np.arange(len(labels))
+    tables: list[Array] = []
+    for i, raw in enumerate(stops):  # a label that is not to be had at some waypoint is none
+        if not len(kept):
+            break
+        of = [labels[j] for j in kept]
+        q = raw[[label.cfx for label in of]] + np.array([label.turns for label in of])[:, None]
+        tables.append(np.where(_to_be_had(axes, problem.waypoints[first + i], q, d, limits)[..., None], q, np.nan))
+        some = ~np.isnan(tables[-1][..., 0]).all(axis=1)
+        if not some.all():
+            kept, tables = kept[some], [one[some] for one in tables]
+    return IkTable(
+        first,
+        d,
+        tuple(labels[j] for j in kept),
+        tuple(tables),
+        tuple(lines),
+        limits,
+        couplings,
+        None if leaves is None else leaves[[labels[j].cfx for j in kept]],
+    )
+
+
+def _clear(
+    axes: Axes, problem: Problem, first: int, d: Array, stops: list[Array], lines: list[Array | None],
+    around: ClearanceQueries,
+) -> tuple[list[Array], list[Array | None]]:  # fmt: skip
+    """The joints of a station, NaN where the robot touches something; whole turns do not matter to that."""
+
+    def kept(arm: Array, motions: set[int]) -> Array:
+        q = axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
+        free = np.ones(len(q), dtype=bool)
+        for index in {around.scene(motion): motion for motion in sorted(motions)}.values():
+            free &= around.free(q, index)
+        return np.where(free.reshape(arm.shape[:-1])[..., None], arm, np.nan)
+
+    legs = problem.legs
+    beside = [{legs[k].motion for k in (first + i - 1, first + i) if 0 <= k < len(legs)} for i in range(len(stops))]
+    nodes = [None if raw is None else kept(raw, {legs[first + i].motion}) for i, raw in enumerate(lines)]
+    return [kept(stop, motions) for stop, motions in zip(stops, beside, strict=True)], nodes
+
+
+def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
+    """Where joints q (L, n, m) at rail positions d (n,) may be those of a waypoint."""
+    ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1) & axes.couplings.arm(axes.layout.arm).within(q)
+    if stop.rail[0] == stop.rail[1]:
+        ok &= np.abs(d - stop.rail[0]) < 1e-12
+    if stop.conf is not None:
+        for label, j in np.argwhere(ok & (np.abs(d - stop.written) < 1e-12)):
+            ok[label, j] = axes.robot.admits(stop.conf, q[label, j])
+    if stop.q is not None:
+        ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
+    return np.asarray(ok)
+
+
+def _pinned(problem: Problem, first: int, last: int) -> bool:
+    """Whether the rail is given at every waypoint of a station, or there is none."""
+    return all(low == high for low, high in (point.rail for point in problem.waypoints[first : last + 1]))
+
+
+def _rests(problem: Problem, first: int, last: int) -> bool:
+    """Whether no axis moves in a station, so that no singularity matters to it."""
+    return _pinned(problem, first, first) and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
+
+
+def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
+    """The first waypoint that no rail position and branch reaches, or line that none can serve, by name."""
+    served = _SERVED.setdefault(problem.plant, set())
+    alike = replace(problem, freedom=EVERYTHING, coupling=Coupling.FREE)
+    for first, last in problem.stations:
+        singular = SingularStart.of(axes, problem, first, last) is not None
+        name = stretch_name(problem if singular else alike, first, last)
+        ranges = (axes.lower, axes.upper, axes.couplings.rows, axes.couplings.lower, axes.couplings.upper)
+        key = blake2b(name + b"".join(x.tobytes() for x in ranges), digest_size=16).digest()
+        if key in served:
+            continue
+        out = _unserved(axes, problem, first, last)
+        if out is not None:
+            return out
+        served.add(key)
+    return None
+
+
+def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
+    """Why a station cannot be served; None where it can, first of all every line of it from one of few positions."""
+    low, high = _reaches(axes, problem, first, last).T
+    free = all(problem.waypoints[k].rail[0] < problem.waypoints[k].rail[1] for k in range(first, last + 1))
+    if free or low.max() <= high.min() or not axes.layout.has_rail:
+        d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+        if (table := station_table(axes, problem, first, last, d)).labels and table.stands:
+            return None
+    d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+    table = station_table(axes, problem, first, last, d)
+    if not table.labels:  # else one configuration reaches all of its waypoints
+        return _lost(axes, problem, first, last, d)
+    for i in range(last - first):
+        if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
+            return _broken_line(axes, problem, first + i, d, table.labels) or _about(
+                problem,
+                first + i,
+                f": {_NO_SINGLE}{with_exact_orientation(problem.motion(problem.legs[first + i].motion))}",
+            )
+    return None
+
+
+def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasible | None:
+    """The first of these legs with a point that no configuration gets to, which check_reach may have looked past: its
+    points stand closer together than the nodes there. None where every point is served."""
+    for k in legs:
+        if problem.legs[k].kind is not LegKind.LINE:
+            continue
+        first, last = next(station for station in problem.stations if station[0] <= k < station[1])
+        d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+        if (out := _broken_line(axes, problem, k, d, ())) is not None:
+            return out
+    return None
+
+
+def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
+    """What ends a station that no configuration serves: a waypoint out of reach, or the first line that none of those
+    serves which served everything before it."""
+    for k in range(first, last + 1):
+        if _out_of_reach(axes, problem, k, d):
+            return _unreachable(axes, problem, k, d)
+    labels = station_table(axes, problem, first, first, d).labels
+    for k in range(first + 1, last + 1):
+        before, labels = labels, station_table(axes, problem, first, k, d).labels
+        if labels:
+            continue
+        line = problem.legs[k - 1].kind is LegKind.LINE
+        given = SingularStart.of(axes, problem, first, k)
+        if given is not None and given.leg is problem.legs[k - 1]:
+            if text := given.jump(axes, problem, d):
+                return _about(problem, k - 1, text)
+            before = ()
+        broken = _broken_line(axes, problem, k - 1, d, before) if line else None
+        return broken or _no_common(problem, first, k)
+    raise AssertionError("a station without a label has a first stop where the labels end")
+
+
+def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
+    """Whether no rail position and branch reach a waypoint, whatever stands around it."""
+    stop = problem.waypoints[k]
+    if stop.q is not None or stop.motion < 0:
+        return False
+    return not station_table(axes, problem_at(problem, k), 0, 0, d).labels
+
+
+def problem_at(problem: Problem, k: int) -> Problem:
+    """The problem of one waypoint alone."""
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),), ties=())
+
+
+def _passable(problem: Problem, table: IkTable, i: int) -> bool:
+    """Some label runs the whole line: with the rail moving if it may, else at one rail position."""
+    leg = problem.legs[table.first + i]
+    open_ = table.open_on(i)
+    open_[:, 0] &= ~np.isnan(table.waypoints[i][..., 0])
+    open_[:, -1] &= ~np.isnan(table.waypoints[i + 1][..., 0])
+    return bool(open_.all(axis=1).any()) or (leg.rail_moves and any(_crosses(one) for one in open_))
+
+
+def _crosses(open_: BoolArray) -> bool:
+    """Whether a rail gets along a line: open_ (nodes, rail positions) says from where each node can be served.
+
+    At a node it may go anywhere without a gap; to the next node by as much as takes it from end to end over the line.
+    """
+    nodes, n = open_.shape
+    step = -(-(n - 1) // (nodes - 1))
+    held = open_[0]
+    for row in open_[1:]:
+        near = np.convolve(held, np.ones(2 * step + 1), mode="full")[step : step + n] > 0.5
+        runs = np.cumsum(np.diff(row, prepend=False) & row)  # the number of each run of open positions
+        held = row & np.isin(runs, runs[near & row])
+    return bool(held.any())
+
+
+def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
+    stop = problem.waypoints[k]
+    motion = problem.motion(stop.motion)
+    near = d[int(np.argmin(np.abs(d - _abreast(axes, stop.X_WF))))]
+    if stop.rail[0] == stop.rail[1]:
+        near = stop.rail[0]
+    reason = _why(axes, problem, stop.X_WF, float(near))
+    where, confused = _at(axes, float(near)), not reason
+    if confused:
+        reason = _other_configurations(axes, problem, stop, float(near))
+        if stop.conf is not None:
+            reason += _remedy(axes, problem, k)
+    text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
+    if confused and isinstance(motion, MoveL | MoveC) and (told := _configuration(problem, k)):
+        text = told + _remedy(axes, problem, k)
+    return Infeasible(stop.motion, motion.source, text)
+
+
+def _configuration(problem: Problem, k: int) -> str | None:
+    """What is wrong with the configuration at waypoint k as parse tells it, which follows the line there; None where
+    rail or confdata are not as written."""
+    stop = problem.waypoints[k]
+    if stop.conf is None or stop.rail[0] != stop.rail[1]:
+        return None
+    found = check_configurations(problem.program, problem.plant)
+    return next((one.message for one in found if one.index == stop.motion), None)
+
+
+def _at(axes: Axes, rail: float) -> str:
+    return f" at rail {rail * 1e3:.1f} mm" if axes.layout.has_rail else ""
+
+
+def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
+    """Why a pose is out of reach at a rail position; empty when it is not."""
+    if axes.robot.solutions(X_WF, rail, problem.plant.limits):
+        return ""
+    return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
+
+
+def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
+    """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
+    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
+    of = [(axes.robot.confdata(q), q) for _, q in found]
+    confs = {astuple(conf) for conf, q in of if axes.robot.admits(conf, q)}
+    if not confs:
+        return "too near a singularity"
+    asked = None if stop.conf is None else astuple(stop.conf)
+
+    def away(conf: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
+        apart = [abs(a - b) for a, b in zip(conf, asked or conf, strict=True)]
+        return sum(map(bool, apart)), sum(apart), conf
+
+    nearest = sorted(confs, key=away)
+    text = ", ".join(_written(conf) for conf in nearest[:_LISTED])
+    more = f" and {len(nearest) - _LISTED} more" if len(nearest) > _LISTED else ""
+    return f"not{'' if asked is None else f' with confdata {_written(asked)}'}; there would be {text}{more}"
+
+
+def _written(conf: tuple[int, ...]) -> str:
+    """confdata as RAPID writes it."""
+    return f"[{','.join(map(str, conf))}]"
+
+
+def _remedy(axes: Axes, problem: Problem, k: int) -> str:
+    """What to do about confdata that cannot be had at waypoint k, and the places behind it where it is the same."""
+    motion = problem.motion(problem.waypoints[k].motion)
+    word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
+    text = f"; correct the confdata, or set {word} \\Off before it"
+    places = dict.fromkeys(
+        str(problem.motion(stop.motion).source)
+        for stop in problem.waypoints[k + 1 :]
+        if _wrong_confdata(axes, problem, stop)
+    )
+    places.pop(str(motion.source), None)
+    if not places:
+        return text
+    named = [*places][: _PLACES - 1]
+    more = f" and {len(places) - len(named)} more" if len(places) > len(named) else ""
+    return f"{text}; likewise {', '.join(named)}{more}"
+
+
+def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
+    """Whether a move ends where the pose can be had, but not as its confdata says, which counts; the rail is given."""
+    if stop.conf is None or stop.q is not None or stop.rail[0] != stop.rail[1]:
+        return False
+    if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
+        return False
+    found = axes.robot.solutions(stop.X_WF, stop.written, problem.plant.limits)
+    return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
+
+
+def _abreast(axes: Axes, X_WF: Array) -> float:
+    """The rail position at which the base stands nearest to a pose."""
+    p = axes.in_base(X_WF)[:3, 3]
+    return float(np.sum(p @ axes.rail_axis))
+
+
+def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[IkBranch, ...]) -> Infeasible | None:
+    """Name the point on line k that serves no rail position and branch which served everything before it; labels: the
+    configurations that did. None where every point has such."""
+    leg = problem.legs[k]
+    motion = problem.motion(leg.motion)
+    assert leg.segment is not None
+    shares = np.linspace(0, 1, 101)
+    X = leg.segment.pose(shares)
+    rails = d
+    fixed = [
+        problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]
+    ]
+    if fixed and not leg.rail_moves:
+        rails = np.array(fixed[:1])
+    X_WF = X @ inverse_pose(leg.X_FT)
+    arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
+    # a point out of everything's reach says most; else the one where the last configuration ends
+    known = {label.cfx for label in labels if label.cfx >= 0} or set(range(arm[0].shape[1]))
+    lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
+    if lost is None:
+        stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
+        pinned = len(fixed) == 2
+        on_way = [arm[0] if stands else usable(axes, arm[0], pinned), *(usable(axes, q, pinned) for q in arm[1:])]
+        lost = _first_lost(axes, leg, on_way, known)
+    if lost is None:
+        return None
+    at, before = lost
+    X_WT, X_WF = X[at], X_WF[at]
+    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
+    reason = _why(axes, problem, X_WF, float(near))
+    where = _at(axes, float(near))
+    if not reason:
+        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}{with_exact_orientation(motion)}"
+    p = X_WT[:3, 3] * 1e3
+    way = leg.chord * 1e3
+    text = (
+        f"{motion_name(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
+        f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
+    )
+    return Infeasible(leg.motion, motion.source, text)
+
+
+def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> tuple[int, BoolArray] | None:
+    """The first of the points, with joints arm (rails, b, m) each, to which none of the branches gets; and which of
+    those joints (rails, b) are had from the point before."""
+    alive = np.tile([cfx in branches for cfx in range(arm[0].shape[1])], (len(arm[0]), 1))
+    for at, q in enumerate(arm):
+        before = np.broadcast_to(np.any(alive, axis=0), alive.shape) if leg.rail_moves else alive
+        alive = _in_limits(axes, q) & before
+        if not np.any(alive):
+            return at, before
+    return None
+
+
+def _end(axes: Axes, arm: Array) -> str:
+    """What stops the configurations that come to a point last, with joints (k, m) there: the range that one of them
+    leaves by the least."""
+    names, lower, upper = (one[axes.layout.arm] for one in (axes.names, axes.lower, axes.upper))
+    worst = [
+        max((excess(*one), name) for *one, name in zip(q, lower, upper, names, strict=True))
+        for q in arm[np.isfinite(arm).all(axis=-1)].tolist()
+    ]
+    (over, value, limit), name = min(worst, default=((0.0, 0.0, 0.0), ""))
+    if over <= ON_LIMIT:
+        return ""
+    return f"; the last that comes so far ends with {name} = {np.degrees(value):.6g}°, limit {np.degrees(limit):.6g}°"
+
+
+def _in_limits(axes: Axes, arm: Array) -> BoolArray:
+    low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
+    ok, couplings = np.zeros(arm.shape[:-1], dtype=bool), axes.couplings.arm(axes.layout.arm)
+    for turn in axes.robot.turns:
+        ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1) & couplings.within(arm + turn)
+    return ok
+
+
+def _about(problem: Problem, k: int, text: str) -> Infeasible:
+    motion = problem.motion(problem.legs[k].motion)
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion_name(motion)}{text}")
+
+
+def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
+    index = problem.waypoints[last].motion
+    motion = problem.motion(index)
+    if told := _configuration(problem, last):
+        return Infeasible(index, motion.source, told)
+    start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
+    begin = f"{start.source}" if start else "the start"
+    text = (
+        f"{motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
+        f" between them keep the branch and the turns of the joints"
+    )
+    if note := with_exact_orientation(motion):
+        text += f"{note}: program the configuration that the line leads to (trajopt parse names it), or use MoveJ"
+    return Infeasible(index, motion.source, text)

@@ -1,0 +1,708 @@
+"""Global search: dynamic programming over rail position, rail velocity, IK branch and turns at every waypoint.
+
+It picks the basin the nonlinear program then descends in. Coarse first, with all branches and the rail at rest at the
+waypoints; then finer around the best, on the labels that came near it, with rail velocity. Edge times of joint moves
+are exact without the tool caps; those of lines are estimates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
+from trajopt_cli.graph_search.ik_tables import IkTable, back_along, grid_in_reach, rail_grid, station_table
+from trajopt_cli.graph_search.shared_states import Ties, best_tied
+from trajopt_cli.problem.cache_keys import leg_name, stretch_name
+from trajopt_cli.problem.decision_scope import RailFreedom
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.settings import (
+    AVOID_ROUNDS,
+    AVOID_WORSE,
+    CURVED,
+    LEAST_ROOM,
+    LINE_CHUNK,
+    LOOKED_AT,
+    MOST_TURNS,
+    NEAR_BEST,
+    NEAR_SPAN,
+    PASSING,
+    SEARCH_AHEAD,
+    SEARCH_APART,
+    SEARCH_CHUNK,
+    SEARCH_COARSE,
+    SEARCH_FINE,
+    SEARCH_LEGS,
+    SEARCH_TURNS,
+    SEARCH_WINDOW,
+    SHIFT,
+    WAY_NODES,
+    WIDEST,
+)
+from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
+from trajopt_cli.trajectories.route import Route
+
+_LEAST = 1e-12  # s, s2: of a leg that goes nowhere
+
+
+@dataclass(frozen=True, eq=False)
+class _Layer:
+    """States at one waypoint: axes and their velocities (m, n), label number and rail index (m,)."""
+
+    q: Array
+    qd: Array
+    label: IndexArray
+    rail: IndexArray
+
+    @property
+    def place(self) -> IndexArray:
+        """Label and rail number (2, m)."""
+        return np.stack([self.label, self.rail])
+
+
+def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds: Array) -> _Layer:
+    arm = table.waypoints[i]
+    labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
+    stop = problem.waypoints[k]
+    q = axes.layout.join(table.d[rails], arm[labels, rails])
+    if axes.torque is not None and (held := _held(axes, problem, k, q)).any():
+        q, labels, rails = q[held], labels[held], rails[held]
+    if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
+        return _Layer(q, np.zeros_like(q), labels, rails)
+    m = len(speeds)
+    rate = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., 0])
+    q, labels, rails = np.repeat(q, m, axis=0), np.repeat(labels, m), np.repeat(rails, m)
+    qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
+    ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
+    return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
+
+
+def _held(axes: Axes, problem: Problem, k: int, q: Array) -> BoolArray:
+    """At which axes (m, n) all torques can hold the arm at waypoint k, with what it carries before and behind it."""
+    assert axes.torque is not None
+    beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+    return np.asarray(np.all([axes.torque.holds(leg.load, q) for leg in beside], axis=0))
+
+
+def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Edge:
+    """Least times of joint moves between all states; the tool caps enter by a trapezoid over the tool's way, which is
+    its chord where every axis may go its own way."""
+    V, A = axes.velocity_on(leg), axes.acceleration
+    moving = bool(np.any(a.qd) or np.any(b.qd))
+    slow = _slowest(a, b, V, A) if moving else list(range(axes.n))
+    p_a, p_b = (_tool(axes, leg, x.q) for x in (a, b))
+    bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
+    rows = max(1, SEARCH_CHUNK // len(b.q))
+    for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
+        T = _chord_time(leg, p_a[part], p_b)
+        if problem.coordinated:
+            together, most = _one_share(axes, leg, a.q[part], b.q, V, A)
+            np.maximum(T, together, out=T)
+            doubt[part] = most > leg.v_tcp * T
+        elif moving:
+            for j in slow:
+                np.maximum(T, _of_axis(a, b, V, A, part, slice(None), j), out=T)
+        else:
+            for j in slow:
+                np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[part, None, j]), V[j], A[j]), out=T)
+        bare[part] = T
+    T = _within(bare, leg)
+    if not leg.rail_moves:
+        stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
+        T, doubt = np.where(stays, T, np.inf), doubt & stays
+    if not doubt.any():
+        return Dense(T)
+
+    def sure(i: IndexArray, k: IndexArray) -> Array:
+        return _within(np.maximum(bare[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)), leg)
+
+    def through(shares: Array) -> Callable[[IndexArray, IndexArray], Array]:
+        def least(i: IndexArray, k: IndexArray) -> Array:
+            return _within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k], p_a[i], p_b[k], shares)), leg)
+
+        return least
+
+    if not problem.coordinated:
+        return Lazy(T, doubt.astype(np.int8), (sure,))
+    shares = np.linspace(0, 1, WAY_NODES)[1:-1]
+    return Lazy(T, 2 * doubt.astype(np.int8), (through(shares[len(shares) // 2 :][:1]), through(shares)))
+
+
+def _within(T: Array, leg: Leg) -> Array:
+    """Least times of a leg with its programmed time, where that is enough, or with the time of what turns meanwhile."""
+    return np.maximum(T, leg.least) if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
+
+
+def _one_share(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
+    """Least times (n_a, n_b) of all axes with one profile for all, but for the tool's caps; how far the tool goes at
+    most [m]."""
+    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
+    slow, hard, most = (np.full((len(q_a), len(q_b)), least) for least in (_LEAST, _LEAST, 0.0))
+    for j in range(axes.n):
+        way = np.abs(q_b[None, :, j] - q_a[:, None, j])
+        most += way * lever[j]
+        np.maximum(slow, way / V[j], out=slow)
+        np.maximum(hard, way / A[j], out=hard)
+    # over a share of 1, at 1 / slow and 1 / hard at most
+    return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard)), most
+
+
+def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> list[int]:
+    """The axes that take longest between some of the states where each goes by itself."""
+    some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
+    times = [_of_axis(a, b, V, A, some_a, some_b, j) for j in range(len(V))]
+    return [int(j) for j in np.unique(np.argmax(times, axis=0))]
+
+
+def _of_axis(a: _Layer, b: _Layer, V: Array, A: Array, i: slice, k: slice, j: int) -> Array:
+    """Least times of one axis between some of the states, by itself."""
+    return alone(b.q[None, k, j] - a.q[i, None, j], a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
+
+
+def _tool(axes: Axes, leg: Leg, q: Array) -> Array:
+    """The tool centre point (..., 3) of axes (..., n)."""
+    X_WF = axes.forward(q)
+    return np.asarray(X_WF[..., :3, :3] @ leg.X_FT[:3, 3] + X_WF[..., :3, 3])
+
+
+def _chord_time(leg: Leg, p_a: Array, p_b: Array) -> Array:
+    """What the tool takes straight from places (n_a, 3) to places (n_b, 3)."""
+    chord = np.zeros((len(p_a), len(p_b)))
+    for j in range(3):
+        chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
+    return trapezoid_time(np.sqrt(chord), leg.v_tcp, mean_ramp(*leg.ramps))
+
+
+def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array, shares: Array) -> Array:
+    """What the tool's way takes (k,) at least on straight joint moves between axes (k, n), the tool at (k, 3) there,
+    through its places at some shares of them."""
+    out = np.empty(len(q_0))
+    rows = max(1, SEARCH_CHUNK // (16 * len(shares)))
+    for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
+        tool = _tool(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
+        steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
+        out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
+    return trapezoid_time(out, leg.v_tcp, mean_ramp(*leg.ramps))
+
+
+def _farthest(axes: Axes, problem: Problem, k: int, far: bool) -> float:
+    """How far the rail is asked to go [m] along line k, which it hardly holds back then; far: however long it takes."""
+    leg = problem.legs[k]
+    if not leg.rail_moves or problem.freedom.rail is RailFreedom.STATION:
+        return 0.0
+    cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.table[0])
+    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
+    return np.inf if far else beyond + float(axes.layout.place(axes.velocity_on(leg))) * cruise
+
+
+def _line_times(
+    axes: Axes, problem: Problem, table: IkTable, i: int, k: int, a: _Layer, b: _Layer, far: bool = False
+) -> Band:
+    """Estimated times of a line, leg k and number i of its station, with the rail linear in the path, whatever the
+    rates of the states. far: as in _search."""
+    leg = problem.legs[k]
+    raw = table.raw[i]
+    assert raw is not None
+    d, n, nodes = table.d, len(table.d), raw.shape[1]
+    V, A = axes.velocity_on(leg), axes.acceleration
+    spacing = (d[-1] - d[0]) / max(n - 1, 1)
+    widest = int(np.ceil(min(_farthest(axes, problem, k, far) / max(spacing, 1e-9), n - 1)))
+    shifts = np.arange(widest, -widest - 1, -1)
+    used, of = np.unique([label.cfx for label in table.labels], return_inverse=True)
+    open_ = table.open_on(i).reshape(len(of), -1)
+    leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
+    times = np.full((len(shifts), len(of), n), np.inf)
+    arm = np.moveaxis(raw[used], -1, 0).reshape(-1, len(used), nodes * n)
+    here, there = np.isfinite(table.waypoints[i][..., 0]), np.isfinite(table.waypoints[i + 1][..., 0])
+    near = np.abs(np.arange(n) - np.arange(n)[:, None]) <= widest
+    before, behind = np.nonzero(near & np.logical_or.reduce(here)[:, None] & np.logical_or.reduce(there))
+    rows = max(1, LINE_CHUNK // (len(of) * nodes))
+    for some in (slice(j, j + rows) for j in range(0, len(before), rows)):
+        start, end = before[some], behind[some]  # (p,) rail numbers at the line's ends
+        at = (end - start) * np.linspace(0, 1, nodes)[:, None]
+        whole = np.floor(at + 1e-9)
+        f = np.where(at - whole > 1e-9, at - whole, 0.0)
+        low = np.arange(nodes)[:, None] * n + start + whole.astype(int)
+        high = low + (f > 0)  # (nodes, p); fractional between low, high
+        ok = here[:, start] & there[:, end] & np.all(open_[:, low] & open_[:, high], axis=1)
+        if leaves is not None:
+            ok &= leaves[:, end]
+        T = np.full((len(used), len(start)), np.inf)
+        branch, pair = np.nonzero([np.any(ok[of == cfx], axis=0) for cfx in range(len(used))])
+        most = max(1, LINE_CHUNK // (len(arm) * nodes))
+        for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
+            q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
+            T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
+        times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or leg.least)[of], np.inf).T
+    return Band(shifts, times, a.place, b.place)
+
+
+def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array) -> Array:
+    """Estimated times (p,) of joints (m, nodes, p) along a line, the rail going its way (p,) meanwhile."""
+    h = 1 / (arm.shape[1] - 1)
+
+    def slope(x: Array) -> Array:
+        out = np.empty_like(x)
+        np.subtract(x[:, 2:], x[:, :-2], out=out[:, 1:-1])
+        out[:, 1:-1] /= 2 * h
+        out[:, 0], out[:, -1] = (x[:, 1] - x[:, 0]) / h, (x[:, -1] - x[:, -2]) / h
+        return out
+
+    dq = slope(arm)
+    ddq = slope(dq)
+    np.abs(ddq, out=ddq)
+    np.abs(dq, out=dq)
+    rail, layout = np.abs(way), axes.layout
+    slow = np.max(np.max(dq, axis=1) / V[layout.arm, None], axis=0)
+    for limit in V[layout.rail]:
+        slow = np.maximum(slow, rail / limit)
+    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.table[0], _LEAST))
+    limits = A[layout.arm, None, None]
+    ddq *= -((CURVED / slow) ** 2)
+    ddq += limits
+    np.maximum(ddq, LEAST_ROOM * limits, out=ddq)
+    dq /= ddq
+    hard = np.max(dq, axis=(0, 1))
+    for limit in A[layout.rail]:
+        hard = np.maximum(hard, rail / limit)
+    hard = np.maximum(hard, max(leg.chord / mean_ramp(*leg.ramps), leg.table[1], _LEAST))
+    return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
+
+
+def _line_edge(axes: Axes, leg: Leg, band: Band, a: _Layer, b: _Layer) -> Edge:
+    """The same, and no less than the rates of the states allow: those of the rail at once."""
+    if not (np.any(a.qd) or np.any(b.qd)):
+        return band
+    T, V, A = band.dense(), axes.velocity_on(leg), axes.acceleration
+    for ia, ib in band.blocks:
+        for j in range(*axes.layout.rail.indices(axes.n)):
+            way = b.q[ib, j] - a.q[ia, j, None]
+            np.maximum(T[ia, ib], alone(way, a.qd[ia, j, None], b.qd[None, ib, j], V[j], A[j]), out=T[ia, ib])
+
+    def sure(i: IndexArray, k: IndexArray) -> Array:
+        return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A))
+
+    return Lazy(T, np.isfinite(T).astype(np.int8), (sure,))
+
+
+def _goes_back(problem: Problem, first: int, k: int) -> int | None:
+    """The leg of a station that begins at a waypoint, whose times leg k has the other way round; None for none."""
+    j = back_along(problem, first, k)
+    if j is None:
+        return None
+    caps, its = (
+        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration, x.least, x.along)
+        for x in (problem.legs[k], problem.legs[j])
+    )
+    passed, its_passed = (problem.passes(i) and problem.passes(i + 1) for i in (k, j))
+    (a, b), (c, d) = ([problem.waypoints[i].rail for i in (n, n + 1)] for n in (k, j))
+    return j if caps == its and passed == its_passed and (a, b) == (d, c) else None
+
+
+def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
+    """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
+    V, A = axes.velocity_on(leg), axes.acceleration
+    same = a.label[:, None] == b.label[None]
+    if not leg.rail_moves:
+        same &= a.rail[:, None] == b.rail[None]
+    out = np.full(same.shape, np.inf)
+    before, behind = np.nonzero(same)
+    rows = max(1, SEARCH_CHUNK // axes.n)
+    for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
+        ia, ib = before[part], behind[part]
+        D, v_a, v_b, T = b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], leg.duration
+        if T is None:
+            out[ia, ib] = shortest_time(D, v_a, v_b, V, A)
+            continue
+        if problem.coordinated:
+            way = np.maximum(np.abs(D), 1e-12)
+            fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
+            fits |= ~D.any(axis=-1)  # however short
+        else:
+            up, down = reach(T, v_a, v_b, V, A) >= D - 1e-12, reach(T, -v_a, -v_b, V, A) >= -D - 1e-12
+            fits = np.all(up & down & (np.abs(v_b - v_a) <= A * T + 1e-12), axis=-1)
+        out[ia, ib] = np.where(fits, T, np.inf)
+    return out
+
+
+def _edges(
+    axes: Axes, problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer],
+    avoid: EdgeChecks | None = None, far: bool = False,
+) -> list[Edge]:  # fmt: skip
+    """Between all states; equal legs between equal states share one. far: as in _search."""
+    edges: list[Edge] = []
+    known: dict[tuple[object, ...], Edge] = {}
+    bands: dict[int | None, Band] = {}
+    for k, leg in enumerate(problem.legs):
+        a, b, table = layers[k], layers[k + 1], tables[where[k]]
+        scene = None if avoid is None else avoid.around.scene(leg.motion)
+        name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1), scene
+        if name in known:
+            edges.append(known[name])
+            continue
+        if leg.kind is LegKind.JOINT:
+            edges.append(_joint_edge(axes, problem, leg, a, b))
+        elif leg.kind is LegKind.LINE:
+            first = problem.stations[where[k]][0]
+            back = _goes_back(problem, first, k)
+            if back in bands:
+                bands[k] = bands[back].back(a.place, b.place)
+            else:
+                bands[k] = _line_times(axes, problem, table, k - first, k, a, b, far)
+            edges.append(_line_edge(axes, leg, bands[k], a, b))
+        else:
+            T = _dwell_time(axes, problem, leg, a, b)
+            held = problem.freedom.rail is RailFreedom.STATION
+            edges.append(Dense(np.where(a.rail[:, None] == b.rail[None], T, np.inf) if held else T))
+        made = edges[-1]
+        if avoid is not None and not isinstance(made, Checked):
+            edges[-1] = Checked.of(made, (len(a.q), len(b.q)))
+        known[name] = edges[-1]
+    return edges
+
+
+def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[float, list[int], list[Array]]:
+    """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept."""
+    forward, back = _forward(layers, edges)
+    if ties:
+        through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, np.inf), strict=True)]
+        return *best_tied([layer.q for layer in layers], [edge.dense() for edge in edges], through, ties), forward
+    end = int(np.argmin(forward[-1]))
+    path = [end]
+    for b in reversed(back):
+        path.append(int(b[path[-1]]))
+    return float(forward[-1][end]), path[::-1], forward
+
+
+def _best_clear(
+    problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer], edges: Sequence[Edge],
+    avoid: EdgeChecks | None,
+) -> tuple[float, list[int], list[Array]]:  # fmt: skip
+    """The same of chains that touch nothing: what is not known of the best one is looked at, until nothing is left.
+    Infinite and [] where that has no end."""
+    if avoid is None:
+        return _best(layers, edges, problem.ties)
+    forward: list[Array] = []
+    states = [
+        States(layer.q, np.array([label.cfx for label in tables[at].labels], dtype=np.intp)[layer.label])
+        for layer, at in zip(layers, where, strict=True)
+    ]
+    for _ in range(AVOID_ROUNDS):
+        cost, path, forward = _best(layers, edges, problem.ties)
+        if not np.isfinite(cost):
+            return np.inf, [], forward
+        new = [k for k, edge in enumerate(edges) if isinstance(edge, Checked) and not edge.known[path[k], path[k + 1]]]
+        if not new:
+            return cost, path, forward
+        backward = _backward(layers, edges, forward, cost * AVOID_WORSE)
+        for k in new:
+            edge, pair = edges[k], (path[k], path[k + 1])
+            if isinstance(edge, Checked) and not edge.known[pair]:  # equal legs share one
+                through = forward[k][:, None] + edge.least + backward[k + 1]
+                avoid.settle(problem, k, edge, states[k], states[k + 1], through, pair)
+    return np.inf, [], forward
+
+
+def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], list[IndexArray]]:
+    """The least cost from the start to every state, and the states before them, where no tie is kept."""
+    # costs above the least one come again where legs do
+    known: dict[tuple[int, bytes], tuple[IndexArray, Array, float]] = {}
+    forward, back = [np.zeros(len(layers[0].q))], list[IndexArray]()
+    above, base = forward[0], 0.0
+    for edge in edges:
+        name = id(edge), above.tobytes()
+        if name not in known:
+            source, cost = edge.into(above)
+            known[name] = source, *_above(cost)
+        source, above, least = known[name]
+        base += least
+        back.append(source)
+        forward.append(above + base)
+    return forward, back
+
+
+def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Array], limit: float) -> list[Array]:
+    """The least cost from every state to the end; infinite where the best chain through it costs more than limit, that
+    from the start being forward."""
+    known: dict[tuple[int, bytes, bytes], tuple[Array, float]] = {}
+    backward = [np.zeros(len(layers[-1].q))]
+    above, base = backward[0], 0.0
+    for edge, spent in zip(reversed(edges), reversed(forward[:-1]), strict=True):
+        most, open_ = np.full(len(spent), -np.inf), np.isfinite(spent)
+        most[open_] = np.ceil((limit - base - spent[open_]) * 1e6) * 1e-6  # the same where legs come again
+        name = id(edge), above.tobytes(), most.tobytes()
+        if name not in known:
+            cost = edge.out(above, most)
+            known[name] = _above(np.where(cost <= most, cost, np.inf))
+        above, least = known[name]
+        base += least
+        backward.append(above + base)
+    return backward[::-1]
+
+
+def _above(cost: Array) -> tuple[Array, float]:
+    """Costs above the least of them, and that; as they are where all are infinite."""
+    least = float(np.min(cost, initial=np.inf))
+    return (cost - least, least) if np.isfinite(least) else (cost, 0.0)
+
+
+def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, list[int]]:
+    """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
+    none = np.zeros(0, dtype=np.intp)
+    layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
+    return _best(layers, [Dense(T) for T in edges], ties)[:2]
+
+
+def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
+    """The best chain found, or None when no chain of waypoints is connected on the grid. avoid: what must not be
+    touched; then joint moves of the chain lead around it by the points that avoid knows.
+
+    Long programs are searched in windows, each from where the one before it is certain enough; equal ones once.
+    """
+    ties = np.zeros(len(problem.waypoints) + 1, dtype=np.intp)  # how many of them begin or end
+    for group in problem.ties:
+        ties[group[0] + 1] += 1
+        ties[group[-1]] -= 1
+    within = np.cumsum(ties)
+    ends = [last for _, last in problem.stations if not within[last]]
+    known: dict[bytes, Route | None] = {}
+    parts: list[Route] = []
+    begin, final = 0, len(problem.waypoints) - 1
+    while True:
+        end = next((k for k in ends if k - begin >= SEARCH_LEGS), final)
+        sure = max((k for k in ends if begin < k <= end - SEARCH_AHEAD), default=end) if end < final else final
+        window = _window(problem, begin, end, parts[-1].q[-1] if parts else None)
+        name = _name(window) + (b"" if avoid is None else avoid.scenes(window, 0, len(window.legs)))
+        if name not in known:
+            known[name] = _search(axes, window, avoid)
+        chain = known[name]
+        if chain is None:
+            return None
+        parts.append(_cut(chain, sure - begin))
+        if sure == final:
+            return _joined(parts)
+        begin = sure
+
+
+def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem:
+    """The problem from one waypoint to another, both the last ones of their stations; it begins at axes q (n,)."""
+    if first == 0 and last == len(problem.waypoints) - 1:
+        return problem
+    waypoints = list(problem.waypoints[first : last + 1])
+    if q is not None:
+        rail = float(problem.plant.layout.place(q))
+        waypoints[0] = replace(waypoints[0], q=q, rail=(rail, rail), rest=True)
+    stations = [(max(a, first) - first, b - first) for a, b in problem.stations if first <= b <= last]
+    legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
+    ties = tuple(tuple(k - first for k in group) for group in problem.ties if first <= group[0] and group[-1] <= last)
+    return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
+
+
+def _name(problem: Problem) -> bytes:
+    """Equal for problems that have one answer."""
+    asked = repr((problem.stations, problem.ties)).encode()
+    return stretch_name(problem, 0, len(problem.waypoints) - 1) + asked
+
+
+def _cut(chain: Route, n: int) -> Route:
+    """The first n legs of a chain."""
+    times = chain.times[:n]
+    return Route(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)))
+
+
+def _joined(chains: Sequence[Route]) -> Route:
+    """Chains each of which begins where the one before it ends."""
+    first, *others = chains
+    if not others:
+        return first
+    q, w = (np.concatenate([getattr(first, x), *(getattr(one, x)[1:] for one in others)]) for x in ("q", "w"))
+    times = np.concatenate([one.times for one in chains])
+    labels = first.labels + tuple(label for one in others for label in one.labels[1:])
+    return Route(q, w, labels, times, float(np.sum(times)))
+
+
+def _tables(axes: Axes, problem: Problem, grids: Sequence[Array], avoid: EdgeChecks | None = None) -> list[IkTable]:
+    """Of all stations on their grids; equal ones once."""
+    known: dict[bytes, IkTable] = {}
+    out = []
+    for (first, last), d in zip(problem.stations, grids, strict=True):
+        name = stretch_name(problem, first, last) + d.tobytes()
+        if avoid is not None:
+            name += avoid.scenes(problem, first, last)
+        if name not in known:
+            known[name] = station_table(axes, problem, first, last, d, None if avoid is None else avoid.around)
+        out.append(known[name])
+    return out
+
+
+def _layers(axes: Axes, problem: Problem, tables: list[IkTable], speeds: Array) -> list[_Layer]:
+    """The states at all waypoints; at equal ones of equal stations one and the same."""
+    known: dict[tuple[object, ...], _Layer] = {}
+    out = []
+    for (first, last), table in zip(problem.stations, tables, strict=True):
+        for k in range(first, last + 1):
+            name = id(table), k - first, *_loads_at(problem, k)
+            if name not in known:
+                known[name] = _layer(axes, problem, table, k - first, k, speeds)
+            out.append(known[name])
+    return out
+
+
+def _loads_at(problem: Problem, k: int) -> tuple[tuple[float, ...], ...]:
+    """What is carried before and behind a waypoint, where that matters."""
+    beside = [problem.legs[i].load for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+    return tuple(() if load is None else load.numbers for load in beside)
+
+
+def _search(
+    axes: Axes, problem: Problem, avoid: EdgeChecks | None = None, every: bool = False, far: bool = False
+) -> Route | None:
+    """The same, all at once. every: in every whole turn. far: along a line the rail may go as far as it has to, however
+    long its speed makes the line: what it takes time for is no want of reach."""
+    where = _station_of(problem)
+    grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
+    whole = _tables(axes, problem, grids, avoid)
+    if not all(t.labels for t in whole):
+        return None
+    tables = whole if every else _in_few_turns(axes, problem, whole)
+    fewer = any(one is not other for one, other in zip(tables, whole, strict=True))
+    still = np.zeros(1)
+    layers = _layers(axes, problem, tables, still)
+    edges = _edges(axes, problem, tables, where, layers, avoid, far)
+    cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
+    if not np.isfinite(cost):
+        if fewer:
+            return _search(axes, problem, avoid, every=True, far=far)
+        lines = [k for k, leg in enumerate(problem.legs) if leg.kind is LegKind.LINE]
+        if any(0 < _farthest(axes, problem, k, far) < np.ptp(tables[where[k]].d) for k in lines):
+            return _search(axes, problem, avoid, every, far=True)
+        if avoid is not None:
+            ends = (k for k, least in enumerate(forward) if not np.isfinite(least).any())
+            avoid.ended = next((problem.legs[k - 1].motion for k in ends), None)
+        return None
+    coarse = _chain(problem, tables, where, layers, edges, path, cost)
+    if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
+        return coarse
+    limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
+    through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, limit), strict=True)]
+    del edges
+    # the fine search: labels near the best, rail near the best
+    top = float(axes.layout.place(axes.velocity))
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
+    windows = _windows(axes, problem, tables, where, coarse)
+    grids = [
+        rail_grid(problem, first, last, SEARCH_FINE, window)
+        for (first, last), window in zip(problem.stations, windows, strict=True)
+    ]
+    fine_tables, known = [], dict[tuple[object, ...], IkTable]()
+    finer = _tables(axes, problem, grids, avoid)
+    for (first, last), table, fine in zip(problem.stations, tables, finer, strict=True):
+        keep: set[int] = set()
+        for k in range(first, last + 1):
+            keep |= set(layers[k].label[through[k] <= limit].tolist())
+        name = id(table), id(fine), frozenset(keep)
+        if name not in known:
+            labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
+            known[name] = _restrict(fine, labels) if labels else fine
+        fine_tables.append(known[name])
+    if not all(t.labels for t in fine_tables):
+        return coarse
+    layers = _layers(axes, problem, fine_tables, speeds)
+    if not all(len(layer.q) for layer in layers):
+        return coarse
+    edges = _edges(axes, problem, fine_tables, where, layers, avoid, far)
+    cost, path, _ = _best_clear(problem, fine_tables, where, layers, edges, avoid)
+    return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+
+
+def _windows(
+    axes: Axes, problem: Problem, tables: list[IkTable], where: list[int], coarse: Route
+) -> list[tuple[float, float]]:
+    """The rail's range [m] of every station's fine search: near the coarse chain; one range for stations that share a
+    tie or a rail that is held, so that their grids have positions in common."""
+    windows = []
+    for (first, last), table in zip(problem.stations, tables, strict=True):
+        rail = axes.layout.place(coarse.q[first : last + 1])
+        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
+        margin = max(2 * spacing, SEARCH_WINDOW)
+        windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
+    held = [(leg.start, leg.start + 1) for leg in problem.legs if leg.kind is LegKind.JOINT and not leg.rail_moves]
+    together = [sorted({where[k] for k in group}) for group in (*problem.ties, *held)]
+    before: list[tuple[float, float]] = []
+    while before != windows:  # a group may join what others have joined
+        before = list(windows)
+        for stations in together:
+            low, high = min(windows[i][0] for i in stations), max(windows[i][1] for i in stations)
+            for i in stations:
+                windows[i] = low, high
+    return windows
+
+
+def _station_of(problem: Problem) -> list[int]:
+    where = []
+    for i, (first, last) in enumerate(problem.stations):
+        where += [i] * (last - first + 1)
+    return where
+
+
+def _like(fine: IkTable, i: int, coarse: IkTable, keep: set[int]) -> bool:
+    """Label i of the fine table is one of the kept coarse ones: same branch, joints that agree where both stand."""
+    for j in keep:
+        if fine.labels[i].cfx != coarse.labels[j].cfx:
+            continue
+        a, b = fine.waypoints[0][i], coarse.waypoints[0][j]
+        ok_a, ok_b = np.flatnonzero(~np.isnan(a[:, 0])), np.flatnonzero(~np.isnan(b[:, 0]))
+        near = ok_b[np.argmin(np.abs(coarse.d[ok_b][None] - fine.d[ok_a][:, None]), axis=1)]
+        at = int(np.argmin(np.abs(coarse.d[near] - fine.d[ok_a])))
+        if np.max(np.abs(a[ok_a[at]] - b[near[at]])) < np.pi:
+            return True
+    return False
+
+
+def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[IkTable]) -> list[IkTable]:
+    """The tables with, of every branch in more than MOST_TURNS whole turns, the SEARCH_TURNS nearest to joints that are
+    given: where the cycle begins, and joint targets. All where none are given."""
+    given = [point.q[axes.layout.arm] for point in problem.waypoints if point.q is not None]
+    known: dict[int, IkTable] = {}
+    for table in tables if given else ():
+        branches: dict[int, list[int]] = {}
+        for i, label in enumerate(table.labels):
+            branches.setdefault(label.cfx, []).append(i)
+        keep: list[int] = []
+        for some in branches.values():
+            if len(some) > MOST_TURNS:
+                q = np.stack([at[some] for at in table.waypoints], axis=1)  # (turns, waypoints, rails, joints)
+                away = [np.nanmin(np.abs(q - one).max(axis=-1), axis=(1, 2)) for one in given]
+                some = [some[i] for i in np.argsort(np.min(away, axis=0), kind="stable")[:SEARCH_TURNS]]
+            keep += some
+        known[id(table)] = table if len(keep) == len(table.labels) else _restrict(table, sorted(keep))
+    return [known.get(id(table), table) for table in tables]
+
+
+def _restrict(table: IkTable, labels: list[int]) -> IkTable:
+    return IkTable(
+        table.first,
+        table.d,
+        tuple(table.labels[i] for i in labels),
+        tuple(s[labels] for s in table.waypoints),
+        table.raw,
+        table.limits,
+        table.couplings,
+        None if table.leaves is None else table.leaves[labels],
+    )
+
+
+def _chain(
+    problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer], edges: list[Edge],
+    path: list[int], cost: float,
+) -> Route:  # fmt: skip
+    q = np.array([layers[k].q[i] for k, i in enumerate(path)])
+    w = np.array([layers[k].qd[i] for k, i in enumerate(path)])
+    labels = tuple(tables[where[k]].labels[layers[k].label[i]] for k, i in enumerate(path))
+    times = np.array([edges[k].at(path[k], path[k + 1]) for k in range(len(problem.legs))])
+    return Route(q, w, labels, times, cost)

@@ -1,0 +1,247 @@
+"""The whole controller of scheme 4.1, one period at a time: torques in, joints out.
+
+Torque errors, tau_e = tau_c - tau_m, clamp, force mapping, clamp, simulated pushes, zeroing, regulator, inverse.
+"""
+
+from __future__ import annotations
+
+from math import degrees, hypot, isfinite
+from time import perf_counter
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, inverse_pose, pose
+from trajopt_cli.iiwa.controller.forces import SMALLEST, Belief, ForceMap, SingularArm, clamped
+from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
+from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, product, rotation, transpose, turned
+from trajopt_cli.iiwa.controller.sensor import TorqueErrors
+from trajopt_cli.iiwa.controller.state import pose_state
+from trajopt_cli.iiwa.task.model import BETA_LIMIT, Change, Clamps, RotationLaw
+from trajopt_cli.iiwa.task.world import Measured, Seven, Six
+from trajopt_cli.robot.dynamics import Dynamics
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.robot.srs_inverse import arm_angle, configuration
+from trajopt_cli.robot.srs_step import SrsStep
+
+_SOON = 1e-9  # s: a change or push this little after a period's start begins with it
+
+
+class Controller:
+    """Switched on at rest at joints q_0 (7,) [rad] of a robot mounted in the world.
+
+    R_start, the TCP's position, the configuration and, unless the settings have one, the arm angle come from q_0. The
+    torque model keeps the base and the load it was made with: a change of X_WB or X_FT is another way to look at the
+    same arm, and neither the arm nor its planned path jumps. k counts the periods; force is the one last believed;
+    times [s] are how long the last period took: torque model, force mapping, regulator, inverse, all of it.
+    """
+
+    def __init__(self, robot: SrsRobot, settings: Settings, q_0: Seven) -> None:
+        self.settings, self.robot, self.q_0 = settings, robot, q_0
+        self.k = 0
+        self.force: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        self.times = (0.0, 0.0, 0.0, 0.0, 0.0)
+        self.configuration = int(configuration(np.array(q_0)))
+        given = settings.arm_angle
+        self.arm_angle = float(arm_angle(robot, np.array(q_0), settings.definition)) if given is None else given
+        self._X_FT = settings.X_FT
+        self._kinematics = self._step_of(robot, settings.X_FT)
+        self._dynamics = Dynamics(robot, settings.load)
+        sensor = settings.sensor
+        self._rigid = sensor is None or sensor.rigid
+        self._errors = None if sensor is None else TorqueErrors(sensor, robot.torque, settings.h)
+        self._force_of = ForceMap()
+        self._belief = Belief(settings.zeroing)
+        self._set_clamps(settings.clamps)
+        self._changes = sorted(settings.changes, key=lambda change: change.t)
+        R, p = self._kinematics.forward(q_0)
+        self._state = pose_state(settings, R, p)
+        self._R_first = R
+        self._seen_from: tuple[Array, Array] | None = None  # X_W'W and X_TT' since the start, None while unchanged
+        self._near: Three = (0.0, 0.0, 0.0)  # the equilibrium's angles of the row before, in the present frames
+
+    @property
+    def t(self) -> float:
+        """The present period's start [s]."""
+        return self.k * self.settings.h
+
+    @property
+    def x(self) -> Six:
+        """The regulator's position [m] and angles [rad] from R_start."""
+        return self._state.x
+
+    @property
+    def v(self) -> Six:
+        """Its rates: of x, or velocity and angular velocity where the law is slerp."""
+        return self._state.v
+
+    @property
+    def X_WT(self) -> tuple[Nine, Three]:
+        """The regulator's pose of the TCP in the world: nine floats row by row, and position [m]."""
+        return self._state.pose
+
+    @property
+    def R_start(self) -> Array:
+        """The orientation (3, 3) that the angles count from."""
+        return np.reshape(self._state.R_start, (3, 3))
+
+    def step(self, goal: Goal, measured: Measured, following: Goal | None = None) -> Command | Stop:
+        """One period: what to command for its end, towards the equilibrium goal, from what is measured at its start.
+
+        following: the equilibrium's next row, of which Feed.VELOCITY takes the speed; None at its end.
+        """
+        begin = perf_counter()
+        self.adopt()
+        model_at = self.feel(measured)
+        if isinstance(model_at, Stop):
+            return model_at
+        force_at = perf_counter()
+        aim = self.seen(goal)
+        if following is not None and self._seen_from is not None:
+            following = self._looked_at(following, aim.x[3:])
+        self._near = aim.x[3:]
+        self._state.step(aim, self.force, following)
+        self.k += 1
+        x = self._state.x
+        R, p = self._state.pose
+        moved_at = perf_counter()
+        if self.settings.rotation is RotationLaw.TAIT_BRYAN and not abs(x[4]) <= BETA_LIMIT:
+            return self._locked(x[4])
+        q = self._kinematics.joints(R, p)
+        if q is None:
+            return self._unreachable(R, p)
+        end = perf_counter()
+        self.times = (model_at - begin, force_at - model_at, moved_at - force_at, end - moved_at, end - begin)
+        return Command(q, x, self._state.v, self.force)
+
+    def feel(self, measured: Measured) -> float | Stop:
+        """Set force from what is measured at the present period's start; when (perf_counter) tau_c was known."""
+        if self._rigid:
+            state = np.array((measured.q, measured.qd, measured.qdd))
+            tau_c = self._dynamics.torque(state[0], state[1], state[2]).tolist()
+        else:
+            tau_c = self._dynamics.gravity_torque(np.array(measured.q)).tolist()
+        tau_e = [c - m for c, m in zip(tau_c, measured.tau, strict=True)]
+        if self._errors is not None:
+            tau_e = [tau - error for tau, error in zip(tau_e, self._errors.at(self.k), strict=True)]
+        if not isfinite(sum(tau_e)):
+            return self._stop(
+                StopKind.TORQUE, "arm", float("nan"), float("nan"), "Nm", "the measured torques are not finite"
+            )
+        if self._tau_bounds is not None:
+            tau_e = clamped(tau_e, self._tau_bounds)
+        model_at = perf_counter()
+        try:
+            F = self._force_of(self._kinematics.jacobian(measured.q), tau_e)
+        except SingularArm as singular:
+            return self._stop(StopKind.SINGULAR, "arm", singular.smallest, SMALLEST, "", str(singular))
+        if self._force_bounds is not None:
+            F = clamped(F, self._force_bounds)
+        t = self.t
+        for push in self.settings.pushes:
+            if push.start <= t + _SOON and t + _SOON < push.end:
+                F = [f + extra for f, extra in zip(F, push.force.tolist(), strict=True)]
+        self.force = self._belief.zero((F[0], F[1], F[2], F[3], F[4], F[5]))
+        return model_at
+
+    def seen(self, goal: Goal) -> Goal:
+        """A row of the planned equilibrium as the present frames have it; the row itself while none has changed."""
+        if self._seen_from is None:
+            return goal
+        return self._looked_at(goal, self._near)
+
+    def adopt(self) -> None:
+        """Take up the changes due by the present period. The pose and its rates stay, however they are written."""
+        while self._changes and self._changes[0].t <= self.t + _SOON:
+            change = self._changes.pop(0)
+            if change.compliance is not None:
+                self._state.set(change.compliance)
+            if change.zeroing is not None:
+                self._belief = Belief(change.zeroing)
+            if change.clamps is not None:
+                self._set_clamps(change.clamps)
+            if change.X_FT is not None or change.X_WB is not None or change.restart:
+                self._look_anew(change)
+
+    def _look_anew(self, change: Change) -> None:
+        """Other frames: X_W'T' = X_W'W X_WT X_TT' for the regulator's pose, its start and the planned rows alike."""
+        X_WB = self.robot.X_WB if change.X_WB is None else change.X_WB
+        X_FT = self._X_FT if change.X_FT is None else change.X_FT
+        world = X_WB @ inverse_pose(self.robot.X_WB)
+        tool = inverse_pose(self._X_FT) @ X_FT
+        x_before, (R, p), (v, w) = self._state.x, self._state.pose, self._state.twist
+        (x, y, z), (a, b, c) = turned(R, _three(tool[:3, 3])), w  # the new TCP turns about the old one
+        v = (v[0] + b * z - c * y, v[1] + c * x - a * z, v[2] + a * y - b * x)
+        R_world = nine(world[:3, :3].ravel().tolist())
+        R_tool = nine(tool[:3, :3].ravel().tolist())
+        after = self._mapped(R, p, world, tool)
+        if change.restart:
+            R_start, near = after[0], (0.0, 0.0, 0.0)
+        else:
+            R_start, near = product(product(R_world, self._state.R_start), R_tool), self._state.x[3:]
+        self._state.put(after, (turned(R_world, v), turned(R_world, w)), R_start, near)
+        before = self._seen_from or (np.eye(4), np.eye(4))
+        self._seen_from = world @ before[0], before[1] @ tool
+        # whole turns between equilibrium and regulator pull as before
+        a, b, c = (now + e - was for now, e, was in zip(self._state.x[3:], self._near, x_before[3:], strict=True))
+        self._near = (a, b, c)
+        if change.X_WB is not None or change.X_FT is not None:
+            self.robot, self._X_FT = self.robot.mounted(X_WB), X_FT
+            self._kinematics = self._step_of(self.robot, X_FT)
+
+    def _looked_at(self, goal: Goal, near: Three) -> Goal:
+        """A planned row in the present frames, its angles nearest to near."""
+        assert self._seen_from is not None
+        x, y, z, *turn = goal.x
+        R = product(rotation(*turn), self._R_first) if goal.R is None else goal.R
+        R, p = self._mapped(R, (x, y, z), *self._seen_from)
+        at = angles(product(R, transpose(self._state.R_start)), near)
+        return Goal((*p, *at), None if goal.R is None else R)
+
+    @staticmethod
+    def _mapped(R: Nine, p: Three, world: Array, tool: Array) -> tuple[Nine, Three]:
+        X = world @ pose(np.reshape(R, (3, 3)), p) @ tool
+        return nine(X[:3, :3].ravel().tolist()), _three(X[:3, 3])
+
+    def _step_of(self, robot: SrsRobot, X_FT: Array) -> SrsStep:
+        return SrsStep(robot, self.settings.definition, self.configuration, self.arm_angle, X_FT)
+
+    def _set_clamps(self, clamps: Clamps) -> None:
+        tau, force = clamps.torque.tolist(), clamps.force.tolist()
+        self._tau_bounds = tau if any(map(isfinite, tau)) else None
+        self._force_bounds = force if any(map(isfinite, force)) else None
+
+    def _locked(self, beta: float) -> Stop:
+        return self._stop(
+            StopKind.BETA,
+            "beta",
+            abs(beta),
+            float(BETA_LIMIT),
+            "rad",
+            f"beta = {degrees(beta):.4g}°, limit ±{degrees(BETA_LIMIT):g}°: beyond it the three angles lock; "
+            "take the start's orientation nearer to the path's, or slerp",
+        )
+
+    def _unreachable(self, R: Nine, p: Three) -> Stop:
+        L = self.robot.lengths
+        X = inverse_pose(self.robot.X_WB) @ pose(np.reshape(R, (3, 3)), p) @ inverse_pose(self._X_FT)
+        x, y, z = (X[:3, 3] - L.wf * X[:3, 2]).tolist()
+        far = hypot(x, y, z - L.bs)
+        bounds = (abs(L.se - L.ew), L.se + L.ew)
+        limit = bounds[0] if far < bounds[0] else bounds[1]
+        return self._stop(
+            StopKind.UNREACHABLE,
+            "TCP",
+            far,
+            limit,
+            "m",
+            f"the pose ({', '.join(f'{value:.4g}' for value in p)}) m is out of reach: its wrist centre is {far:.4g} m "
+            f"from the shoulder, possible are {bounds[0]:.4g} to {bounds[1]:.4g} m; keep the path or the force smaller",
+        )
+
+    def _stop(self, kind: StopKind, subject: str, value: float, limit: float, unit: str, message: str) -> Stop:
+        return Stop(self.t, kind, subject, value, limit, unit, f"at {self.t:.3f} s {message}")
+
+
+def _three(values: Array) -> Three:
+    x, y, z = values.tolist()
+    return (x, y, z)

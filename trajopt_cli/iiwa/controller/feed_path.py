@@ -1,0 +1,192 @@
+"""The way a dosed sequence goes, free of its old timing: poses over a path parameter, with the greatest rate.
+
+The parameter s [s] is the time at the programmed speed: one second of s takes at least one second. All six coordinates
+are functions of the one s, so that translation and rotation stay together as the segments had them. Where orientations
+turn as slerp has them, the last three coordinates are the turns made so far, summed up as vectors in world axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, IndexArray, readonly, rotations_by
+from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.model import RotationLaw, SegmentSpeeds
+
+_STRAIGHT = 1e-9  # relative change of dX/ds below which rows are one straight stretch; rounding of rows is 1e-12
+
+
+@dataclass(frozen=True)
+class PathInterval:
+    """Path rows first..last from one waypoint to the next; or, first == last, standing there for dwell [s]."""
+
+    first: int
+    last: int
+    origin: str
+    goal: str
+    dwell: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class DosePath:
+    """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each stretch, > 0.
+
+    legs: what lies between the waypoints, in order; every waypoint becomes a row of the dosed sequence. R (n, 3, 3):
+    the orientations of the rows where the last three coordinates are turns, None where they are Tait-Bryan angles.
+    """
+
+    s: Array
+    pose: Array
+    cap: Array
+    legs: tuple[PathInterval, ...]
+    R: Array | None = None
+
+    def __post_init__(self) -> None:
+        if self.R is not None:
+            object.__setattr__(self, "R", readonly(self.R))
+        for name in ("s", "pose", "cap"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+        n = len(self.s)
+        if n < 2 or self.pose.shape != (n, 6) or self.cap.shape != (n - 1,):
+            shapes = f"s {self.s.shape}, pose {self.pose.shape}, cap {self.cap.shape}"
+            raise ValueError(f"DosePath: {shapes}; wanted (n,), (n, 6) and (n - 1,) with n >= 2")
+        if not (np.all(np.isfinite(self.s)) and np.all(np.diff(self.s) > 0) and np.all(np.isfinite(self.pose))):
+            raise ValueError("DosePath: s has to rise from row to row, and all poses have to be finite")
+        if not (np.all(self.cap > 0) and np.all(np.isfinite(self.cap))):
+            raise ValueError("DosePath: every cap on ds/dt has to be finite and above zero")
+        row = 0
+        for leg in self.legs:
+            if leg.first != row or leg.last < row or not (isfinite(leg.dwell) and leg.dwell >= 0):
+                raise ValueError(f"DosePath: leg {leg} does not go on from row {row}")
+            row = leg.last
+        if row != n - 1:
+            raise ValueError(f"DosePath: the legs end at row {row} of {n - 1}")
+
+    @property
+    def least_time(self) -> float:
+        """Time [s] of the path at its caps, dwells included: what no lag bound can go below."""
+        return float(np.sum(np.diff(self.s) / self.cap)) + sum(leg.dwell for leg in self.legs)
+
+    def at(self, s: Array) -> Array:
+        """The six coordinates (m, 6) at parameters s (m,)."""
+        return np.stack([np.interp(s, self.s, column) for column in self.pose.T], axis=1)
+
+    def poses(self, coordinates: Array, row: IndexArray) -> tuple[Array, Array]:
+        """Poses (m, 6) with Tait-Bryan angles, and their matrices (m, 3, 3), of six coordinates (m, 6).
+
+        row (m,): a row of the path near each, from whose orientation turns count.
+        """
+        if self.R is None:
+            return coordinates, rotation(coordinates[:, 3:])
+        R = rotations_by(coordinates[:, 3:] - self.pose[row, 3:]) @ self.R[row]
+        return np.hstack([coordinates[:, :3], continuous(angles_of(R))]), R
+
+
+def dose_path(
+    equilibrium: Equilibrium,
+    speeds: Sequence[SegmentSpeeds] | None = None,
+    *,
+    joints: ArrayLike | None = None,
+    joint_speed: ArrayLike | None = None,
+) -> DosePath:
+    """The path of an equilibrium sequence, at most as fast as its segments' v_max and omega_max.
+
+    speeds: the caps of the pieces that move, in order; None keeps each row's old pace as the greatest. joints (n, k)
+    [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down a stretch
+    where the programmed speed would break them. Raises ValueError where nothing moves or the numbers do not fit.
+    """
+    moving = [piece for piece in equilibrium.pieces if not piece.dwell]
+    if speeds is not None and len(speeds) != len(moving):
+        raise ValueError(f"{len(speeds)} pairs of speed caps for {len(moving)} segments that move")
+    if (joints is None) != (joint_speed is None):
+        raise ValueError("joints and joint_speed belong together")
+    q = None if joints is None else np.asarray(joints, dtype=np.float64)
+    if q is not None and (q.ndim != 2 or len(q) != len(equilibrium.pose)):
+        raise ValueError(f"joints have shape {q.shape}, wanted one row for each of {len(equilibrium.pose)} poses")
+    limit = np.asarray(joint_speed, dtype=np.float64)
+    caps = iter(speeds) if speeds is not None else None
+    coordinates = _coordinates(equilibrium)
+    s, kept, cap = [0.0], [0], list[float]()
+    legs: list[PathInterval] = []
+    for piece in equilibrium.pieces:
+        row = len(s) - 1
+        if piece.dwell:
+            legs.append(PathInterval(row, row, piece.origin, piece.goal, (piece.last - piece.first) * equilibrium.h))
+            continue
+        rows = slice(piece.first, piece.last + 1)
+        ds = _least_times(equilibrium, piece, None if caps is None else next(caps))
+        rate = np.ones(len(ds))
+        if q is not None:
+            dq = np.abs(np.diff(q[rows], axis=0))
+            used = np.max(dq / limit, axis=1)  # s of the joint that takes longest
+            rate = np.divide(ds, used, out=np.ones(len(ds)), where=used > ds)
+        for length, last, greatest in _straightened(ds, coordinates[rows], rate):
+            s.append(s[-1] + length)
+            kept.append(piece.first + last)
+            cap.append(greatest)
+        legs.append(PathInterval(row, len(s) - 1, piece.origin, piece.goal))
+    if len(s) < 2:
+        raise ValueError("nothing moves in this sequence: there is nothing to dose")
+    R = equilibrium.R[kept] if equilibrium.rotation is RotationLaw.SLERP else None
+    return DosePath(np.array(s), coordinates[kept], np.array(cap), tuple(legs), R)
+
+
+def _coordinates(equilibrium: Equilibrium) -> Array:
+    """The six coordinates (n, 6) of a sequence's rows."""
+    if equilibrium.rotation is not RotationLaw.SLERP:
+        return equilibrium.pose
+    turns = rotation_vector(equilibrium.R[1:] @ np.swapaxes(equilibrium.R[:-1], 1, 2))
+    return np.hstack([equilibrium.pose[:, :3], np.concatenate([np.zeros((1, 3)), np.cumsum(turns, axis=0)])])
+
+
+def coarser(path: DosePath, step: float) -> DosePath:
+    """The same path in stretches of about step [s] where it had shorter ones; waypoints and least time are kept."""
+    kept = np.r_[True, np.diff(np.floor(path.s / step)) > 0]
+    kept[[0, *(leg.last for leg in path.legs)]] = True
+    rows = np.flatnonzero(kept)
+    s = path.s[rows]
+    cap = np.diff(s) / np.add.reduceat(np.diff(path.s) / path.cap, rows[:-1])
+    place = np.cumsum(kept) - 1
+    legs = (replace(leg, first=int(place[leg.first]), last=int(place[leg.last])) for leg in path.legs)
+    return DosePath(s, path.pose[rows], cap, tuple(legs), None if path.R is None else path.R[rows])
+
+
+def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds | None) -> Array:
+    """Least time (rows - 1,) [s] of each row of a piece at its programmed speeds; its old time without."""
+    pose = equilibrium.pose[piece.first : piece.last + 1]
+    if speeds is None:
+        return np.where(np.any(np.diff(pose, axis=0) != 0, axis=1), equilibrium.h, 0.0)
+    way = np.linalg.norm(np.diff(pose[:, :3], axis=0), axis=1)
+    if equilibrium.rotation is RotationLaw.SLERP:
+        R = equilibrium.R[piece.first : piece.last + 1]
+        # ||R1 - R0||_F = 2 sqrt(2) sin(angle / 2)
+        half = np.linalg.norm(np.diff(R, axis=0), axis=(1, 2)) / np.sqrt(8.0)
+        turn = 2 * np.arcsin(np.minimum(half, 1.0))
+    else:
+        turn = np.linalg.norm(np.diff(pose[:, 3:], axis=0), axis=1)
+    return np.asarray(np.maximum(way / speeds.v_max, turn / speeds.omega_max), dtype=np.float64)
+
+
+def _straightened(ds: Array, pose: Array, cap: Array) -> list[tuple[float, int, float]]:
+    """Length, last row and cap of the straight stretches that rows (n, 6) with steps ds (n - 1,) are made of."""
+    kept = ds > 0
+    if not np.any(kept):
+        return []
+    numbers = (np.flatnonzero(kept) + 1).tolist()
+    ends, ds, cap = pose[1:][kept], ds[kept], cap[kept]
+    slope = np.diff(np.concatenate([pose[:1], ends]), axis=0) / ds[:, None]
+    near = _STRAIGHT * max(1.0, float(np.max(np.abs(slope)))) + 1e-13 / ds  # rounding of a pose over a short row
+    out: list[tuple[float, int, float]] = []
+    first = 0
+    for k in range(1, len(ds) + 1):
+        if k < len(ds) and cap[k] == cap[first] and np.max(np.abs(slope[k] - slope[first])) <= near[k] + near[first]:
+            continue
+        out.append((float(np.sum(ds[first:k])), numbers[k - 1], float(cap[first])))
+        first = k
+    return out

@@ -1,0 +1,113 @@
+"""From joint torques to the force on the tool (section 4.1.1), and what of it the controller believes (4.1.6)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.controller.rotations import rotation
+from trajopt_cli.iiwa.task.model import Zeroing
+from trajopt_cli.iiwa.task.world import Six
+
+SMALLEST = 1e-5
+"""Singular value of J under which no force is given: a torque error of 1 Nm would pass for about 1e5 N."""
+
+
+class SingularArm(ArithmeticError):
+    """The arm gives no leverage in some direction; smallest: the Jacobian's smallest singular value there."""
+
+    def __init__(self, smallest: float, row: tuple[int, ...] = ()) -> None:
+        self.smallest = smallest
+        place = f" in row {', '.join(map(str, row))}" if row else ""
+        super().__init__(
+            f"the Jacobian's smallest singular value is {smallest:.3g}{place}, under {SMALLEST:g}: the arm is singular "
+            "and its joint torques say nothing of a force in one direction; keep the path away from it"
+        )
+
+
+def force_of(J: ArrayLike, tau: ArrayLike) -> Array:
+    """F (..., 6) [N, Nm] that the torques tau (..., 7) [Nm] stand for: F = (J J^T)^-1 J tau, J (..., 6, 7).
+
+    Eq. 4.1 with the pseudo-inverse corrected (the thesis prints J^T at its end, whose shape does not fit): the least
+    squares solution of J^T F = tau. Not damped: near a singularity errors grow by one over the smallest singular value,
+    which clamps bound. Raises SingularArm where that value is under SMALLEST.
+    """
+    J, tau = np.asarray(J, dtype=np.float64), np.asarray(tau, dtype=np.float64)
+    try:
+        inverse = np.linalg.inv(J @ J.swapaxes(-1, -2))
+        # trace (J J^T)^-1 = sum of 1/sigma^2: no sigma is smaller than one over its root
+        doubtful = not np.all(1 / np.trace(inverse, axis1=-2, axis2=-1) > SMALLEST**2)
+    except np.linalg.LinAlgError:
+        doubtful = True
+    if doubtful:
+        smallest = np.linalg.svd(J, compute_uv=False)[..., -1]
+        if np.any(smallest < SMALLEST):
+            row = np.unravel_index(int(np.argmin(smallest)), smallest.shape)
+            raise SingularArm(float(np.min(smallest)), tuple(int(i) for i in row))
+    return np.asarray((inverse @ (J @ tau[..., None]))[..., 0])
+
+
+def passing(zeroing: Zeroing) -> Array:
+    """The matrix (6, 6) that zeroes: F -> R* S R*^T F for force and moment, S dropping the zeroed components.
+
+    Eqs 4.21-4.22 with the erratum: the frame's axes are the columns of R*, so its components are R*^T F.
+    """
+    R = np.reshape(rotation(*zeroing.frame.tolist()), (3, 3))
+    kept = np.where(zeroing.zeroed, 0.0, 1.0)
+    out = np.zeros((6, 6))
+    out[:3, :3] = R * kept[:3] @ R.T
+    out[3:, 3:] = R * kept[3:] @ R.T
+    return out
+
+
+def zero(F: ArrayLike, zeroing: Zeroing) -> Array:
+    """F (..., 6) [N, Nm] without its zeroed components in the zeroing's frame, in world axes again."""
+    F = np.asarray(F, dtype=np.float64)
+    if not any(zeroing.zeroed):
+        return F.copy()
+    return np.asarray(F @ passing(zeroing).T)
+
+
+class ForceMap:
+    """force_of() of one sample: LAPACK's factors of J J^T, called without NumPy's tests of shapes and types."""
+
+    def __init__(self) -> None:
+        from scipy.linalg import lapack
+
+        self._factor, self._inverse, self._solve = lapack.dpotrf, lapack.dpotri, lapack.dpotrs
+
+    def __call__(self, J: Sequence[Sequence[float]], tau: Sequence[float]) -> list[float]:
+        """F (6,) [N, Nm] of torques tau (7,) [Nm], J six rows of seven. Raises SingularArm as force_of does."""
+        rows = np.array(J)
+        factor, broken = self._factor(rows @ rows.T)
+        sound = broken == 0 and 1 / self._inverse(factor)[0].trace() > SMALLEST**2
+        F: list[float] = (self._solve(factor, rows @ tau)[0] if sound else force_of(rows, tau)).tolist()
+        return F
+
+
+class Belief:
+    """The same steps for one sample in plain floats, prepared for a zeroing."""
+
+    def __init__(self, zeroing: Zeroing) -> None:
+        self._rows: list[list[float]] | None = passing(zeroing).tolist() if any(zeroing.zeroed) else None
+
+    def zero(self, F: Six) -> Six:
+        """zero() of one force."""
+        if self._rows is None:
+            return F
+        f, g, h, i, j, k = F
+        top, low = self._rows[:3], self._rows[3:]
+        x, y, z = (row[0] * f + row[1] * g + row[2] * h for row in top)
+        a, b, c = (row[3] * i + row[4] * j + row[5] * k for row in low)
+        return (x, y, z, a, b, c)
+
+
+def clamped(values: Sequence[float], bounds: Sequence[float]) -> list[float]:
+    """clamp() of one sample in plain floats; NaN stays NaN."""
+    return [
+        bound if value > bound else -bound if value < -bound else value
+        for value, bound in zip(values, bounds, strict=True)
+    ]

@@ -1,0 +1,146 @@
+"""How far the arm stays behind its equilibrium: the deviation d_k of eq. 6.8, its worst case, and when the arm arrives.
+
+Equation numbers are those of Cihala, Poddajne rizeni prumysloveho robota, CVUT 2020.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, inf, isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.task.angles import rotation
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.model import Compliance
+
+
+def deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
+    """d_k = ||p_k - p_e,k|| (n,) [m], eq. 6.8, of poses x and equilibrium x_e (n, 6); their positions alone."""
+    x, x_e = _pair(x, x_e)
+    return np.asarray(np.linalg.norm((x - x_e)[:, :3], axis=1), dtype=np.float64)
+
+
+def turn_deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
+    """Angles (n,) [rad] between the orientations of poses x and x_e (n, 6), whichever way their angles are written."""
+    x, x_e = _pair(x, x_e)
+    apart = np.linalg.norm(rotation(x[:, 3:]) - rotation(x_e[:, 3:]), axis=(1, 2))
+    # ||R - R_e||_F = 2 sqrt(2) sin(angle / 2)
+    return np.asarray(2 * np.arcsin(np.minimum(apart / np.sqrt(8.0), 1.0)), dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class Lag:
+    """The deviation's worst case: maximum [m] at time [s] in row, there share (0..1, in time) of piece is past.
+
+    piece is None where the equilibrium names no pieces. mean [m]: over all rows. turn_maximum [rad] at turn_time [s]:
+    the same of the angle between both orientations.
+    """
+
+    maximum: float
+    time: float
+    row: int
+    piece: Piece | None
+    share: float
+    mean: float
+    turn_maximum: float
+    turn_time: float
+
+
+def lag_of(x: ArrayLike, equilibrium: Equilibrium) -> Lag:
+    """The lag of a response x (n, 6) to an equilibrium of at most n rows; its last pose is held for what is longer."""
+    return worst_lag(x, equilibrium.pose, equilibrium.h, equilibrium.pieces)
+
+
+def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> Lag:
+    """lag_of for poses (m, 6) with a row every h [s] that are no Equilibrium."""
+    x = np.asarray(x, dtype=np.float64)
+    if len(x) < len(pose):
+        raise ValueError(f"the response has {len(x)} rows, the equilibrium {len(pose)}")
+    x_e = _longer(pose, len(x) - len(pose))
+    d, turn = deviation(x, x_e), turn_deviation(x, x_e)
+    row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
+    # A shared row belongs to the piece that ends there; what is held after the end to the last one.
+    piece = next((p for p in pieces if row <= p.last), pieces[-1] if pieces else None)
+    share = 0.0
+    if piece is not None:
+        share = min(1.0, max(0.0, (row - piece.first) / max(1, piece.last - piece.first)))
+    return Lag(
+        maximum=float(d[row]),
+        time=row * h,
+        row=row,
+        piece=piece,
+        share=share,
+        mean=float(np.mean(d)),
+        turn_maximum=float(turn[turn_row]),
+        turn_time=turn_row * h,
+    )
+
+
+def steady_lag(speed: ArrayLike, compliance: Compliance) -> float:
+    """||K^-1 D v|| [m] on a long line with speed v (3,) [m/s]: the damper's force equals the spring's.
+
+    inf for a motion along an axis without stiffness, which nothing pulls after the equilibrium.
+    """
+    v = np.asarray(speed, dtype=np.float64)
+    if v.shape != (3,):
+        raise ValueError(f"speed has shape {v.shape}, wanted (3,)")
+    if np.any((compliance.K[:3] == 0) & (v != 0)):
+        return inf
+    moving = v != 0
+    return float(np.linalg.norm(compliance.D[:3][moving] * v[moving] / compliance.K[:3][moving]))
+
+
+def time_constants(compliance: Compliance) -> Array:
+    """Slowest time constant (6,) [s] with which each axis comes to rest at its equilibrium, of m e'' + d e' + k e = 0.
+
+    inf where the axis never does: k = 0 or d = 0.
+    """
+    K, D, M = compliance.K, compliance.D, compliance.M
+    out = np.full(6, inf)
+    rests = (K > 0) & (D > 0)
+    k, d, m = K[rests], D[rests], M[rests]
+    # -1/s of the slower root, or of the pair's real part, in a form that loses no digits where d^2 >> 4 k m
+    root = np.sqrt(np.maximum(d * d - 4 * k * m, 0.0))
+    out[rests] = np.where(root > 0, (d + root) / (2 * k), 2 * m / d)
+    return readonly(out)
+
+
+def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
+    """The equilibrium x_e (n, 6) with its last row held for at least seconds more, so that the arm arrives."""
+    return _longer(np.asarray(x_e, dtype=np.float64), held_rows(seconds, h))
+
+
+def held_rows(seconds: float, h: float) -> int:
+    """How many rows of h [s] hold a pose for at least seconds. Raises ValueError for a time that is none."""
+    if not (isfinite(seconds) and seconds >= 0):
+        raise ValueError(f"holding for {seconds} s: wanted a finite time, not negative")
+    return ceil(seconds / h - 1e-9)
+
+
+def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: float) -> float | None:
+    """Time [s] from which on x (n, 6), a row every h, stays within bound [m] and turn_bound [rad] of goal (6,).
+
+    Both norms as in deviation and turn_deviation. None when the last row is still farther away.
+    """
+    x = np.asarray(x, dtype=np.float64)
+    x_e = np.broadcast_to(np.asarray(goal, dtype=np.float64), x.shape)
+    far = np.flatnonzero((deviation(x, x_e) > bound) | (turn_deviation(x, x_e) > turn_bound))
+    if len(far) == 0:
+        return 0.0
+    arrived = int(far[-1]) + 1
+    return arrived * h if arrived < len(x) else None
+
+
+def _pair(x: ArrayLike, x_e: ArrayLike) -> tuple[Array, Array]:
+    x, x_e = np.asarray(x, dtype=np.float64), np.asarray(x_e, dtype=np.float64)
+    if x.shape != x_e.shape or x.ndim != 2 or x.shape[1] != 6:
+        raise ValueError(f"poses of shape {x.shape} against an equilibrium of {x_e.shape}; wanted (n, 6) twice")
+    return x, x_e
+
+
+def _longer(x_e: Array, rows: int) -> Array:
+    return np.concatenate([x_e, np.repeat(x_e[-1:], rows, axis=0)])

@@ -1,0 +1,120 @@
+"""What the controller is set to, what it answers with, and why its loop stops."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.controller.rotations import Nine
+from trajopt_cli.iiwa.task.model import (
+    Change,
+    Clamps,
+    Compliance,
+    Feed,
+    Integration,
+    Push,
+    RotationLaw,
+    Sensor,
+    Task,
+    Zeroing,
+)
+from trajopt_cli.iiwa.task.world import Seven, Six
+
+if TYPE_CHECKING:
+    from trajopt_cli.robot.dynamics import ToolLoad
+    from trajopt_cli.robot.srs_inverse import ArmAngle
+
+
+@dataclass(frozen=True, eq=False)
+class Settings:
+    """The controller of scheme 4.1, period h [s].
+
+    definition, arm_angle [rad]: the elbow; None for the angle at the start. X_FT (4, 4): the TCP in the flange frame.
+    load: what the torque model knows of the tool. sensor: errors of the measured torques, None for none. changes and
+    pushes: what happens during the run, times counted from the start.
+    """
+
+    compliance: Compliance
+    h: float
+    definition: ArmAngle
+    arm_angle: float | None = None
+    X_FT: Array = field(default_factory=lambda: np.eye(4))
+    load: ToolLoad | None = None
+    zeroing: Zeroing = field(default_factory=Zeroing)
+    clamps: Clamps = field(default_factory=Clamps)
+    sensor: Sensor | None = None
+    changes: tuple[Change, ...] = ()
+    pushes: tuple[Push, ...] = ()
+    integration: Integration = Integration.EULER
+    feed: Feed = Feed.POSITION
+    rotation: RotationLaw = RotationLaw.TAIT_BRYAN
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "X_FT", readonly(self.X_FT))
+        if not self.h > 0:
+            raise ValueError(f"Settings: h is {self.h:g} s, wanted a period above zero")
+
+    @classmethod
+    def of(cls, task: Task, feed: Feed = Feed.POSITION) -> Settings:
+        """The controller a task asks for."""
+        return cls(
+            compliance=task.compliance,
+            h=task.route.h,
+            definition=task.definition,
+            arm_angle=task.arm_angle,
+            X_FT=task.X_FT,
+            load=task.load,
+            zeroing=task.zeroing,
+            clamps=task.clamps,
+            sensor=task.sensor,
+            changes=task.changes,
+            pushes=task.pushes,
+            integration=task.integration,
+            feed=feed,
+            rotation=task.route.rotation,
+        )
+
+
+class Goal(NamedTuple):
+    """One row of the equilibrium: x (6,) [m, rad], angles from R_start; R in the world, which slerp goes by."""
+
+    x: Six
+    R: Nine | None = None
+
+
+class Command(NamedTuple):
+    """One period's answer: joints q [rad] of the regulator's new pose x [m, rad] with rates v, and the believed F."""
+
+    q: Seven
+    x: Six
+    v: Six
+    F: Six
+
+
+class StopKind(Enum):
+    """What ends the loop: a command beyond a joint's range or speed, a pose out of reach, the angles' lock, an arm
+    whose torques say nothing of a force, torques that are no numbers."""
+
+    POSITION = "position"
+    SPEED = "speed"
+    UNREACHABLE = "unreachable"
+    BETA = "beta"
+    SINGULAR = "singular"
+    TORQUE = "torque"
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Why the loop stopped: the command for time [s] was not sent. subject: joint or axis; value and limit in unit."""
+
+    time: float
+    kind: StopKind
+    subject: str
+    value: float
+    limit: float
+    unit: str
+    message: str

@@ -1,0 +1,290 @@
+"""The law of the compliant controller, eqs 4.10-4.16: six decoupled masses on springs and dampers.
+
+Per axis, with the deviation e = x - x_e and the rate w = v - v_e (v_e = 0 when only positions are fed, eq. 4.15):
+
+    v' = v_e + a w + b e + c F        x' = x + h v_e + p w + q e + r F
+
+Forward Euler is a = 1 - h d/m, b = -h k/m, c = h/m, p = h, q = r = 0 (eqs 4.13-4.14): the new position takes the old
+speed. The exact law puts the solution of m w' + d w + k e = F over one period there, F held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise, repeat
+from math import isqrt
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.controller.rotations import Nine, Three, exponential, logarithm, nine, product, transpose
+from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration
+from trajopt_cli.iiwa.task.world import Six
+
+Coefficients = tuple[float, float, float, float, float, float]
+
+STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """State over time: row k is x (n, 6) [m, rad] and v (n, 6) [m/s, rad/s] at time k h."""
+
+    x: Array
+    v: Array
+
+
+@dataclass(frozen=True, eq=False)
+class TurnResponse:
+    """Orientation over time: row k is R (n, 3, 3) in the world and the angular velocity w (n, 3) [rad/s] there."""
+
+    R: Array
+    w: Array
+
+
+def coefficients(K: Array, D: Array, M: Array, h: float, integration: Integration) -> list[Coefficients]:
+    """a, b, c, p, q, r of every axis; K, D, M are diagonals (k,), h [s] the period."""
+    if integration is Integration.EULER:
+        return [
+            (float(1 - h * d / m), float(-h * k / m), float(h / m), h, 0.0, 0.0)
+            for k, d, m in zip(K, D, M, strict=True)
+        ]
+    from scipy.linalg import expm
+
+    out = []
+    for k, d, m in zip(K, D, M, strict=True):
+        # w, e and the held force as a third state that never changes
+        Phi = expm(h * np.array([[-d / m, -k / m, 1 / m], [1, 0, 0], [0, 0, 0]]))
+        (a, b, c), (p, q, r) = Phi[0].tolist(), Phi[1].tolist()
+        out.append((a, b, c, p, q - 1, r))
+    return out
+
+
+def response(
+    x_e: ArrayLike,
+    h: float,
+    compliance: Compliance,
+    *,
+    integration: Integration = Integration.EULER,
+    feed: Feed = Feed.POSITION,
+    force: ArrayLike | None = None,
+    x_0: ArrayLike | None = None,
+    v_0: ArrayLike | None = None,
+) -> Response:
+    """What the controller makes of an equilibrium x_e (n, 6) [m, rad], one row every h [s], angles as numbers.
+
+    force (n, 6) [N, Nm]: external force, none for None. Row k is the state at k h; x_e and force of row k act from
+    k h to (k + 1) h. x_0, v_0 (6,): the state at 0, x_e's first row at rest for None. feed VELOCITY: the equilibrium
+    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row. Raises ValueError for other shapes.
+    """
+    x_e = _rows(x_e, "x_e")
+    n = len(x_e)
+    forces = None if force is None else _rows(force, "force")
+    if forces is not None and len(forces) != n:
+        raise ValueError(f"force has {len(forces)} rows, x_e {n}")
+    start = x_e[0] if x_0 is None else _six(x_0, "x_0")
+    rate = np.zeros(6) if v_0 is None else _six(v_0, "v_0")
+    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros((n, 6))
+    pushes = np.zeros((n, 6)) if forces is None else forces
+    a, b, c, p, q, r = np.array(coefficients(compliance.K, compliance.D, compliance.M, h, integration)).T
+    # what does not depend on the state, for all periods at once
+    kick = (1 - a) * v_e - b * x_e + c * pushes
+    shift = (h - p) * v_e - q * x_e + r * pushes
+    v, x = _scan((a, b, p, 1 + q), kick, shift, rate, start)
+    return Response(readonly(x), readonly(v))
+
+
+def equilibrium_rates(x_e: Array, h: float) -> Array:
+    """v_e (n, k): the forward difference of x_e (n, k) over h [s], zero in the last row."""
+    v_e = np.zeros_like(x_e)
+    v_e[:-1] = np.diff(x_e, axis=0) / h
+    return v_e
+
+
+def _scan(
+    law: tuple[Array, Array, Array, Array], kick: Array, shift: Array, v_0: Array, x_0: Array
+) -> tuple[Array, Array]:
+    """v and x (n, k) of v' = a v + b x + kick, x' = p v + s x + shift, rows at the start of every period.
+
+    The law is linear: about sqrt(n) blocks of rows are run side by side, each from zero; then each gets what its first
+    row's true state becomes by itself.
+    """
+    a, b, p, s = law
+    n, k = kick.shape
+    size = isqrt(n - 1) + 1
+    blocks = -(-n // size)
+    filled = np.zeros((2, blocks * size, k))
+    filled[0, :n], filled[1, :n] = kick, shift
+    kicks, shifts = filled.reshape(2, blocks, size, k)
+    v, x = np.empty((blocks, size, k)), np.empty((blocks, size, k))
+    powers = np.empty((size, 4, k))
+    vs = xs = np.zeros((blocks, k))
+    vv, vx, xv, xx = np.ones(k), np.zeros(k), np.zeros(k), np.ones(k)
+    with np.errstate(over="ignore", invalid="ignore"):  # an unstable law leaves every number
+        for j in range(size):
+            v[:, j], x[:, j], powers[j] = vs, xs, (vv, vx, xv, xx)
+            vs, xs = a * vs + b * xs + kicks[:, j], p * vs + s * xs + shifts[:, j]
+            vv, vx, xv, xx = a * vv + b * xv, a * vx + b * xx, p * vv + s * xv, p * vx + s * xx
+        begin_v, begin_x = np.empty((blocks, 1, k)), np.empty((blocks, 1, k))
+        for i in range(blocks):
+            begin_v[i], begin_x[i] = v_0, x_0
+            v_0, x_0 = vv * v_0 + vx * x_0 + vs[i], xv * v_0 + xx * x_0 + xs[i]
+        by_vv, by_vx, by_xv, by_xx = powers.transpose(1, 0, 2)
+        v += by_vv * begin_v + by_vx * begin_x
+        x += by_xv * begin_v + by_xx * begin_x
+    return v.reshape(-1, k)[:n], x.reshape(-1, k)[:n]
+
+
+class Regulator:
+    """The same law one period at a time, in plain floats: x (6,) [m, rad] and v (6,) [m/s, rad/s] are its state."""
+
+    def __init__(
+        self,
+        compliance: Compliance,
+        h: float,
+        x_0: Six,
+        v_0: Six = STILL,
+        integration: Integration = Integration.EULER,
+    ) -> None:
+        self.h = h
+        self.integration = integration
+        self.x: Six = x_0
+        self.v: Six = v_0
+        self.set(compliance)
+
+    def set(self, compliance: Compliance) -> None:
+        """Stiffness, damping and inertia from now on; the state stays."""
+        self._axes = coefficients(compliance.K, compliance.D, compliance.M, self.h, self.integration)
+
+    def step(self, x_e: Six, F: Six, v_e: Six | None = None) -> None:
+        """One period with the equilibrium x_e [m, rad], the force F [N, Nm] and the equilibrium's speed v_e."""
+        x, y, z, alpha, beta, gamma = self.x
+        x_0, y_0, z_0, alpha_0, beta_0, gamma_0 = x_e
+        e = (x - x_0, y - y_0, z - z_0, alpha - alpha_0, beta - beta_0, gamma - gamma_0)
+        v, way = _advance(self._axes, self.h, e, self.v, F, v_e or STILL)
+        self.v = (v[0], v[1], v[2], v[3], v[4], v[5])
+        self.x = (x + way[0], y + way[1], z + way[2], alpha + way[3], beta + way[4], gamma + way[5])
+
+
+class SlerpRegulator:
+    """The law without gimbal lock: position p (3,) [m], orientation R in the world, v (6,) [m/s, rad/s] their rates.
+
+    The deviation of the rotation is phi = log(R R_e^T), a rotation vector in world axes, in place of the three angles'
+    differences: w' = w + h/m (tau - d w - k phi), R' = exp(h w) R, or the exact law on phi. About one axis it is the
+    law of that angle.
+    """
+
+    def __init__(
+        self,
+        compliance: Compliance,
+        h: float,
+        p_0: Three,
+        R_0: Nine,
+        v_0: Six = STILL,
+        integration: Integration = Integration.EULER,
+    ) -> None:
+        self.h = h
+        self.integration = integration
+        self.p: Three = p_0
+        self.R: Nine = R_0
+        self.v: Six = v_0
+        self.set(compliance)
+
+    def set(self, compliance: Compliance) -> None:
+        """Stiffness, damping and inertia from now on; the state stays."""
+        self._axes = coefficients(compliance.K, compliance.D, compliance.M, self.h, self.integration)
+
+    def step(self, p_e: Three, R_e: Nine, F: Six, v_e: Six | None = None) -> None:
+        """One period with the equilibrium p_e [m] and R_e, the force F [N, Nm] and the equilibrium's rates v_e."""
+        x, y, z = self.p
+        e = (x - p_e[0], y - p_e[1], z - p_e[2], *logarithm(product(self.R, transpose(R_e))))
+        v, way = _advance(self._axes, self.h, e, self.v, F, v_e or STILL)
+        self.v = (v[0], v[1], v[2], v[3], v[4], v[5])
+        self.p = (x + way[0], y + way[1], z + way[2])
+        self.R = product(exponential((way[3], way[4], way[5])), self.R)
+
+
+def _advance(
+    axes: Sequence[Coefficients],
+    h: float,
+    e: Sequence[float],
+    v: Sequence[float],
+    F: Sequence[float],
+    v_e: Sequence[float],
+) -> tuple[list[float], list[float]]:
+    """The rates after one period, and the way made in it, of all axes from their deviations e."""
+    rates, way = [], []
+    for (a, b, c, p, q, r), deviation, rate, force, pace in zip(axes, e, v, F, v_e, strict=True):
+        w = rate - pace
+        rates.append(pace + a * w + b * deviation + c * force)
+        way.append(h * pace + p * w + q * deviation + r * force)
+    return rates, way
+
+
+def response_rotation(
+    R_e: ArrayLike,
+    h: float,
+    K: ArrayLike,
+    D: ArrayLike,
+    M: ArrayLike,
+    torque: ArrayLike | None = None,
+    *,
+    integration: Integration = Integration.EULER,
+    feed: Feed = Feed.POSITION,
+    R_0: ArrayLike | None = None,
+    w_0: ArrayLike = (0.0, 0.0, 0.0),
+) -> TurnResponse:
+    """What the controller makes of orientations R_e (n, 3, 3), one every h [s], by SlerpRegulator's law.
+
+    K, D, M (3,): diagonals in world axes. torque (n, 3) [Nm], none for None. R_0 (3, 3), w_0 (3,): the state at 0, the
+    first orientation at rest by default. feed VELOCITY: w_e = log(R_e,k+1 R_e,k^T) / h, zero after the last row.
+    """
+    R_e = np.asarray(R_e, dtype=np.float64)
+    n = len(R_e)
+    if R_e.shape != (n, 3, 3):
+        raise ValueError(f"R_e has shape {R_e.shape}, wanted (n, 3, 3)")
+    torques = np.zeros((n, 3)) if torque is None else np.asarray(torque, dtype=np.float64)
+    if torques.shape != (n, 3):
+        raise ValueError(f"torque has shape {torques.shape}, wanted ({n}, 3)")
+    k, d, m = (np.asarray(values, dtype=np.float64) for values in (K, D, M))
+    axes = coefficients(k, d, m, h, integration)
+    goals = [nine(row) for row in R_e.reshape(n, 9).tolist()]
+    R = goals[0] if R_0 is None else nine(np.asarray(R_0, dtype=np.float64).reshape(9).tolist())
+    w = np.asarray(w_0, dtype=np.float64).tolist()
+    paces = turn_rates(goals, h) if feed is Feed.VELOCITY else repeat((0.0, 0.0, 0.0))
+    Rs, ws = [], []
+    for goal, tau, pace in zip(goals, torques.tolist(), paces, strict=False):
+        Rs.append(R)
+        ws.append(w)
+        w, (x, y, z) = _advance(axes, h, logarithm(product(R, transpose(goal))), w, tau, pace)
+        R = product(exponential((x, y, z)), R)
+    return TurnResponse(readonly(np.array(Rs).reshape(n, 3, 3)), readonly(np.array(ws)))
+
+
+def turn_rates(goals: Sequence[Nine], h: float) -> Iterator[Three]:
+    """Angular velocities [rad/s] from each orientation to the next over h [s], zero after the last."""
+    for here, there in pairwise(goals):
+        yield turn_rate(here, there, h)
+    yield (0.0, 0.0, 0.0)
+
+
+def turn_rate(here: Nine, there: Nine, h: float) -> Three:
+    """The constant angular velocity [rad/s], world axes, that turns here into there in h [s]."""
+    x, y, z = logarithm(product(there, transpose(here)))
+    return (x / h, y / h, z / h)
+
+
+def _rows(values: ArrayLike, name: str) -> Array:
+    out = np.asarray(values, dtype=np.float64)
+    if out.ndim != 2 or out.shape[1] != 6 or len(out) == 0:
+        raise ValueError(f"{name} has shape {out.shape}, wanted (n, 6) with n >= 1")
+    return out
+
+
+def _six(values: ArrayLike, name: str) -> Array:
+    out = np.asarray(values, dtype=np.float64)
+    if out.shape != (6,):
+        raise ValueError(f"{name} has shape {out.shape}, wanted (6,)")
+    return out

@@ -1,0 +1,172 @@
+"""Where the experiments are done: the arm and its pose, the inertia all of them share, the period, the world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import radians
+from pathlib import Path
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.controller.forces import zero
+from trajopt_cli.iiwa.controller.regulator import response
+from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joints import Unfollowable, follow
+from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, Push, RotationLaw, Zeroing
+from trajopt_cli.iiwa.task.world import Seven, World
+from trajopt_cli.iiwa.world.worlds import Engine, make_world
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.robot.srs_inverse import ArmAngle
+
+START: Seven = (0.0, radians(30), 0.0, radians(-100), 0.0, radians(50), 0.0)
+"""Joints [rad] that every experiment begins at (section 6.1)."""
+H = 1e-3
+"""The controller's period [s]."""
+INERTIA = (25.0, 25.0, 25.0, 3.0, 3.0, 3.0)
+"""M [kg, kg m2] of every experiment."""
+FORCE, MOMENT = 10.0, 2.0
+"""Our steps [N, Nm]: the thesis shows its own in figures only."""
+
+_PACKAGE = Path(__file__).parents[2]
+# In a checkout the programs stand beside the package, a wheel carries them inside it.
+_PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
+
+
+def program(name: str) -> Path:
+    """A shipped task file."""
+    return _PROGRAMS / name
+
+
+def compliance(k: float, k_turn: float, d: float, d_turn: float) -> Compliance:
+    """The same stiffness k [N/m] and damping d [N s/m] along x, y, z; k_turn and d_turn about them."""
+    return Compliance(np.repeat([k, k_turn], 3), np.repeat([d, d_turn], 3), np.array(INERTIA))
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One run over t (n,) [s]: equilibrium x_e, controller x, force (n, 6) [m, rad; N, Nm].
+
+    flange (n, 6): as the world moved it, None where nothing but the controller was computed. felt (n, 6): simulated
+    forces before zeroing, None where there are none.
+    """
+
+    label: str
+    t: Array
+    x_e: Array
+    x: Array
+    force: Array | None = None
+    flange: Array | None = None
+    felt: Array | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("t", "x_e", "x", "force", "flange", "felt"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, readonly(getattr(self, name)))
+
+
+@dataclass(frozen=True, eq=False)
+class Pushed:
+    """What simulated forces do, rows every H [s]: equilibrium x_e, controller x and its rates v, felt and force before
+    and after zeroing, all (n, 6); flange (n, 6) in the world of that name, None where it is where the controller is."""
+
+    world: str
+    t: Array
+    x_e: Array
+    x: Array
+    v: Array
+    felt: Array
+    force: Array
+    flange: Array | None
+
+    def series(self, label: str) -> Series:
+        """The run as it is kept for pictures."""
+        return Series(label, self.t, self.x_e, self.x, self.force, self.flange, self.felt)
+
+
+@dataclass(frozen=True)
+class Tracking:
+    """How far the flange was from the controller's pose along axis [m or rad]: largest and mean, the thesis' beside."""
+
+    axis: str
+    maximum: float
+    mean: float
+    thesis_maximum: float
+    thesis_mean: float
+
+
+@dataclass(frozen=True)
+class Bench:
+    """The arm at START, in the world of an engine. moves: whether that world's flange has a motion of its own."""
+
+    robot: SrsRobot
+    engine: Engine
+    start: Array = field(init=False, compare=False)
+
+    def __post_init__(self) -> None:
+        X = self.robot.forward(np.array(START))
+        object.__setattr__(self, "start", readonly(np.r_[X[:3, 3], np.zeros(3)]))
+
+    @property
+    def moves(self) -> bool:
+        """Whether the flange follows the command with a lag and a give of its own; the ideal arm does not."""
+        return self.engine is Engine.MUJOCO
+
+    def check(self) -> None:
+        """Raise InputError where the engine is not installed."""
+        make_world(self.engine, self.robot, np.eye(4), None, None, H)
+
+    def pushed(
+        self, law: Compliance, pushes: Sequence[Push], duration: float, zeroing: Zeroing | None = None
+    ) -> Pushed:
+        """The controller standing at START for duration [s], moved by simulated forces alone.
+
+        Measured forces are zeroed there (section 6.1), so that nothing the world does comes back: the law is computed
+        first, then inverse kinematics with every limit, then the world follows. The loop, period by period, gives the
+        same. Raises RuntimeError where a joint limit would stop the loop.
+        """
+        t = np.arange(round(duration / H) + 1, dtype=np.float64) * H
+        felt = np.zeros((len(t), 6))
+        for one in pushes:
+            felt[round(one.start / H) : round(one.end / H)] += one.force
+        force = felt if zeroing is None else zero(felt, zeroing)
+        x_e = np.tile(self.start, (len(t), 1))
+        done = response(x_e, H, law, force=force)
+        whole = (Piece(0, len(t) - 1, "start", "end"),)
+        turn = rotation(done.x[:, 3:])
+        sequence = Equilibrium(H, done.x, turn, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, whole)
+        limits = self.robot.profile()
+        joints = follow(sequence, self.robot, np.eye(4), np.array(START), limits, ArmAngle.FARIA, None, False)
+        broken = [joints] if isinstance(joints, Unfollowable) else stops_loop(joints.findings)
+        if broken or isinstance(joints, Unfollowable):
+            raise RuntimeError(f"an experiment of chapter 6 would be stopped: {broken[0].message}")
+        world = make_world(self.engine, self.robot, np.eye(4), None, None, H)
+        flange = self._followed(world, joints.trajectory.q) if self.moves else None
+        return Pushed(world.name, t, x_e, done.x, done.v, felt, force, flange)
+
+    def _followed(self, world: World, q: Array) -> Array:
+        """Where the world's flange is (n, 6) while it is told to follow joints q (n, 7)."""
+        rows = [world.reset(START).q]
+        rows += [world.step(_seven(row)).q for row in q[1:].tolist()]
+        return self.flange(np.array(rows), np.eye(4))
+
+    def flange(self, q: Array, X_FT: Array) -> Array:
+        """Positions [m] and angles from the first row's orientation [rad] (n, 6) of the TCP at joints q (n, 7)."""
+        X = self.robot.forward(q) @ X_FT
+        angles = continuous(angles_of(X[:, :3, :3] @ X[0, :3, :3].T))
+        return np.column_stack([X[:, :3, 3], angles])
+
+
+def push(start: float, end: float, axis: int, size: float | None = None) -> Push:
+    """A force or moment along one axis 0..5 from start to end [s], of FORCE or MOMENT unless given [N, Nm]."""
+    force = np.zeros(6)
+    force[axis] = (FORCE if axis < 3 else MOMENT) if size is None else size
+    return Push(start, end, force)
+
+
+def _seven(row: Sequence[float]) -> Seven:
+    a, b, c, d, e, f, g = row
+    return (a, b, c, d, e, f, g)

@@ -1,0 +1,466 @@
+"""`trajopt iiwa simulate`: what the compliant controller makes of a folder's sequence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.controller.regulator import equilibrium_rates
+from trajopt_cli.iiwa.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
+from trajopt_cli.iiwa.job.joints import joint_record
+from trajopt_cli.iiwa.task.angles import angles_near, rotation
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.model import (
+    COORDINATES,
+    UNITS,
+    AngleMeaning,
+    Contact,
+    Feed,
+    Integration,
+    RotationLaw,
+    Task,
+    Zeroing,
+)
+from trajopt_cli.runs import REPORT
+
+if TYPE_CHECKING:
+    from trajopt_cli.iiwa.controller.lag import Lag
+    from trajopt_cli.iiwa.controller.loop import LoopRun
+    from trajopt_cli.iiwa.controller.stability import AxisStability
+    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
+    from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld
+    from trajopt_cli.iiwa.world.worlds import Engine
+
+_LONGEST_SETTLING = 10.0  # s
+_FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
+
+
+@dataclass(frozen=True, eq=False)
+class NoRun:
+    """There is nothing to show: an unstable law, or a loop that stops before its first period. One sentence each."""
+
+    sentences: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """A run of n periods, the last pose held for a while at its end.
+
+    x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
+    believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
+    controller against its world, None where nothing asks for it; why: what does; links, motors: what that world tells
+    of them. fallback: its world is springs only because MuJoCo is not installed.
+    """
+
+    opened: Opened
+    x_e: Array
+    x: Array
+    force: Array
+    lag: Lag
+    axes: tuple[AxisStability, ...]
+    joints: Followed | Unfollowable | None
+    loop: LoopRun | None
+    contact: Contact | None
+    feed: Feed
+    settle: float
+    why: tuple[str, ...]
+    fallback: bool = False
+    links: tuple[LinkContact, ...] = ()
+    motors: tuple[Motor, ...] = ()
+    plan: Array | None = None
+
+    @property
+    def target(self) -> Array:
+        """Where the controller should be at every row (n, 6): on the plan where there is one, else the equilibrium."""
+        return self.x_e if self.plan is None else self.plan[: len(self.x)]
+
+    @property
+    def t(self) -> Array:
+        """Times (n,) [s]."""
+        return np.asarray(np.arange(len(self.x)) * self.opened.equilibrium.h, dtype=np.float64)
+
+    @property
+    def broken(self) -> tuple[str, ...]:
+        """Why this is no motion for the arm, one line each: what stopped the loop, or the joints that break a limit."""
+        from trajopt_cli.iiwa.task.joints import Followed
+
+        if self.loop is not None:
+            return () if self.loop.stop is None else (self.loop.stop.message,)
+        if isinstance(self.joints, Followed):
+            return tuple(finding.message for finding in self.joints.findings if not finding.passed)
+        assert self.joints is not None
+        return (self.joints.message,)
+
+    @property
+    def tool(self) -> Array:
+        """The tool (n, 6) as the arm stands, angles from the start: where the loop's joints put it, else x.
+
+        Also x where poses are counted from other frames in the course of the run.
+        """
+        if self.loop is None or frames_change(self.opened.task):
+            return self.x
+        X = self.opened.robot.forward(self.loop.q) @ self.opened.task.X_FT
+        turned = X[:, :3, :3] @ self.opened.X_start[:3, :3].T
+        return np.column_stack([X[:, :3, 3], angles_near(turned, self.x[:, 3:])])
+
+    @property
+    def spring(self) -> Array:
+        """K (x - x_e) (n, 3) [N]: the stiffness' pull, with which the tool pushes what holds it."""
+        K = np.tile(self.opened.task.compliance.K[:3], (len(self.x), 1))
+        for change in self.opened.task.changes:
+            if change.compliance is not None:
+                K[self.t >= change.t] = change.compliance.K[:3]
+        return np.asarray(K * (self.x - self.x_e)[:, :3], dtype=np.float64)
+
+    @property
+    def push(self) -> Array:
+        """K (x_e - x), + D v_e where the speed is fed (n, 3) [N]: with what the tool would begin to push if held."""
+        if self.feed is Feed.POSITION:
+            return -self.spring
+        D = np.tile(self.opened.task.compliance.D[:3], (len(self.x), 1))
+        for change in self.opened.task.changes:
+            if change.compliance is not None:
+                D[self.t >= change.t] = change.compliance.D[:3]
+        rates = equilibrium_rates(self.x_e[:, :3], self.opened.equilibrium.h)
+        return np.asarray(D * rates - self.spring, dtype=np.float64)
+
+
+def simulate(
+    folder: Path,
+    contact_file: Path | None = None,
+    engine: str | None = None,
+    feed: Feed | None = None,
+    integration: Integration | None = None,
+    settle: float | None = None,
+) -> Simulated | NoRun:
+    """Run the controller on a folder's sequence and write simulation.csv and report.html into it.
+
+    contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
+    MuJoCo where it is installed. feed: None for the one the folder was made for. settle [s]: how long the last pose is
+    held, None for as long as the controller needs.
+    """
+    from trajopt_cli.iiwa.task.loader import load_contact
+
+    opened = open_folder(folder)
+    contact = load_contact(contact_file)[0] if contact_file is not None else opened.task.contact
+    place = str(contact_file or opened.task.file)
+    answer = run_controller(opened, contact, engine, feed, integration, settle, place)
+    if isinstance(answer, Simulated):
+        from trajopt_cli.iiwa.job.pages import simulation_page
+
+        files = {SIMULATION: simulation_csv(answer).encode(), REPORT: simulation_page(answer)}
+        add_to_folder(answer.opened, files, {"simulation": simulation_record(answer)})
+    return answer
+
+
+def run_controller(
+    opened: Opened,
+    contact: Contact | None,
+    engine: str | None,
+    feed: Feed | None,
+    integration: Integration | None,
+    settle: float | None,
+    place: str | None = None,
+) -> Simulated | NoRun:
+    """As simulate, on a sequence at hand; nothing is written. place: the contact's file, for messages."""
+    from trajopt_cli.iiwa.controller.lag import worst_lag
+    from trajopt_cli.iiwa.controller.stability import StabilityVerdict, stability
+    from trajopt_cli.iiwa.world.mujoco_world import available
+    from trajopt_cli.iiwa.world.worlds import Engine
+
+    task = opened.task if integration is None else replace(opened.task, integration=integration)
+    opened = counted_from_start(replace(opened, task=task))
+    sequence, feed = opened.equilibrium, feed or opened.feed
+    axes = stability(task.compliance, sequence.h, task.integration)
+    unstable = [axis.sentence for axis in axes if axis.verdict is StabilityVerdict.UNSTABLE]
+    for change in task.changes:
+        if change.compliance is not None:
+            changed = stability(change.compliance, sequence.h, task.integration)
+            axes += changed
+            bad = (axis for axis in changed if axis.verdict is StabilityVerdict.UNSTABLE)
+            unstable += [f"with the change at {change.t:g} s {axis.sentence}" for axis in bad]
+    if unstable:
+        return NoRun(tuple(unstable))
+    if settle is None:
+        slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
+        # a round time, so that runs whose laws differ by rounding end together
+        settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
+    why = _loop_needed(task, contact, engine)
+    fallback = bool(why) and engine is None and not available()
+    links: tuple[LinkContact, ...] = ()
+    motors: tuple[Motor, ...] = ()
+    if why:
+        chosen = Engine(engine) if engine is not None else Engine.SPRING if fallback else Engine.MUJOCO
+        loop, world = _loop(opened, contact, chosen, feed, settle, place)
+        links, motors = world.link_contacts, world.motors
+        if len(loop.x) == 0:
+            assert loop.stop is not None
+            return NoRun((loop.stop.message,))
+        x_e, x, R, force, joints = loop.x_e, loop.x, loop.R, loop.force_believed, None
+    else:
+        loop = None
+        x_e, x, R, force = _law_alone(opened, feed, settle)
+        joints = _joints(opened, x, R @ opened.X_start[:3, :3].T)
+    plan, target = opened.plan, x_e
+    if plan is not None and not frames_change(task):
+        target = plan.pose[np.minimum(np.arange(len(x_e)), len(plan.pose) - 1)]
+    if sequence.rotation is RotationLaw.SLERP and not frames_change(task):
+        x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
+    lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
+    told = (fallback, links, motors, target)
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *told)
+
+
+def frames_change(task: Task) -> bool:
+    """Whether poses are counted from other frames in the course of the run."""
+    return any(change.restart or change.X_FT is not None or change.X_WB is not None for change in task.changes)
+
+
+def simulation_csv(run: Simulated) -> str:
+    """simulation.csv: equilibrium, controller, deviation, forces, joints; what a world adds stands at the end."""
+    from trajopt_cli.iiwa.controller.lag import deviation
+    from trajopt_cli.iiwa.task.joints import Followed
+
+    heads = ["t [s]"]
+    heads += [f"{name}_e [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
+    heads += [f"{name} [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
+    heads += ["deviation [m]", *(f"believed {name}" for name in _FORCES)]
+    columns = [run.t[:, None], run.x_e, run.x, deviation(run.x, run.target)[:, None], run.force]
+    names = run.opened.robot.axis_names
+    if run.loop is not None:
+        heads += [f"{name} command [rad]" for name in names] + [f"{name} [rad]" for name in names]
+        heads += [f"true {name}" for name in _FORCES] + ["depth [m]"]
+        columns += [run.loop.q_command, run.loop.q, run.loop.contact_true, run.loop.depth[:, None]]
+    elif isinstance(run.joints, Followed):
+        heads += [f"{name} [rad]" for name in names]
+        columns += [run.joints.trajectory.q]
+    table = np.hstack(columns)
+    row = ",".join(["%.10g"] * table.shape[1])  # finer than any model here is true
+    return "\n".join([",".join(heads), *(row % tuple(values) for values in table.tolist())]) + "\n"
+
+
+def simulation_record(run: Simulated) -> dict[str, Any]:
+    """What summary.json says of a run."""
+    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
+
+    record: dict[str, Any] = {
+        "feed": run.feed.value,
+        "integration": run.opened.task.integration.value,
+        "duration_s": float(run.t[-1]),
+        "held_s": run.settle,
+        "loop_run_for": list(run.why),
+        "lag": lag_record(run.lag),
+        "largest_spring_force_N": float(np.linalg.norm(run.spring, axis=1).max()),
+        "largest_push_N": float(np.linalg.norm(run.push, axis=1).max()),
+        "stability": [
+            {
+                "axis": axis.axis,
+                "verdict": axis.verdict.name.lower(),
+                "largest_period_s": _finite(axis.h_max),
+                "damping_ratio": _finite(axis.damping_ratio),
+                "slowest_time_constant_s": _finite(axis.slowest),
+            }
+            for axis in run.axes
+        ],
+    }
+    if isinstance(run.joints, Followed):
+        record["joints"] = joint_record(run.joints)
+    elif isinstance(run.joints, Unfollowable):
+        record["joints"] = {"unfollowable": run.joints.message}
+    if run.loop is not None:
+        record["world"] = run.loop.world
+        record["contact"] = touch_record(touches(run))
+        record["links_in_obstacles"] = [
+            {
+                "link": one.link,
+                "obstacle": one.obstacle,
+                "first_s": one.first,
+                "last_s": one.last,
+                "deepest_m": one.depth,
+                "largest_force_N": one.force,
+            }
+            for one in run.links
+        ]
+        record["motors"] = [
+            {
+                "joint": motor.joint,
+                "largest_torque_Nm": motor.torque,
+                "limit_Nm": motor.limit,
+                "saturated_at_s": motor.saturated,
+            }
+            for motor in run.motors
+        ]
+        record["stopped"] = None if run.loop.stop is None else run.loop.stop.message
+    return record
+
+
+def lag_record(lag: Lag) -> dict[str, Any]:
+    """A lag as plain data."""
+    return {
+        "largest_m": lag.maximum,
+        "time_s": lag.time,
+        "from": lag.piece.origin if lag.piece else None,
+        "to": lag.piece.goal if lag.piece else None,
+        "mean_m": lag.mean,
+        "largest_turn_rad": lag.turn_maximum,
+        "turn_time_s": lag.turn_time,
+    }
+
+
+@dataclass(frozen=True)
+class Touching:
+    """What the contact did: first and last touch [s], seconds in contact, the largest force [N] and depth [m] with
+    their times, the largest force per axis of the world (3,) [N], and how far the tool, as the arm stands, was from
+    the equilibrium along each axis while it touched (3,) [m], its lag included; controller: the same of the
+    controller's own pose."""
+
+    first: float
+    last: float
+    seconds: float
+    force: float
+    force_time: float
+    per_axis: tuple[float, float, float]
+    depth: float
+    depth_time: float
+    excursion: tuple[float, float, float]
+    controller: tuple[float, float, float]
+
+
+def touches(run: Simulated) -> Touching | None:
+    """The contact of a run in one record, None where the tool touched nothing."""
+    if run.loop is None or not np.any(run.loop.depth > 0):
+        return None
+    rows = np.flatnonzero(run.loop.depth > 0)
+    force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
+    away, controller = (np.abs(pose - run.x_e)[rows, :3].max(axis=0).tolist() for pose in (run.tool, run.x))
+    t, h = run.t, run.opened.equilibrium.h
+    strongest, deepest = (int(np.argmax(values)) for values in (force, run.loop.depth))
+    per_axis = np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist()
+    return Touching(
+        float(t[rows[0]]),
+        float(t[rows[-1]]),
+        len(rows) * h,
+        float(force[strongest]),
+        float(t[strongest]),
+        (per_axis[0], per_axis[1], per_axis[2]),
+        float(run.loop.depth[deepest]),
+        float(t[deepest]),
+        (away[0], away[1], away[2]),
+        (controller[0], controller[1], controller[2]),
+    )
+
+
+def touch_record(touching: Touching | None) -> dict[str, Any] | None:
+    """A contact as plain data."""
+    if touching is None:
+        return None
+    return {
+        "first_s": touching.first,
+        "last_s": touching.last,
+        "in_contact_s": touching.seconds,
+        "largest_force_N": touching.force,
+        "largest_force_at_s": touching.force_time,
+        "largest_per_axis_N": list(touching.per_axis),
+        "deepest_m": touching.depth,
+        "deepest_at_s": touching.depth_time,
+        "largest_excursion_per_axis_m": list(touching.excursion),
+        "controllers_excursion_per_axis_m": list(touching.controller),
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tuple[str, ...]:
+    """What happens that the law alone cannot tell; empty where nothing does."""
+    clamped = bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
+    asked = {
+        "contact": contact is not None,
+        "sensor errors": task.sensor is not None,
+        "clamps": clamped,
+        "changes": bool(task.changes),
+        "--engine": engine is not None,
+    }
+    return tuple(name for name, wanted in asked.items() if wanted)
+
+
+def _loop(
+    opened: Opened, contact: Contact | None, engine: Engine, feed: Feed, settle: float, place: str | None
+) -> tuple[LoopRun, TrackedWorld]:
+    from trajopt_cli.iiwa.controller.admittance import Controller
+    from trajopt_cli.iiwa.controller.loop import run
+    from trajopt_cli.iiwa.controller.parameters import Settings
+    from trajopt_cli.iiwa.world.worlds import make_world
+
+    task, sequence = opened.task, opened.equilibrium
+    try:
+        world = make_world(engine, opened.robot, task.X_FT, task.load, contact, sequence.h)
+    except ValueError as error:
+        raise InputError(str(error), file=place) from error
+    q_0 = task.start_joints.tolist()
+    controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
+    R_e = sequence.rotations(opened.X_start[:3, :3])
+    limits = opened.robot.profile(task.limits)
+    return run(controller, sequence.pose, world, limits, R_e=R_e, settle=settle), world
+
+
+def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:
+    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) in the world, and the forces pushed with (n, 6).
+
+    The controller is switched on at rest in the pose of the start, wherever the sequence begins.
+    """
+    from trajopt_cli.iiwa.controller.forces import zero
+    from trajopt_cli.iiwa.controller.lag import held
+    from trajopt_cli.iiwa.controller.regulator import response, response_rotation
+
+    task, sequence, R_start = opened.task, opened.equilibrium, opened.X_start[:3, :3]
+    h, law = sequence.h, task.compliance
+    x_e = held(sequence.pose, settle, h)
+    t = np.arange(len(x_e)) * h
+    force = np.zeros_like(x_e)
+    for push in task.pushes:
+        force[(t >= push.start) & (t < push.end)] += push.force
+    if task.zeroing != Zeroing():
+        force = zero(force, task.zeroing)
+    start = np.r_[opened.X_start[:3, 3], np.zeros(3)]  # angles count from there
+    x = response(x_e, h, law, integration=task.integration, feed=feed, force=force, x_0=start).x
+    if sequence.rotation is not RotationLaw.SLERP:
+        return x_e, x, rotation(x[:, 3:]) @ R_start, force
+    R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
+    # in the world, whose axes the stiffness has
+    turned = response_rotation(
+        *(R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:]),
+        integration=task.integration,
+        feed=feed,
+        R_0=R_start,
+    )
+    return x_e, np.column_stack([x[:, :3], angles_near(turned.R @ R_start.T, x_e[:, 3:])]), turned.R, force
+
+
+def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
+    """The joints of an arm that follows the controller exactly."""
+    from trajopt_cli.iiwa.task.joints import follow
+
+    task, sequence = opened.task, opened.equilibrium
+    last = sequence.pieces[-1]
+    pieces = (*sequence.pieces, Piece(last.last, len(x) - 1, last.goal, last.goal, dwell=True))
+    way = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
+    limits = opened.robot.profile(task.limits)
+    return follow(
+        way,
+        opened.robot,
+        task.X_FT,
+        task.start_joints,
+        limits,
+        task.definition,
+        task.arm_angle,
+        free=False,
+        stops=False,
+    )

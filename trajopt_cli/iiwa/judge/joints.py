@@ -1,0 +1,181 @@
+"""An arm's joints: limits by divided differences, one configuration, one arm angle, no jumps, rest at both ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.findings import Finding
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.judge import quaternions as turns
+from trajopt_cli.iiwa.judge.arm import SIGNED, arm_angles, configuration, wrapped
+from trajopt_cli.iiwa.judge.samples import Poses
+from trajopt_cli.iiwa.judge.task_order import JudgedArm, Order
+from trajopt_cli.iiwa.judge.tolerances import ARM_ANGLE, BETWEEN, FOLLOW, JOINT, REST, ROUNDING, START
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.judge.findings import finding
+from trajopt_cli.judge.samples import second_differences
+from trajopt_cli.judge.tolerances import COMPUTED
+from trajopt_cli.trajectory import Trajectory
+
+_TURN = np.pi  # rad: a joint that moves this far from row to row has jumped
+
+
+@dataclass(frozen=True)
+class ArmAngleRange:
+    """What the maker of the joints says the arm angle does: least and greatest [rad]."""
+
+    least: float
+    greatest: float
+
+
+def check_limits(arm: JudgedArm, rows: Trajectory, resolution: Resolution | None) -> Iterator[Finding]:
+    """Position, speed and acceleration of every joint, jumps, and the speed columns where there are any."""
+    t, q, gaps = rows.t, rows.q, np.diff(rows.t)
+    half = np.full(q.shape[1], COMPUTED) if resolution is None else np.maximum(resolution.q.max(axis=0) / 2, COMPUTED)
+    off_t = 0.0 if resolution is None else float(np.max(resolution.t))
+    step = np.diff(q, axis=0)
+    speed, doubt_v = step / gaps[:, None], 2 * half / gaps.min()
+    for j, name in enumerate(rows.names):
+        low, high = float(arm.lower[j]), float(arm.upper[j])
+        outside = np.maximum(q[:, j] - high, low - q[:, j])
+        row = int(np.argmax(outside))
+        bound = high if q[row, j] - high >= low - q[row, j] else low
+        passed = bool(outside[row] <= JOINT * (high - low) + half[j])
+        yield finding("joint position", name, q[row, j], bound, "rad", passed, time=float(t[row]), words="position")
+        row = int(np.argmax(np.abs(step[:, j])))
+        size = abs(float(step[row, j]))
+        note = ": a jump; whole turns and other branches are other joints"
+        yield finding("jump", name, size, _TURN, "rad", size < _TURN, time=float(t[row + 1]), note=note)
+        row = int(np.argmax(np.abs(speed[:, j])))
+        size, most = abs(float(speed[row, j])), float(arm.velocity[j])
+        passed = size <= most * (1 + JOINT) + doubt_v[j] + size * off_t / float(gaps[row])
+        yield finding("joint speed", name, size, most, "rad/s", passed, time=float(t[row]), words="speed")
+        yield _acceleration(arm, rows, j, half[j], off_t)
+    if rows.qd is not None:
+        yield from _speed_columns(arm, rows, speed, doubt_v, resolution)
+
+
+def _acceleration(arm: JudgedArm, rows: Trajectory, j: int, half: float, off_t: float) -> Finding:
+    """The greatest second divided difference less its doubt, over one gap or several; from rest and to rest at the
+    ends: who is at a step's end after a gap has needed twice the step over the gap's square."""
+    t, x = rows.t, rows.q[:, j]
+    most = float(arm.acceleration[j])
+    found: list[tuple[float, float, float]] = []  # less its doubt, as it is, when
+    for lag, values, doubt in second_differences(t, x[:, None], np.array([half]), off_t):
+        sizes = np.abs(values[:, 0])
+        row = int(np.argmax(sizes - doubt[:, 0]))
+        found.append((float(sizes[row] - doubt[row, 0]), float(sizes[row]), float(t[row + lag])))
+    for a, b in ((0, 1), (-1, -2)):
+        gap = abs(float(t[a] - t[b]))
+        size = 2 * abs(float(x[a] - x[b])) / gap**2
+        found.append((size - 4 * half / gap**2, size, float(t[a])))
+    sure, size, time = max(found)
+    passed = sure <= most * (1 + JOINT)
+    return finding("joint acceleration", rows.names[j], size, most, "rad/s2", passed, time=time, words="acceleration")
+
+
+def _speed_columns(
+    arm: JudgedArm, rows: Trajectory, speed: Array, doubt: Array, resolution: Resolution | None
+) -> Iterator[Finding]:
+    """Speed columns: within the limits, between the speeds of the steps beside their row but for what the joint's
+    acceleration may change in half a gap, and rest in the first and in the last row."""
+    assert rows.qd is not None
+    printed = np.zeros(len(rows.names)) if resolution is None else resolution.qd.max(axis=0) / 2
+    before, after = np.concatenate([0 * speed[:1], speed]), np.concatenate([speed, 0 * speed[-1:]])
+    low, high = np.minimum(before, after), np.maximum(before, after)
+    for j, name in enumerate(rows.names):
+        room = float(arm.acceleration[j] * np.diff(rows.t).max() / 2 + doubt[j] + printed[j])
+        off = np.maximum(rows.qd[:, j] - high[:, j], low[:, j] - rows.qd[:, j])
+        row = int(np.argmax(off))
+        yield finding(
+            "speed column", name, max(0.0, off[row]), room, "rad/s", off[row] <= room,
+            time=float(rows.t[row]), words="speed differs from that of its positions by",
+        )  # fmt: skip
+        row = int(np.argmax(np.abs(rows.qd[:, j])))
+        value, most = abs(float(rows.qd[row, j])), float(arm.velocity[j])
+        passed = value <= most * (1 + JOINT) + printed[j]
+        yield finding("joint speed", name, value, most, "rad/s", passed, time=float(rows.t[row]), words="speed")
+    for what, row in (("first row", 0), ("last row", -1)):
+        j = int(np.argmax(np.abs(rows.qd[row])))
+        value, most = abs(float(rows.qd[row, j])), REST + printed[j]
+        yield finding(
+            what, rows.names[j], value, most, "rad/s", value <= most, time=float(rows.t[row]),
+            words=f"is not at rest in the {what}:",
+        )  # fmt: skip
+
+
+def check_posture(
+    order: Order, rows: Trajectory, told: ArmAngleRange | None, first_is_start: bool
+) -> Iterator[Finding]:
+    """One configuration, that of the start, and one arm angle: the task's, else that of the start; told: the range in
+    which the maker says it moves instead. first_is_start: the first pose is the tool's at the start's joints."""
+    q, t, start = rows.q, rows.t, order.start_joints
+    wanted = configuration(start)
+    for bit, j in enumerate(SIGNED):
+        sign = -1.0 if wanted >> bit & 1 else 1.0
+        row = int(np.argmin(sign * q[:, j]))
+        value = float(sign * q[row, j])
+        side = "negative" if sign < 0 else "positive"
+        yield finding(
+            "configuration", rows.names[j], sign * value, 0.0, "rad", value >= -ROUNDING, time=float(t[row]),
+            bound="wanted", words="leaves the start's configuration:", note=f" or {side}",
+        )  # fmt: skip
+    angle, off = arm_angles(order.arm.mechanism, q, order.swivel)
+    at_start = arm_angles(order.arm.mechanism, start[None], order.swivel)[0]
+    fixed = float(at_start[0]) if order.arm_angle is None else order.arm_angle
+    doubt = np.where(off > 0, 10 * ROUNDING / np.maximum(off, 1e-300), np.inf)
+    moves = told is not None and told.greatest - told.least > ARM_ANGLE
+    if moves or order.arm_angle_free:
+        if told is not None:
+            middle, room = (told.least + told.greatest) / 2, (told.greatest - told.least) / 2
+            away = np.abs(wrapped(angle - middle)) - room - doubt
+            yield _arm_angle("arm angle range", away, t, "leaves the range that its maker tells by")
+    else:
+        yield _arm_angle("arm angle", np.abs(wrapped(angle - fixed)) - doubt, t, "is off its value by")
+    if first_is_start and order.arm_angle is None:
+        j = int(np.argmax(np.abs(q[0] - start)))
+        value = abs(float(q[0, j] - start[j]))
+        yield finding(
+            "start joints", rows.names[j], value, START, "rad", value <= START, time=float(t[0]),
+            words="is off the task's start by",
+        )  # fmt: skip
+
+
+def _arm_angle(check: str, away: Array, t: Array, words: str) -> Finding:
+    row = int(np.argmax(away))
+    value = max(0.0, float(away[row]))
+    return finding(check, "elbow", value, ARM_ANGLE, "rad", value <= ARM_ANGLE, time=float(t[row]), words=words)
+
+
+def check_follows(tool: Poses, wanted: Poses) -> Iterator[Finding]:
+    """The tool at the joints of every row against the pose of that row."""
+    offs = (
+        ("tool position", np.linalg.norm(tool.p - wanted.p, axis=1), tool.off_p, "m"),
+        ("tool orientation", turns.angle_between(tool.q, wanted.q), tool.off_q, "rad"),
+    )
+    for check, off, doubt, unit in offs:
+        row = int(np.argmax(off - doubt))
+        limit = FOLLOW + float(doubt[row])
+        yield finding(
+            check, "TCP", off[row], limit, unit, off[row] <= limit, time=float(tool.t[row]), words="is off its pose by"
+        )
+
+
+def check_between(between: Poses, rows: Poses) -> Iterator[Finding]:
+    """The tool half way between two rows' joints (n-1 poses) against half way between the rows' poses."""
+    p = (rows.p[:-1] + rows.p[1:]) / 2
+    half = turns.logarithm(turns.product(turns.conjugate(rows.q[:-1]), rows.q[1:])) / 2
+    q = turns.product(rows.q[:-1], turns.exponential(half))
+    offs = (
+        ("position between rows", np.linalg.norm(between.p - p, axis=1), "m"),
+        ("orientation between rows", turns.angle_between(between.q, q), "rad"),
+    )
+    for check, off, unit in offs:
+        row = int(np.argmax(off))
+        yield finding(
+            check, "TCP", off[row], BETWEEN, unit, off[row] <= BETWEEN, time=float(between.t[row]),
+            words="leaves the way between two rows by",
+        )  # fmt: skip

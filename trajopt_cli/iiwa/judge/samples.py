@@ -1,0 +1,142 @@
+"""Rows of a sequence and of an arm's joints as the judge reads them, and what their digits leave open."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from math import isfinite
+
+import numpy as np
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.judge import quaternions as turns
+from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm
+from trajopt_cli.iiwa.judge.tolerances import PERIOD, ROUNDING
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.trajectory import Trajectory
+
+_UNIT = 1e-6  # by which the norm of a printed quaternion may differ from 1
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """The tool in the world at times t (n,) [s]: positions p (n, 3) [m], rotations q (n, 4).
+
+    off_p, off_q (n,): how far digits leave a row's position [m] and orientation [rad] uncertain. period [s]: of the
+    grid that the rows should stand on; every pose of the task has a row where they do.
+    """
+
+    t: Array
+    p: Array
+    q: Array
+    off_p: Array
+    off_q: Array
+    period: float
+
+    @cached_property
+    def gaps(self) -> Array:
+        """Times (n-1,) between rows [s]."""
+        return np.asarray(np.diff(self.t))
+
+    @cached_property
+    def step_p(self) -> Array:
+        """Steps (n-1,) of the position [m]."""
+        return np.asarray(np.linalg.norm(np.diff(self.p, axis=0), axis=1))
+
+    @cached_property
+    def step_q(self) -> Array:
+        """Turns (n-1,) from row to row [rad]."""
+        return turns.angle_between(self.q[:-1], self.q[1:])
+
+    @cached_property
+    def gridded(self) -> bool:
+        """Whether the rows stand on the grid of the period."""
+        return bool(np.all(np.abs(self.t - self.t[0] - np.arange(len(self.t)) * self.period) <= PERIOD))
+
+    @cached_property
+    def open(self) -> Array:
+        """How far (n,) from the nearest row a pose of the task may lie, m plus rad: 0 where every pose has its row."""
+        if self.gridded:
+            return np.zeros(len(self.t))
+        steps = self.step_p + self.step_q
+        return np.asarray(np.maximum(np.r_[steps[0], steps], np.r_[steps, steps[-1]]))
+
+
+def poses_of_joints(
+    arm: JudgedArm, X_FT: FramePose, rows: Trajectory, resolution: Resolution | None, period: float
+) -> Poses:
+    """Where the tool is at joints, by pin; half a printed step of every joint is doubted."""
+    X, J = arm.mechanism.flange(rows.q)
+    q_WF = turns.from_matrix(X[:, :3, :3])
+    lever = turns.turned(q_WF, np.broadcast_to(X_FT.p, (len(X), 3)))
+    p, q = X[:, :3, 3] + lever, turns.product(q_WF, np.broadcast_to(X_FT.q, (len(X), 4)))
+    half = np.zeros((1, rows.q.shape[1])) if resolution is None else resolution.q / 2
+    linear = J[:, :3] + np.cross(J[:, 3:], lever[:, :, None], axis=1)
+    rounding = ROUNDING * (1 + np.linalg.norm(p, axis=1))
+    return Poses(
+        t=rows.t,
+        p=p,
+        q=q,
+        off_p=(np.linalg.norm(linear, axis=1) * half).sum(axis=1) + rounding,
+        off_q=np.zeros(len(p)) + half.sum(axis=1) + ROUNDING,
+        period=period,
+    )
+
+
+@of_kind(ErrorKind.RESULTS)
+def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array]:
+    """The columns of a CSV file by their heads. Raises InputError with file and line for a head of needed that is
+    missing, a row of another length, what is no finite number, fewer than two rows, and times that do not increase."""
+    lines = text.rstrip("\r\n").split("\n")
+    heads = lines[0].rstrip("\r").split(",")
+    for head in needed:
+        if heads.count(head) != 1:
+            raise InputError(f"needs one column '{head}', has {','.join(heads)}", file=file, line=1)
+    if len(lines) < 3:
+        raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
+    rows, width = lines[1:], len(heads)
+    table = None
+    if all(row.count(",") == width - 1 for row in rows):
+        with suppress(ValueError):
+            table = np.fromiter(map(float, ",".join(rows).split(",")), np.float64).reshape(-1, width)
+    if table is None or not np.isfinite(table).all():
+        table = _row_by_row(rows, width, file)
+    late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
+    if late.size:
+        raise InputError("its time does not follow the one before", file=file, line=int(late[0]) + 3)
+    return dict(zip(heads, table.T, strict=True))
+
+
+def _row_by_row(lines: list[str], width: int, file: str) -> Array:
+    """The same table, where something is wrong with it: raises InputError for the first row that is no row of it."""
+    table = np.empty((len(lines), width))
+    for i, line in enumerate(lines):
+        try:
+            row = [float(field) for field in line.split(",")]
+        except ValueError as error:
+            raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
+        if len(row) != width:
+            raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=i + 2)
+        if not all(map(isfinite, row)):
+            raise InputError("holds a number that is not finite", file=file, line=i + 2)
+        table[i] = row
+    return table
+
+
+def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:
+    """Some columns side by side (n, k)."""
+    return np.column_stack([table[head] for head in heads])
+
+
+@of_kind(ErrorKind.RESULTS)
+def unit(q: Array, file: str) -> Array:
+    """Quaternions (n, 4) of norm 1. Raises InputError with file and line for any that is not of norm 1."""
+    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
+        norms = np.linalg.norm(q, axis=1)
+    wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
+    if wrong.size:
+        row = int(wrong[0])
+        raise InputError(f"the quaternion's norm is {norms[row]:.9g}, wanted 1", file=file, line=row + 2)
+    return np.asarray(q / norms[:, None])

@@ -1,0 +1,214 @@
+"""A sequence of poses against the path, the caps and the dwells of its task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.findings import Finding
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.judge import quaternions as turns
+from trajopt_cli.iiwa.judge.chain import Followed, check_chain
+from trajopt_cli.iiwa.judge.path import StraightPiece, legs
+from trajopt_cli.iiwa.judge.samples import Poses
+from trajopt_cli.iiwa.judge.task_order import Order
+from trajopt_cli.iiwa.judge.tolerances import ARM_CAP, BACKWARD, CAP, EXACT, PATH, RAMP, SLACK
+from trajopt_cli.iiwa.judge.waypoint_matching import Visit, visits
+from trajopt_cli.judge.findings import finding
+
+
+def check_sequence(order: Order, rows: Poses, exact: bool = True, retimed: bool = False) -> Iterator[Finding]:
+    """The way, the caps and the dwells of every segment; nothing for an order whose stops the judge cannot tell.
+
+    exact: the rows are the sequence itself, whose first and last pose are the task's to the last digit. retimed: by
+    another law than the task's profile, so that neither its accelerations nor the length of its dwells are promised.
+    """
+    if order.stops is None:
+        return
+    found = list(visits(order, legs(order), rows))
+    ramps = order.profile != "thesis" and not retimed
+    yield from _reached(order, found, rows, exact)
+    yield from _dwells(order, found, rows, retimed)
+    for begin, end in pairwise(found):
+        part = slice(begin.left, end.arrived + 1)
+        if end.passed is not None:
+            assert order.passing is not None
+            name = f"{begin.stop.name} -> {end.stop.name}"
+            yield from check_chain(name, end.legs, rows, end.passed, order.passing)
+            if end.reached:
+                yield from _caps(order, name, end.legs, end.passed, rows, part, ramps, exact)
+        elif end.reached:
+            (leg,) = end.legs
+            yield from _on_leg(leg.as_gone(rows.q[part]), rows, part)
+            yield from _caps(order, leg.name, end.legs, None, rows, part, ramps, exact)
+
+
+def _reached(order: Order, found: list[Visit], rows: Poses, exact: bool) -> Iterator[Finding]:
+    """Every pose, in order; the first in the first row, and the last in the last one."""
+    assert order.stops is not None
+    for visit in found:
+        source = visit.stop.place
+        yield finding(
+            "pose reached", visit.stop.name, visit.off, visit.allowed, "m, rad", visit.reached,
+            time=_t(rows, visit.arrived), source=source, words="comes no nearer than",
+        )  # fmt: skip
+    last = found[-1]
+    complete = last.stop is order.stops[-1] and last.reached
+    missing = 0 if complete else len(order.stops) - order.stops.index(last.stop)
+    yield finding("poses missing", "sequence", missing, 0, "poses", missing == 0, words="goes without")
+    if exact:
+        first = found[0]
+        yield finding(
+            "first pose", first.stop.name, first.off, EXACT, "m, rad", first.off <= EXACT,
+            time=_t(rows, 0), source=first.stop.place, words="begins beside the pose by",
+        )  # fmt: skip
+    if complete:
+        after = len(rows.t) - 1 - last.left
+        yield finding("rows behind the end", last.stop.name, after, 0, "rows", after == 0, words="is followed by")
+        if exact:
+            yield finding(
+                "last pose", last.stop.name, last.off, EXACT, "m, rad", last.off <= EXACT,
+                time=_t(rows, len(rows.t) - 1), source=last.stop.place, words="ends beside by",
+            )  # fmt: skip
+
+
+def _dwells(order: Order, found: list[Visit], rows: Poses, retimed: bool) -> Iterator[Finding]:
+    for visit in found:
+        if not visit.reached:
+            continue
+        told, source = visit.dwell * order.h, visit.stop.place
+        stood = _t(rows, visit.left) - _t(rows, visit.arrived)
+        gap = 0.0 if rows.gridded else 2 * float(rows.gaps.max())
+        if told:
+            yield finding(
+                "dwell", visit.stop.name, stood, told, "s", stood >= told - gap - order.h / 2,
+                time=_t(rows, visit.arrived), source=source, bound="at least", words="stands for",
+            )  # fmt: skip
+        if not retimed:
+            most = told + (SLACK + 0.5) * order.h + gap
+            yield finding(
+                "standing", visit.stop.name, stood, most, "s", stood <= most,
+                time=_t(rows, visit.arrived), source=source, words="stands longer than its dwell:",
+            )  # fmt: skip
+
+
+def _on_leg(leg: StraightPiece, rows: Poses, part: slice) -> Iterator[Finding]:
+    """How far rows lie off the way between two poses, and back along it. Rows at its ends that are not on it, because
+    no row stands at the pose itself, belong to the neighbours as much."""
+    if np.any(rows.open):
+        part = slice(part.start + 1, part.stop - 1)
+    p, q, t = rows.p[part], rows.q[part], rows.t[part]
+    if not len(t):
+        return
+    s = leg.share(p, q)
+    p_wanted, q_wanted = leg.at(s)
+    source = leg.place
+    offs = (
+        ("path", np.linalg.norm(p - p_wanted, axis=1), rows.off_p[part], "m", "is off the straight way by"),
+        ("orientation", turns.angle_between(q, q_wanted), rows.off_q[part], "rad", "is turned off the way by"),
+    )
+    for check, off, doubt, unit, words in offs:
+        row = int(np.argmax(off - doubt))
+        limit = PATH + float(doubt[row])
+        yield finding(
+            check, leg.name, off[row], limit, unit, off[row] <= limit, time=float(t[row]), source=source, words=words
+        )
+    farthest = np.maximum.accumulate(np.r_[0.0, s[:-1]])
+    back = (farthest - s) * max(leg.L_p, leg.L_q)
+    row = int(np.argmax(back))
+    limit = BACKWARD + 2 * float((rows.off_p + rows.off_q)[part].max())
+    unit = "m" if leg.L_p >= leg.L_q else "rad"
+    yield finding(
+        "backward", leg.name, max(0.0, back[row]), limit, unit, back[row] <= limit,
+        time=float(t[row]), source=source, words="goes back by",
+    )  # fmt: skip
+
+
+def _caps(
+    order: Order,
+    name: str,
+    way: list[StraightPiece],
+    on: Followed | None,
+    rows: Poses,
+    part: slice,
+    ramps: bool,
+    exact: bool,
+) -> Iterator[Finding]:
+    """Steps against v_max h and omega_max h; with ramps what the steps change by, and what that changes by, too.
+
+    on: which legs of way each row is on, None where there is one and the rows rest at both of its ends.
+    """
+    rests = on is None and not np.any(rows.open)  # else no row stands at the pose, and those beside it are of two ways
+    if on is None and not rests:
+        part = slice(part.start + 1, part.stop - 1)
+    t = rows.t[part]
+    if len(t) < 4:
+        return
+    gaps = np.diff(t)[:, None]
+    rough_p = float(rows.off_p[part].max())
+    rough_q = float(rows.off_q[part].max()) + way[0].rounding(rows.q[part])
+    parts = (
+        (any(leg.L_p for leg in way), np.diff(rows.p[part], axis=0), rough_p, ("v_max", "a_max", "jerk"), "m"),
+        (
+            any(leg.L_q for leg in way),
+            way[0].steps(rows.q[part]),
+            rough_q,
+            ("omega_max", "epsilon_max", "angular_jerk"),
+            "rad",
+        ),
+    )
+    for moves, steps, rough, names, unit in parts:
+        if not moves:
+            continue
+        rates: list[tuple[Array, float, float]] = [(steps / gaps, 2 * rough / float(gaps.min()), CAP)]
+        if ramps:
+            rates.append((_accelerations(steps, gaps, rests), 4 * rough / float(gaps.min()) ** 2, RAMP))
+        if ramps and order.profile == "s-curve" and rows.gridded:
+            rates.append((_jerks(steps, order.h, rests), 8 * rough / order.h**3, RAMP))
+        for power, ((values, doubt, relative), key) in enumerate(zip(rates, names, strict=False)):
+            if key not in way[0].caps:
+                continue
+            size = np.linalg.norm(values, axis=1)
+            caps = _caps_there(way, on, key, len(size))
+            relative = max(relative, RAMP if on is not None else 0.0, 0.0 if exact else ARM_CAP)
+            row = int(np.argmax((size - doubt) / np.maximum(caps, 1e-300)))
+            passed = size[row] <= caps[row] * (1 + relative) + doubt
+            yield finding(
+                key, name, size[row], caps[row], f"{unit}/s{('', '2', '3')[power]}", passed,
+                time=float(t[min(row, len(t) - 1)]), source=way[0].place,
+            )  # fmt: skip
+
+
+def _caps_there(way: list[StraightPiece], on: Followed | None, key: str, count: int) -> Array:
+    """The caps (count,) of differences of rows: the greatest of the legs that any of their rows may be on."""
+    caps = np.array([leg.caps[key] for leg in way])
+    if on is None or np.ptp(caps) == 0:
+        return np.full(count, caps[0])
+    there = caps[on.leg]
+    for further in range(1, int(np.max(on.ahead - on.leg)) + 1):
+        there = np.maximum(there, caps[np.minimum(on.leg + further, on.ahead)])
+    out = there[:count]
+    for shift in range(1, len(there) - count + 1):
+        out = np.maximum(out, there[shift : shift + count])
+    return np.asarray(out)
+
+
+def _accelerations(steps: Array, gaps: Array, rests: bool) -> Array:
+    """Second divided differences; of a way from rest to rest also at its ends: who is at a step's end after a gap has
+    needed twice the step over the gap's square at least."""
+    inner = 2 * np.diff(steps / gaps, axis=0) / (gaps[1:] + gaps[:-1])
+    if not rests:
+        return np.asarray(inner)
+    return np.concatenate([2 * steps[:1] / gaps[:1] ** 2, inner, 2 * steps[-1:] / gaps[-1:] ** 2])
+
+
+def _jerks(steps: Array, h: float, rests: bool) -> Array:
+    """Third differences over the cube of the period; rests: of a way that stands still before and behind it."""
+    rest = np.zeros((2 if rests else 0, steps.shape[1]))
+    return np.asarray(np.diff(np.concatenate([rest, steps, rest]), n=2, axis=0) / h**3)
+
+
+def _t(rows: Poses, row: int) -> float:
+    return float(rows.t[row])

@@ -1,0 +1,268 @@
+"""verify_folder(), verify_joints(): results of `trajopt iiwa`, or anybody's joints of an arm, against their task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.findings import Finding, Report
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.judge import quaternions as turns
+from trajopt_cli.iiwa.judge.joints import ArmAngleRange, check_between, check_follows, check_limits, check_posture
+from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, read_table, unit
+from trajopt_cli.iiwa.judge.sequence import check_sequence
+from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
+from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
+from trajopt_cli.joint_csv import Resolution, check_reach, read_csv_text
+from trajopt_cli.judge.findings import finding
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.folder import TASK, ResultsFolder, read_bytes, read_run
+from trajopt_cli.runs.record import RunRecord
+from trajopt_cli.trajectory import Trajectory
+
+_FED = ("equilibrium.csv", "equilibrium_quaternion.csv")
+_LED = ("plan.csv", "plan_quaternion.csv")
+"""Where the arm should be, in folders whose equilibrium leads it there."""
+JOINTS_FILE, SIMULATION_FILE = "joints.csv", "simulation.csv"
+_PLACE = ("x [m]", "y [m]", "z [m]")
+_ANGLES = ("alpha [rad]", "beta [rad]", "gamma [rad]")
+_QUATERNION = ("qw [1]", "qx [1]", "qy [1]", "qz [1]")
+_LOCKED = 0.05  # cos beta under which three angles may swing from row to row
+
+
+class _Record(RunRecord[dict[str, Any]]):
+    """run.json of trajopt iiwa, as far as every folder has it."""
+
+    KIND: ClassVar[str] = TASK
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The judge's word by file, and what was not checked, one line each."""
+
+    reports: dict[str, Report]
+    unchecked: tuple[str, ...]
+
+
+@of_kind(ErrorKind.RESULTS)
+def verify_folder(folder: Path) -> Judged:
+    """Judge the sequence of a folder of `trajopt iiwa` against the task in it, its joints against the sequence, and
+    what a simulation was fed. Raises InputError for a folder that is none, or cannot be read.
+    """
+    run = read_run(folder, _Record, (SUMMARY, *_FED), judged=(*_FED, *_LED, JOINTS_FILE, SIMULATION_FILE))
+    if run.record.inputs.task is None:
+        raise InputError("inputs.task: is missing; make the folder again", file=str(folder / "run.json"))
+    sections, program = run.sections(), run.record.inputs.program
+    said = _section(sections, "sequence", folder)
+    fed, way = _quaternion_file(run, _FED[1]), _FED
+    path = fed
+    if _LED[0] in run.contents:
+        path, way = _quaternion_file(run, _LED[1]), _LED
+    first = FramePose(path.p[0], path.q[0])
+    place = None if program is None else str(folder / program)
+    order = read_order(str(folder / run.record.inputs.task), place, lambda *_: first)
+    fed, path = (replace(one, period=order.h) for one in (fed, path))
+    unchecked = list(order.unchecked)
+    zero = None if order.start is None else order.start.q
+    if said.get("angles") == "absolute":
+        zero = np.array([1.0, 0.0, 0.0, 0.0])
+    if zero is None:
+        unchecked.append(f"{folder / _FED[0]}: its angles, because they count from the program's tool")
+    reports = {}
+    if way is _LED:
+        unchecked.append(f"{folder / _FED[0]}: its way and speeds, because it leads the arm along {_LED[0]}")
+        reports = {
+            _FED[0]: _report(_angle_file(run, _FED[0], fed, zero)),
+            _FED[1]: _report(_rows(fed, said.get("rows"), order)),
+        }
+    reports[way[0]] = _report(_angle_file(run, way[0], path, zero))
+    of_path = check_sequence(order, path, retimed="dosing" in sections)
+    reports[way[1]] = _report([*_rows(path, said.get("rows"), order), *of_path])
+    if JOINTS_FILE in run.contents:
+        if order.X_FT is None:
+            unchecked.append(f"{folder / JOINTS_FILE}: the tool's poses, because the tool is the program's")
+        reports[JOINTS_FILE] = _report(_joint_file(run, order, fed, sections))
+    if SIMULATION_FILE in run.contents:
+        found, lines = _simulation_file(run, order, fed, path)
+        reports[SIMULATION_FILE] = _report(found)
+        unchecked += lines
+    return Judged(reports, tuple(unchecked))
+
+
+@of_kind(ErrorKind.RESULTS)
+def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Judged:
+    """Judge a file of joints that anybody wrote: the limits of its arm, a robot's by name or the task's; with a task
+    also way, caps, dwells and posture. Raises InputError for a file that cannot be read or is another robot's.
+    """
+    rows, resolution = read_csv_text(read_bytes(path).decode("utf-8", "replace"), str(path))
+    if task is None:
+        arm = read_arm(robot or "iiwa7", "default")
+        _check_names(rows, arm, path, resolution)
+        return Judged({path.name: _report(check_limits(arm, rows, resolution))}, ("no task is given: the tool's way",))
+
+    def first(X_FT: FramePose, arm: JudgedArm) -> FramePose:
+        _check_names(rows, arm, path, resolution)
+        return X_FT.inside(arm_frame(arm.mechanism, rows.q[0]))
+
+    order = read_order(str(task), first=first)
+    _check_names(rows, order.arm, path, resolution)
+    found, unchecked = [*check_limits(order.arm, rows, resolution)], list(order.unchecked)
+    if order.X_FT is None:
+        unchecked.append(f"{path}: the tool's way, because the tool is the program's")
+    else:
+        tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
+        found += check_sequence(order, tool, exact=False)
+        found += check_posture(order, rows, None, _begins_at_start(order, tool))
+    return Judged({path.name: _report(found)}, tuple(unchecked))
+
+
+def _check_names(rows: Trajectory, arm: JudgedArm, path: Path, resolution: Resolution) -> None:
+    if rows.names != arm.mechanism.names:
+        wanted = ", ".join(arm.mechanism.names)
+        raise InputError(f"the file's axes are {', '.join(rows.names)}; the robot's are {wanted}", file=str(path))
+    any_speed = np.full_like(arm.velocity, np.inf)  # a jump within a row is for the judge to tell
+    check_reach(rows, arm.lower, arm.upper, any_speed, str(path), resolution.lines)
+
+
+def _quaternion_file(run: ResultsFolder[_Record], name: str) -> Poses:
+    """The poses of a file; on no grid yet."""
+    table = _table(run, name, (*_PLACE, *_QUATERNION))
+    t = table["t [s]"]
+    q = unit(columns(table, _QUATERNION), str(run.folder / name))
+    rounding = np.full(len(t), ROUNDING)
+    return Poses(t, columns(table, _PLACE), q, rounding, rounding, float("nan"))
+
+
+def _report(findings: list[Finding] | Iterator[Finding]) -> Report:
+    return Report(tuple(findings))
+
+
+def _section(sections: dict[str, Any], name: str, folder: Path) -> dict[str, Any]:
+    found = sections.get(name)
+    if not isinstance(found, dict):
+        raise InputError(f"has no section '{name}'; make the folder again", file=str(folder / SUMMARY))
+    return found
+
+
+def _table(run: ResultsFolder[_Record], name: str, heads: tuple[str, ...]) -> dict[str, Array]:
+    return read_table(run.text(name), str(run.folder / name), ("t [s]", *heads))
+
+
+def _rows(rows: Poses, told: Any, order: Order) -> Iterator[Finding]:
+    """A row every period from 0 on, as many as summary.json says."""
+    off = np.abs(rows.t - np.arange(len(rows.t)) * order.h)
+    row = int(np.argmax(off))
+    yield finding(
+        "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
+        words="is off its place in time by",
+    )  # fmt: skip
+    same = len(rows.t) == told
+    count = float(told) if isinstance(told, int) else float("nan")
+    yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
+
+
+def _angle_file(run: ResultsFolder[_Record], name: str, wanted: Poses, zero: Array | None) -> Iterator[Finding]:
+    """The file with angles against the one with quaternions: the same rows; and angles without jumps."""
+    table = _table(run, name, (*_PLACE, *_ANGLES))
+    t, p, angles = table["t [s]"], columns(table, _PLACE), columns(table, _ANGLES)
+    same = len(t) == len(wanted.t)
+    yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
+    if not same:
+        return
+    offs = [("period", np.abs(t - wanted.t), PERIOD, "s"), ("position", np.abs(p - wanted.p).max(axis=1), EXACT, "m")]
+    if zero is not None:
+        q = turns.product(turns.from_angles(angles), np.broadcast_to(zero, wanted.q.shape))
+        offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT, "rad"))
+    for check, off, limit, kind in offs:
+        row = int(np.argmax(off))
+        yield finding(
+            check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]),
+            words=f"has another {check} than in quaternions, by",
+        )  # fmt: skip
+    # a quarter turn is no step of any sequence; near the lock two angles swing for one small turn
+    free = np.minimum(np.abs(np.cos(angles[:-1, 1])), np.abs(np.cos(angles[1:, 1]))) > _LOCKED
+    jump = np.where(free, np.abs(np.diff(angles, axis=0)).max(axis=1), 0.0)
+    row = int(np.argmax(jump))
+    most = np.pi / 2
+    yield finding(
+        "angle jump", f"row {row + 1}", jump[row], most, "rad", jump[row] <= most, time=float(t[row + 1]),
+        words="jumps from the row before by",
+    )  # fmt: skip
+
+
+def _joint_file(
+    run: ResultsFolder[_Record], order: Order, wanted: Poses, sections: dict[str, Any]
+) -> Iterator[Finding]:
+    rows, resolution = read_csv_text(run.text(JOINTS_FILE), str(run.folder / JOINTS_FILE))
+    _check_names(rows, order.arm, run.folder / JOINTS_FILE, resolution)
+    same = len(rows.t) == len(wanted.t)
+    yield finding("rows", "joints", len(rows.t), len(wanted.t), "rows", same, bound="the sequence has", words="have")
+    yield from check_limits(order.arm, rows, resolution)
+    begins = False
+    if same:
+        off = np.abs(rows.t - wanted.t)
+        row = int(np.argmax(off))
+        yield finding(
+            "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
+            words="is off the sequence in time by",
+        )  # fmt: skip
+    if order.X_FT is not None:
+        tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
+        begins = _begins_at_start(order, tool)
+        if same:
+            yield from check_follows(tool, wanted)
+        middle = Trajectory(rows.names, (rows.t[:-1] + rows.t[1:]) / 2, (rows.q[:-1] + rows.q[1:]) / 2)
+        yield from check_between(poses_of_joints(order.arm, order.X_FT, middle, None, order.h), tool)
+    said = _section(sections, "joints", run.folder).get("arm_angle", {})
+    told = ArmAngleRange(float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
+    yield from check_posture(order, rows, told, begins)
+
+
+def _begins_at_start(order: Order, tool: Poses) -> bool:
+    """Whether the first row's pose is the tool's at the start's joints."""
+    if order.start is None or order.driven:
+        return False
+    turned = float(turns.angle_between(tool.q[0], order.start.q))
+    return bool(np.linalg.norm(tool.p[0] - order.start.p) <= START and turned <= START)
+
+
+def _simulation_file(
+    run: ResultsFolder[_Record], order: Order, wanted: Poses, path: Poses
+) -> tuple[list[Finding], list[str]]:
+    """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say,
+    from what it was fed, or from the path that this leads it along."""
+    equilibrium = [f"{head.split(' ')[0]}_e [{head.split('[')[1]}" for head in (*_PLACE, *_ANGLES)]
+    heads = (*equilibrium, *_PLACE, "deviation [m]")
+    table = _table(run, SIMULATION_FILE, heads)
+    t, p_e = table["t [s]"], columns(table, tuple(equilibrium[:3]))
+    file, found = str(run.folder / SIMULATION_FILE), list[Finding]()
+    unchecked = [f"{file}: what the controller does; only what it was fed, and its deviation"]
+    off = np.abs(t - np.arange(len(t)) * order.h)
+    offs = [("period", off, PERIOD, "s", "is off its place in time by")]
+    if order.reframed:
+        unchecked.append(f"{file}: what was fed, because the task changes frames on the way")
+    else:
+        k = np.minimum(np.arange(len(t)), len(wanted.t) - 1)
+        off = np.linalg.norm(p_e - wanted.p[k], axis=1)
+        offs.append(("position fed", off, SIMULATED, "m", "was fed another position, by"))
+        if order.start is not None:
+            angles = columns(table, tuple(equilibrium[3:]))
+            q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (len(t), 4)))
+            offs.append(
+                ("orientation fed", turns.angle_between(q, wanted.q[k]), SIMULATED, "rad", "was fed another turn, by")
+            )
+    led = _LED[0] in run.contents and not order.reframed
+    from_p = path.p[np.minimum(np.arange(len(t)), len(path.t) - 1)] if led else p_e
+    deviation = np.linalg.norm(columns(table, _PLACE) - from_p, axis=1)
+    offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
+    for check, off, limit, kind, words in offs:
+        row = int(np.argmax(off))
+        found.append(
+            finding(check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]), words=words)
+        )
+    return found, unchecked

@@ -1,0 +1,129 @@
+"""The way from where the controller is switched on to a path's first pose: a line, a joint move before, or a jump."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
+from trajopt_cli.iiwa.task.angles import angles_of, rotation
+from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints, SegmentSpeeds, Waypoint
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, configuration, inverse_branch
+from trajopt_cli.units import MM
+
+_SAME = 1e-6  # m, rad: nearer counts as the same pose
+
+
+@dataclass(frozen=True, eq=False)
+class Approached:
+    """A path with the way to it: joints (7,) [rad] where the controller is switched on, waypoints, caps, notes."""
+
+    start_joints: Array
+    waypoints: Sequence[Waypoint]
+    speeds: tuple[SegmentSpeeds, ...]
+    notes: tuple[str, ...] = ()
+
+
+def by_line(
+    start_joints: Array,
+    X_start: Array,
+    waypoints: Sequence[Waypoint],
+    speeds: tuple[SegmentSpeeds, ...],
+    meaning: AngleMeaning,
+    place: str,
+) -> Approached:
+    """A leg from the tool at the start X_start (4, 4) to the first pose at the first segment's caps, where they differ.
+
+    place: of the start, for messages.
+    """
+    told = _apart(X_start, waypoints[0], meaning)
+    if told is None:
+        return Approached(start_joints, waypoints, speeds)
+    angles = np.zeros(3) if meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
+    begin = Waypoint("start", np.concatenate([X_start[:3, 3], angles]), place)
+    note = (
+        f"approach: a line from the tool at the start joints to pose {waypoints[0].name}, {told}, goes before the path"
+    )
+    return Approached(start_joints, _after(begin, waypoints), (speeds[0], *speeds), (note,))
+
+
+def by_joints(
+    robot: SrsRobot,
+    start_joints: Array,
+    X_FT: Array,
+    waypoints: Sequence[Waypoint],
+    speeds: tuple[SegmentSpeeds, ...],
+    meaning: AngleMeaning,
+    definition: ArmAngle,
+    angle: float | None,
+) -> Approached:
+    """The arm stands at the first pose when the controller is switched on: in the start's configuration and, if angle
+    [rad] is None, at its arm angle. Relative angles are written anew, so that orientations stay.
+
+    Raises InputError for a first pose that is out of reach so.
+    """
+    first = waypoints[0]
+    X_start = robot.forward(start_joints) @ X_FT
+    told = _apart(X_start, first, meaning)
+    if told is None:
+        return Approached(start_joints, waypoints, speeds)
+    R_start = X_start[:3, :3]
+    X_WT = _pose_of(first, R_start, meaning)
+    psi = float(arm_angle(robot, start_joints, definition)) if angle is None else angle
+    branch = int(configuration(start_joints))
+    q = inverse_branch(robot, (X_WT @ inverse_pose(X_FT))[None], psi, definition, branch)[0]
+    if not np.isfinite(q).all():
+        degrees = round(np.degrees(psi), 2) + 0.0  # which takes the sign off a zero
+        message = f"approach: pose {first.name} is out of the arm's reach at an arm angle of {degrees:g}°"
+        raise InputError(f"{message}; move it, or the base", file=first.place)
+    if meaning is AngleMeaning.RELATIVE:
+        waypoints = _turned(waypoints, R_start @ X_WT[:3, :3].T)
+    joints = ", ".join(f"{value:.2f}" for value in np.degrees(q))
+    notes = (
+        f"approach: a joint move to pose {first.name}, {told} from the tool at the start joints, comes before the"
+        f" controller is switched on, at [{joints}]°",
+    )
+    return Approached(q, waypoints, speeds, notes)
+
+
+def _pose_of(waypoint: Waypoint, R_start: Array, meaning: AngleMeaning) -> Array:
+    R = rotation(waypoint.pose[3:])
+    return pose(R @ R_start if meaning is AngleMeaning.RELATIVE else R, waypoint.pose[:3])
+
+
+def _apart(X_start: Array, first: Waypoint, meaning: AngleMeaning) -> str | None:
+    """How far the first pose is from the tool at the start, in words; None where it is there."""
+    X = _pose_of(first, X_start[:3, :3], meaning)
+    away = float(np.linalg.norm(X[:3, 3] - X_start[:3, 3]))
+    turned = axis_angle(X_start[:3, :3].T @ X[:3, :3])[1]
+    return None if away < _SAME and turned < _SAME else f"{away / MM:.4g} mm and {np.degrees(turned):.4g}°"
+
+
+def _after(begin: Waypoint, waypoints: Sequence[Waypoint]) -> Sequence[Waypoint]:
+    """The waypoints behind another one; the first of them is a stop then."""
+    if not isinstance(waypoints, PathPoints):
+        return (begin, replace(waypoints[0], rests=True), *waypoints[1:])
+    return replace(
+        waypoints,
+        poses=np.vstack([begin.pose, waypoints.poses]),
+        rows=np.insert(waypoints.rows, 0, waypoints.rows[0]),
+        number=waypoints.number - 1,
+        names={0: begin.name, **{i + 1: name for i, name in waypoints.names.items()}},
+        dwells={i + 1: dwell for i, dwell in waypoints.dwells.items()},
+        stops=frozenset({1, *(i + 1 for i in waypoints.stops)}),
+    )
+
+
+def _turned(waypoints: Sequence[Waypoint], R: Array) -> Sequence[Waypoint]:
+    """The waypoints with their angles' matrices times R; those of the first are 0 then."""
+    if isinstance(waypoints, PathPoints):
+        poses = np.hstack([waypoints.poses[:, :3], angles_of(rotation(waypoints.poses[:, 3:]) @ R)])
+        poses[0, 3:] = 0.0
+        return replace(waypoints, poses=poses)
+    turned = [np.concatenate([one.pose[:3], angles_of(rotation(one.pose[3:]) @ R)]) for one in waypoints]
+    turned[0][3:] = 0.0
+    return tuple(replace(one, pose=pose) for one, pose in zip(waypoints, turned, strict=True))

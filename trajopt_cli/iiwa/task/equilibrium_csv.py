@@ -1,0 +1,142 @@
+"""Equilibrium sequences as CSV: one pose per period, the unit in every column's head, 17 digits. Text in, nouns out.
+
+Times are printed in 15 digits where that reads back to 1e-15 of the time (0.003, not 0.0030000000000000001), else 17.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.decimals import read_back, rows_of, texts
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium
+
+ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
+QUATERNION_HEAD = "t [s],x [m],y [m],z [m],qw [1],qx [1],qy [1],qz [1]"
+
+_TIME_DIGITS = 15
+_UNEVEN = 1e-6  # of a period by which a row's time may be off: rounding to 9 decimals at 1 ms
+_UNIT = 1e-6  # by which a quaternion's norm may differ from 1
+
+
+def write_angles_csv(equilibrium: Equilibrium) -> str:
+    """The file's text: time, position and angles of every row."""
+    return _write(ANGLES_HEAD, equilibrium.t, equilibrium.pose)
+
+
+def write_quaternion_csv(t: Array, p: Array, R: Array) -> str:
+    """The file's text: times t (n,) [s], positions p (n, 3) [m], orientations R (n, 3, 3) as quaternions.
+
+    The first quaternion has qw >= 0; no quaternion changes its sign from one row to the next.
+    """
+    q = wxyz_from_rotation(R)
+    flips = np.sum(q[1:] * q[:-1], axis=1) < 0
+    signs = np.r_[1.0, 1.0 - 2.0 * (np.cumsum(flips) % 2)]
+    return _write(QUATERNION_HEAD, t, np.column_stack([p, q * signs[:, None]]))
+
+
+@of_kind(ErrorKind.RESULTS)
+def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
+    """Period h [s] and poses (n, 6) [m, rad] of a text as write_angles_csv gives it. file is for messages.
+
+    Raises InputError with file, line and column for another header, a row of another length, anything that is not a
+    finite number, fewer than two rows, times that do not begin at 0 or do not grow by one constant period.
+    """
+    table = _read(text, file, ANGLES_HEAD)
+    if table[0, 0] != 0:
+        raise InputError(
+            f"the first time is {table[0, 0]:.17g} s; a sequence begins at 0 s", file=file, line=2, column=1
+        )
+    return float(table[1, 0]), table[:, 1:]
+
+
+@of_kind(ErrorKind.RESULTS)
+def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
+    """Times (n,) [s], positions (n, 3) [m] and orientations (n, 3, 3) of a text as write_quaternion_csv gives it.
+
+    Raises InputError as read_angles_csv does (times may begin anywhere), and for a quaternion that is not of norm 1.
+    """
+    table = _read(text, file, QUATERNION_HEAD)
+    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
+        norms = np.linalg.norm(table[:, 4:], axis=1)
+    wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
+    if wrong.size:
+        row = int(wrong[0])
+        raise InputError(
+            f"the quaternion's norm is {norms[row]:.9g}; it must be 1 within 1e-6", file=file, line=row + 2
+        )
+    return table[:, 0], table[:, 1:4], rotation_from_wxyz(table[:, 4:])
+
+
+def _write(head: str, t: Array, values: Array) -> str:
+    times = texts(t, _TIME_DIGITS)
+    off = np.flatnonzero(np.abs(read_back(t, _TIME_DIGITS) - t) > 1e-15 * np.abs(t))
+    times[off] = texts(t[off])
+    return f"{head}\n" + b"".join(rows_of([values], times)).decode()
+
+
+def _read(text: str, file: str, head: str) -> Array:
+    lines = text.split("\n")
+    while lines and not lines[-1].strip():
+        lines.pop()
+    if not lines:
+        raise InputError(f"the file is empty; its first line must be the header {head}", file=file)
+    _check_head(lines[0].rstrip("\r"), head, file)
+    width = head.count(",") + 1
+    for number, line in enumerate(lines[1:], start=2):
+        if line.count(",") != width - 1:
+            raise InputError(f"{line.count(',') + 1} values, the header has {width} columns", file=file, line=number)
+    if len(lines) < 3:
+        raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
+    table = _numbers(lines, file).reshape(-1, width)
+    _check_times(table[:, 0], file)
+    return table
+
+
+def _check_head(line: str, head: str, file: str) -> None:
+    column = 1
+    names, wanted = line.split(","), head.split(",")
+    for name, wish in zip(names, wanted, strict=False):
+        if name != wish:
+            raise InputError(f"the column is '{name}', wanted '{wish}' of {head}", file=file, line=1, column=column)
+        column += len(name) + 1
+    if len(names) != len(wanted):
+        raise InputError(f"the header has {len(names)} columns, wanted {len(wanted)}: {head}", file=file, line=1)
+
+
+def _numbers(lines: list[str], file: str) -> Array:
+    """All fields under the header, row by row; raises InputError at the first that is not a finite number."""
+    try:
+        values = np.loadtxt(lines[1:], delimiter=",", comments=None, ndmin=2).ravel()
+    except ValueError:
+        values = np.array([np.nan])
+    if np.isfinite(values).all():
+        return values
+    for number, line in enumerate(lines[1:], start=2):
+        column = 1
+        for field in line.rstrip("\r").split(","):
+            if not _finite(field):
+                raise InputError(f"'{field}' is not a finite number", file=file, line=number, column=column)
+            column += len(field) + 1
+    raise InputError("the table holds a number that cannot be read", file=file)
+
+
+def _finite(field: str) -> bool:
+    try:
+        return bool(np.isfinite(float(field)))
+    except ValueError:
+        return False
+
+
+def _check_times(t: Array, file: str) -> None:
+    h = t[1] - t[0]
+    if h <= 0:
+        raise InputError(f"time {t[1]:.17g} s follows {t[0]:.17g} s; times must increase", file=file, line=3, column=1)
+    wrong = np.flatnonzero(np.abs(np.diff(t) - h) > _UNEVEN * h)
+    if wrong.size:
+        row = int(wrong[0]) + 1
+        message = (
+            f"time {t[row]:.17g} s follows {t[row - 1]:.17g} s; the period is {h:.9g} s from the first two rows on"
+        )
+        raise InputError(message, file=file, line=row + 2, column=1)

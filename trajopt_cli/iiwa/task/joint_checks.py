@@ -1,0 +1,151 @@
+"""Joints of a sequence against position, speed and acceleration limits, every row, and what else is worth knowing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from math import degrees, pi, radians
+
+import numpy as np
+
+from trajopt_cli.findings import Finding
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium
+from trajopt_cli.iiwa.task.joint_rows import RELATIVE, ROUNDING, accelerations, position_excess, speeds
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.robot.srs_inverse import Singularity, singularities
+
+ELBOW = 3
+"""Index of joint_4: it follows from the pose alone, whatever the arm angle."""
+SINGULAR_WITHIN = radians(1.0)
+"""rad from a singularity (m where the wrist centre nears axis 1) within which it is worth a note."""
+CLOSE_POSITION = radians(2.0)
+"""rad from a position limit within which a joint that keeps it is worth a note."""
+CLOSE_SPEED = 0.95
+"""Share of a speed limit above which a joint that keeps it is worth a note."""
+
+POSITION, SPEED, ACCELERATION = "position", "speed", "acceleration"
+_UNITS = {POSITION: "°", SPEED: "°/s", ACCELERATION: "°/s²"}
+
+Place = Callable[[int], str]
+"""Where a row stands on the way, for people."""
+
+
+def place_of(equilibrium: Equilibrium, row: int) -> str:
+    """Where a row stands on the way: `b -> c, 45 % of the way`, or `standing at b`."""
+    piece = next(piece for piece in equilibrium.pieces if piece.first <= row <= piece.last)
+    if piece.dwell:
+        return f"standing at {piece.origin}"
+    pose = equilibrium.pose
+    whole = pose[piece.last] - pose[piece.first]
+    axis = int(np.argmax(np.abs(whole)))
+    share = 0.0 if whole[axis] == 0 else float((pose[row] - pose[piece.first])[axis] / whole[axis])
+    return f"{piece.origin} -> {piece.goal}, {100 * max(0.0, share):.0f} % of the way"
+
+
+def check_joints(
+    q: Array, h: float, limits: JointLimits, place: Place, free: bool, stops: bool = True
+) -> tuple[Finding, ...]:
+    """The worst case of position, then speed, then acceleration of every joint of q (n, k), rows h [s] apart.
+
+    Value and limit in rad, rad/s, rad/s2, messages in degrees with what to do next. A speed's time is that of the row
+    its step begins at; the motion begins at rest and, if stops, ends so. free: whether the arm angle was allowed to
+    move.
+    """
+    speed, acceleration = speeds(q, h), accelerations(q, h, stops)
+    found = [_position(q[:, j], j, h, limits, place, free) for j in range(len(limits.names))]
+    for check, values, tops, noise in (
+        (SPEED, speed, limits.velocity, 2 * ROUNDING / h),
+        (ACCELERATION, acceleration, limits.acceleration, 4 * ROUNDING / (h * h)),
+    ):
+        for j in range(len(limits.names)):
+            row = int(np.argmax(values[:, j]))
+            value, top = float(values[row, j]), float(tops[j])
+            passed = value <= top * (1 + RELATIVE) + noise
+            found.append(_finding(check, limits.names[j], value, top, passed, row, h, place, _remedy(check, j, free)))
+    return tuple(found)
+
+
+def _position(q: Array, j: int, h: float, limits: JointLimits, place: Place, free: bool) -> Finding:
+    low, high = float(limits.lower[j]), float(limits.upper[j])
+    excess = np.maximum(q - high, low - q)
+    row = int(np.argmax(excess))
+    value = float(q[row])
+    passed = bool(excess[row] <= RELATIVE * (high - low))
+    remedy = _remedy(POSITION, j, free)
+    turned = value - 2 * pi * np.sign(value)
+    if low <= turned <= high:
+        remedy = f"{degrees(turned):.6g}° would be inside, but is a whole turn away; {remedy}"
+    limit = high if value - high >= low - value else low
+    return _finding(POSITION, limits.names[j], value, limit, passed, row, h, place, remedy)
+
+
+def _remedy(check: str, j: int, free: bool) -> str:
+    slower = "lower v_max or omega_max there"
+    if check == ACCELERATION:
+        return "profile trapezoid or s-curve ramps what profile thesis steps; if it does already, lower a_max"
+    if j == ELBOW:
+        other = "move the path away from the base or towards it" if check == POSITION else slower
+        return f"the pose alone decides this joint, no arm angle helps: {other}"
+    if free:
+        return "begin with other joints, or move the path" if check == POSITION else slower
+    other = "begin with other joints" if check == POSITION else slower
+    return f"let the arm angle move (--arm-angle free) or {other}"
+
+
+def _finding(
+    check: str, name: str, value: float, limit: float, passed: bool, row: int, h: float, place: Place, remedy: str
+) -> Finding:
+    unit = {POSITION: "rad", SPEED: "rad/s", ACCELERATION: "rad/s2"}[check]
+    found = Finding(check, name, value, limit, unit, passed, row * h, None)
+    return found if passed else replace(found, message=f"{broken_limit(found, place(row))}; {remedy}")
+
+
+def broken_limit(finding: Finding, place: str) -> str:
+    """What a joint exceeds, by how much, when and where, without what to do about it."""
+    unit = _UNITS[finding.check]
+    printed, limit = apart(degrees(finding.value), degrees(finding.limit))
+    at = f"t = {finding.time:.3f} s ({place})"
+    return f"{finding.subject} {finding.check} {printed}{unit} at {at}, limit {limit}{unit}"
+
+
+def apart(value: float, limit: float) -> tuple[str, str]:
+    """Both numbers with so many digits that they differ in print when they differ."""
+    for n in range(6, 17):
+        texts = f"{value:.{n}g}", f"{limit:.{n}g}"
+        if texts[0] != texts[1]:
+            return texts
+    return texts
+
+
+def stops_loop(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """The findings that the controller's loop stops at: a position or a speed past its limit."""
+    return tuple(finding for finding in findings if not finding.passed and finding.check != ACCELERATION)
+
+
+def remarks(robot: SrsRobot, q: Array, h: float, limits: JointLimits, place: Place) -> Iterator[str]:
+    """Singularities passed, each with time and distance, and joints that keep a limit, but only just."""
+    for one in singularities(robot, q, SINGULAR_WITHIN):
+        yield _singular(one, h, place)
+    excess, speed = position_excess(q, limits), speeds(q, h)
+    for j, name in enumerate(limits.names):
+        row = int(np.argmax(excess[:, j]))
+        if -CLOSE_POSITION < excess[row, j] <= RELATIVE * (limits.upper[j] - limits.lower[j]):
+            limit = limits.upper[j] if q[row, j] > 0 else limits.lower[j]
+            yield (
+                f"{name} comes within {degrees(max(-excess[row, j], 0.0)):.3g}° of its limit {degrees(limit):.6g}°"
+                f" at t = {row * h:.3f} s ({place(row)})"
+            )
+        row = int(np.argmax(speed[:, j]))
+        used = float(speed[row, j] / limits.velocity[j])
+        if CLOSE_SPEED < used <= 1 + RELATIVE:
+            yield f"{name} uses {100 * used:.1f} % of its speed limit at t = {row * h:.3f} s ({place(row)})"
+
+
+def _singular(one: Singularity, h: float, place: Place) -> str:
+    near = f"{degrees(one.value):.3g}°" if one.unit == "rad" else f"{1e3 * one.value:.3g} mm"
+    return (
+        f"singularity, {one.name}: within {near} at t = {one.index * h:.3f} s ({place(one.index)});"
+        " joints turn fast near it, and the fixed configuration cannot pass to its other side"
+    )

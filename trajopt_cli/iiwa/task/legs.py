@@ -1,0 +1,199 @@
+"""From one pose to the next: how far, which way round, under which caps; and what cannot be travelled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, floor, inf, isfinite, isnan
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.task.angles import rotation, rotation_vector
+from trajopt_cli.iiwa.task.laws import UNCAPPED, Rate
+from trajopt_cli.iiwa.task.model import BETA_LIMIT, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
+
+SAME = 1e-12
+"""Distances [m, rad] up to this are the rounding of the numbers given, and no way to go."""
+
+CAPS = (
+    (("v_max", "m/s"), ("omega_max", "rad/s")),
+    (("a_max", "m/s2"), ("epsilon_max", "rad/s2")),
+    (("jerk", "m/s3"), ("angular_jerk", "rad/s3")),
+)
+"""Caps of the translation and of the rotation with their units, by the derivative that they bound."""
+
+MOST_ROWS = 5_000_000
+"""More rows than this (83 minutes at 1 ms) are taken for a slip in a speed or in the period."""
+
+_ORDERS = {Profile.THESIS: 1, Profile.TRAPEZOID: 2, Profile.S_CURVE: 3}
+
+
+@dataclass(frozen=True, eq=False)
+class StraightSegment:
+    """One segment: from start (6,) to end (6,), position [m] and angles [rad] that count on from the legs before.
+
+    L_p [m], L_theta [rad]: the ways of both parts; both 0 where the pose is repeated. turn (3,) [rad]: the rotation
+    vector from start to end in start's frame where rotation is slerp, else None. rates: the caps of speed,
+    acceleration and jerk that hold the common share, per way; UNCAPPED where the profile does not ask.
+    """
+
+    origin: Waypoint
+    goal: Waypoint
+    start: Array
+    end: Array
+    L_p: float
+    L_theta: float
+    turn: Array | None
+    speeds: SegmentSpeeds
+    rates: tuple[Rate, Rate, Rate]
+    notes: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "start", readonly(self.start))
+        object.__setattr__(self, "end", readonly(self.end))
+
+    @property
+    def name(self) -> str:
+        """What messages call it."""
+        return f"segment {self.origin.name} -> {self.goal.name}"
+
+    @property
+    def stands(self) -> bool:
+        """Whether the pose is only repeated."""
+        return self.L_p == self.L_theta == 0
+
+
+def legs(route: Route) -> tuple[StraightSegment, ...]:
+    """The route's segments, checked.
+
+    Raises InputError for fewer than two poses, a period that is not above zero, a beta at the lock, a dwell that is no
+    time, a repeated pose without dwell, and a cap that is missing or not above zero with a distance to go.
+    """
+    if len(route.waypoints) < 2:
+        place = route.waypoints[0].place if route.waypoints else None
+        raise InputError(f"{len(route.waypoints)} pose; a path needs at least 2", file=place)
+    if not (isfinite(route.h) and route.h > 0):
+        raise InputError(f"h is {route.h:g} s; give a period above zero, for example 0.001 s")
+    for waypoint in route.waypoints:
+        _check(waypoint, route.rotation)
+    out: list[StraightSegment] = []
+    turns = np.zeros(3)
+    for origin, goal, speeds in zip(route.waypoints, route.waypoints[1:], route.speeds, strict=False):
+        start = out[-1].end if out else origin.pose
+        leg, turns = _leg(origin, goal, speeds, start, turns, route)
+        out.append(leg)
+    return tuple(out)
+
+
+def _check(waypoint: Waypoint, law: RotationLaw) -> None:
+    if not (isfinite(waypoint.dwell) and waypoint.dwell >= 0):
+        message = f"pose {waypoint.name}: the dwell is {waypoint.dwell:g} s; give a time of 0 s or more"
+        raise InputError(message, file=waypoint.place)
+    beta = float(waypoint.pose[4])
+    if law is RotationLaw.TAIT_BRYAN and abs(beta) > BETA_LIMIT + SAME:
+        message = (
+            f"pose {waypoint.name}: beta is {np.degrees(beta):.10g}°, at most {np.degrees(BETA_LIMIT):.6g}° in size: "
+            "nearer to 90° the angles lock; turn the pose, or take rotation: slerp, which has no such limit"
+        )
+        raise InputError(message, file=waypoint.place)
+
+
+def _leg(
+    origin: Waypoint, goal: Waypoint, speeds: SegmentSpeeds, start: Array, turns: Array, route: Route
+) -> tuple[StraightSegment, Array]:
+    """The segment, and the whole turns by which its end's angles differ from the pose's."""
+    notes: list[str] = []
+    name = f"segment {origin.name} -> {goal.name}"
+    L_p = _length(goal.pose[:3] - origin.pose[:3])
+    turn = None
+    if route.rotation is RotationLaw.SLERP:
+        turn = rotation_vector(rotation(origin.pose[3:]).T @ rotation(goal.pose[3:]))
+        if np.pi - np.linalg.norm(turn) < 1e-9:
+            turn = _one_of_two(turn)
+            axis = ", ".join(f"{x:.3g}" for x in rotation(origin.pose[3:]) @ turn / np.linalg.norm(turn))
+            notes.append(f"{name}: the tool turns half a revolution, about ({axis}); the other way is as short")
+        end, L_theta = goal.pose, _length(turn)
+    else:
+        plain = goal.pose[3:] - origin.pose[3:]
+        more = -np.sign(plain) * np.array([max(0, ceil((abs(d) - np.pi) / (2 * np.pi) - SAME)) for d in plain])
+        turns = turns + more
+        end = np.r_[goal.pose[:3], goal.pose[3:] + 2 * np.pi * turns]
+        L_theta = _length(end[3:] - start[3:])
+        angles = zip(("alpha", "beta", "gamma"), plain, more, start[3:], end[3:], strict=True)
+        notes += [f"{name}: {_way(*angle)}" for angle in angles if angle[2]]
+    if L_p == 0 and L_theta == 0:
+        if goal.dwell == 0:
+            message = f"pose {goal.name} repeats pose {origin.name}: give it a dwell, or remove it"
+            raise InputError(message, file=goal.place)
+        return StraightSegment(
+            origin, goal, start, end, L_p, L_theta, turn, speeds, (UNCAPPED,) * 3, tuple(notes)
+        ), turns
+    rates = _rates(name, goal.place, speeds, (L_p, L_theta), route.profile)
+    return StraightSegment(origin, goal, start, end, L_p, L_theta, turn, speeds, rates, tuple(notes)), turns
+
+
+def _length(way: Array) -> float:
+    length = float(np.linalg.norm(way))
+    return length if length > SAME else 0.0
+
+
+def _one_of_two(turn: Array) -> Array:
+    """Of the two ways of a turn by half a revolution the one whose axis' first component is positive.
+
+    The way taken still ends at the goal: where the turn is shorter than half a revolution by its rounding, the other
+    way is longer by as much.
+    """
+    angle = float(np.linalg.norm(turn))
+    axis = turn / angle
+    first = axis[int(np.argmax(np.abs(axis) > 1e-6))]
+    return turn if first > 0 else np.asarray(-axis * (2 * np.pi - angle), dtype=np.float64)
+
+
+def _way(name: str, plain: float, turns: float, start: float, end: float) -> str:
+    """Which way an angle goes where the shorter one is not the plain difference."""
+    if abs(end - start) <= SAME:
+        return f"{name} stays, {np.degrees(plain):+.6g}° is a whole turn; the sequence counts {np.degrees(end):.6g}°"
+    low, high = sorted((start, end))
+    # the first odd multiple of 180 deg at or above the lower end
+    line = (2 * ceil((low / np.pi - 1) / 2 - SAME) + 1) * np.pi
+    through = f" through {np.degrees(line):.6g}°" if low < line <= high else ""
+    shorter = plain + 2 * np.pi * turns
+    return (
+        f"{name} turns {np.degrees(shorter):+.6g}°{through}, not {np.degrees(plain):+.6g}°; "
+        f"the sequence goes on counting to {np.degrees(end):.6g}°"
+    )
+
+
+def _rates(
+    name: str, place: str, speeds: SegmentSpeeds, ways: tuple[float, float], profile: Profile
+) -> tuple[Rate, Rate, Rate]:
+    """The caps of the common share: of both parts the one that allows less, per derivative."""
+    out = [UNCAPPED] * 3
+    for order, caps in enumerate(CAPS[: _ORDERS[profile]]):
+        rates = []
+        for (cap, unit), way, of in zip(caps, ways, ("m", "rad"), strict=True):
+            value: float | None = getattr(speeds, cap)
+            if value is not None and (isnan(value) or value < 0):
+                raise InputError(f"{name}: {cap} is {value:g} {unit}; a cap is a number above zero", file=place)
+            if way == 0:
+                continue
+            if value is None:
+                message = (
+                    f"{name}: {cap} [{unit}] is missing; profile {profile.value} needs it with {way:.6g} {of} to go"
+                )
+                raise InputError(message, file=place)
+            if not 0 < value < inf:
+                message = f"{name}: {cap} is {value:g} {unit} with {way:.6g} {of} to go; give a finite cap above zero"
+                raise InputError(message, file=place)
+            rates.append(Rate(cap, value / way))
+        out[order] = min(rates, key=lambda rate: rate.value)
+    return out[0], out[1], out[2]
+
+
+def whole_periods(dwell: float, h: float) -> tuple[int, bool]:
+    """Periods of a dwell above 0 [s], at least one, and whether it had to be rounded up to them."""
+    nearest = floor(dwell / h + 0.5)
+    if nearest and abs(dwell / h - nearest) <= 1e-9 * nearest:
+        return nearest, False
+    return ceil(dwell / h), True

@@ -1,0 +1,277 @@
+"""Poses that are passed without a stop: from one stop to the next on a rounded curve, under every cap of the profile.
+
+The caps of acceleration and jerk are shared between going along the curve and being turned by it, by bounds that hold
+wherever the mean of the speed law looks; the rows' own divided differences are what is checked in the end.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
+from trajopt_cli.iiwa.task.legs import MOST_ROWS
+from trajopt_cli.iiwa.task.model import Passing
+from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded
+from trajopt_cli.timing.varying_caps import least_time, rest_to_rest
+
+CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
+ALLOWED = 1e-6
+"""Relative: divided differences of the rows may exceed a cap by this, besides what rounding of coordinates makes."""
+
+_ROUNDING = 4.5e-16  # of the largest coordinate: what one row's may be off
+_ACROSS, _TURNED = 0.8, 0.7  # shares of acceleration and of jerk that the curve itself may take at its speed
+_SLOW = 1.3  # times the least time: a way that takes longer is driven with shorter means, too
+_WORSE = 2  # of them in a row that are slower: enough
+_TIMES = 30  # that caps are lowered where rows break one,
+_LOCAL = 10  # so often of them only around there
+
+
+@dataclass(frozen=True, eq=False)
+class Caps:
+    """What holds on each of n legs: values (n, 6) in the order of CAPS; inf where the profile does not ask."""
+
+    values: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "values", readonly(self.values))
+
+
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """Rows (m, 6) every h from one stop to the next, with R (m, 3, 3) where turns are about one axis each.
+
+    tops (6,): the greatest divided differences of the rows, in the order of CAPS. away [m], turned [rad]: how far the
+    rows are from the chain, and its poses from the curve, at most. binds: the cap that is nearest for most of the time.
+    """
+
+    pose: Array
+    R: Array | None
+    tops: Array
+    away: float
+    turned: float
+    binds: str
+
+
+def passage(chain: Polyline, caps: Caps, passing: Passing, h: float, place: str) -> Passage:
+    """The way along a chain of poses, from rest to rest. place: of the chain, for messages.
+
+    Raises InputError for a tolerance that is lost in rounding, and for more than MOST_ROWS rows.
+    """
+    used = _used(chain, caps)
+    try:
+        curve = rounded(chain, _spacing(used), passing.tolerance, passing.turn_tolerance)
+    except ValueError as error:
+        raise InputError(f"passing: {error}; give a larger one", file=place) from error
+    grid = _grid(curve, h)
+    limits = _limits(curve, chain, used, grid)
+    mean = max(1, ceil(limits.lasting / h - 1e-9))
+    periods = least_time(grid, limits.top, limits.push(mean * h)) / h
+    if periods > MOST_ROWS:
+        message = f"passing takes {periods:.3g} periods of {h:g} s at the corners' speeds, at most {MOST_ROWS:.3g}"
+        raise InputError(f"{message}; give a larger tolerance, higher caps or a longer period", file=place)
+    found = _driven(curve, chain, caps, limits, grid, h, mean)
+    if found is None or len(found.at) > max(_SLOW * chain.at[-1] / h, chain.at[-1] / h + 2 * mean):
+        # ramps too short for the acceleration to build up: less of it builds up sooner
+        worse = 0
+        for shorter in _shorter(mean):
+            other = _driven(curve, chain, caps, limits, grid, h, shorter)
+            if other is not None and (found is None or len(other.at) < len(found.at)):
+                found, worse = other, 0
+            elif found is not None:
+                worse += 1
+            if worse == _WORSE:
+                break
+    if found is None:
+        raise InputError("passing: the caps cannot be kept along these poses; give lower speeds", file=place)
+    rows = deviations(curve, chain, found.at)
+    met = deviations(curve, chain, chain.at)
+    pose, R = found.pose, found.R
+    if R is not None:
+        pose[:, 3:] = angles_of(R)
+    away, turned = (max(float(a.max()), float(b.max())) for a, b in zip(rows, met, strict=True))
+    return Passage(pose, R, found.tops, away, turned, _binding(found.shares, len(pose)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Driven:
+    """Rows that keep every cap: times of the chain at (m,), poses, differences' tops (6,) and their shares of caps."""
+
+    at: Array
+    pose: Array
+    R: Array | None
+    tops: Array
+    shares: list[Array]
+
+
+def _driven(
+    curve: Rounded, chain: Polyline, caps: Caps, limits: _Limits, grid: Array, h: float, mean: int
+) -> _Driven | None:
+    """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
+    longer than the way."""
+    top, push = limits.top, limits.push(mean * h)
+    for k in range(_TIMES):
+        at = rest_to_rest(grid, top, push, h, mean)
+        if at is None:
+            return None
+        pose, R = curve.poses(at)
+        pose[0], pose[-1] = chain.pose[0], chain.pose[-1]
+        if R is not None:
+            assert chain.R is not None
+            R[0], R[-1] = chain.R[0], chain.R[-1]
+        differences = divided_differences(pose, R, h)
+        shares = _shares(differences, at, chain, caps, h, np.abs(pose[:, :3]).max())
+        worst = _worst(shares, len(at))
+        if worst.max() <= 1 + ALLOWED:
+            return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares)
+        if k < _LOCAL:
+            top, push = _lowered(top, push, grid, at, worst, mean)
+        else:
+            # what is left wanders about with every change: all of the way a little slower ends it
+            by = worst.max() * (1 + 1e-4)
+            top, push = top / by, push / by**2
+    return None
+
+
+def _shorter(mean: int) -> list[int]:
+    """Shorter means, each about the root of a half of the one before."""
+    means = [max(1, round(mean * 2 ** (-k / 2))) for k in range(1, 2 * mean.bit_length() + 1)]
+    return [one for one in dict.fromkeys(means) if one < mean]
+
+
+def divided_differences(pose: Array, R: Array | None, h: float) -> list[Array]:
+    """Sizes of the first three divided differences of rows (m, 6): of the position and of the turn by turns, so
+    (m-1,), (m-1,), (m-2,), (m-2,), (m-3,), (m-3,). Turns are those of R (m, 3, 3) where it is given, else angles."""
+    ways = np.diff(pose[:, :3], axis=0)
+    turns = np.diff(pose[:, 3:], axis=0) if R is None else rotation_vector(np.swapaxes(R[:-1], -1, -2) @ R[1:])
+    out = []
+    for order in range(3):
+        out += [np.linalg.norm(np.diff(part, order, axis=0), axis=1) / h ** (order + 1) for part in (ways, turns)]
+    return out
+
+
+def _used(chain: Polyline, caps: Caps) -> Array:
+    """The caps (n, 6), without those of a part that nowhere moves."""
+    out = caps.values.copy()
+    if not np.any(chain.pose[1:, :3] != chain.pose[:-1, :3]):
+        out[:, 0::2] = np.inf
+    if not np.any(chain.turns):
+        out[:, 1::2] = np.inf
+    return out
+
+
+def _spacing(used: Array) -> float:
+    """Between knots [s], beyond which even a turn back is taken at full speed."""
+    out = 0.0
+    for part in (used[:, 0::2], used[:, 1::2]):
+        held = np.isfinite(part[:, 1])
+        v, a, jerk = part[held].T
+        out = max(out, float((2 * v / a).max(initial=0.0)), float(np.sqrt(2 * v / jerk).max(initial=0.0)))
+    return out
+
+
+def _grid(curve: Rounded, h: float) -> Array:
+    """Places between which the caps are taken as constant: the knots, and a period apart."""
+    size = np.diff(curve.knots)
+    parts = np.maximum(1, np.ceil(size / h)).astype(np.intp)
+    first = np.repeat(np.cumsum(parts) - parts, parts)
+    share = (np.arange(parts.sum()) - first) / np.repeat(parts, parts)
+    inner = np.repeat(curve.knots[:-1], parts) + share * np.repeat(size, parts)
+    return np.append(inner, curve.knots[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class _Limits:
+    """What the curve leaves between places of the grid: top (n,), the greatest rate, and of both parts the sizes of the
+    first three derivatives with their caps of acceleration and jerk. lasting [s]: what acceleration takes to build up.
+    """
+
+    top: Array
+    parts: list[tuple[Array, Array, Array, Array, Array]]
+    lasting: float
+
+    def push(self, mean: float) -> Array:
+        """The greatest change of rate (n,) where it takes so long [s] to build up."""
+        out = np.full(len(self.top), np.inf)
+        for first, second, third, a, jerk in self.parts:
+            with np.errstate(divide="ignore", invalid="ignore"):
+                out = np.fmin(out, np.sqrt(a**2 - (second * self.top**2) ** 2) / first)
+                out = np.fmin(out, (jerk - third * self.top**3) / (first / mean + 3 * second * self.top))
+        return out
+
+
+def _limits(curve: Rounded, chain: Polyline, used: Array, grid: Array) -> _Limits:
+    """What curve and caps leave."""
+    span = np.clip(np.searchsorted(curve.knots, grid, side="right") - 1, 0, len(curve.knots) - 2)
+    u = (grid - curve.knots[span])[:, None]
+    rate = curve.rates[span] + u * (curve.bends[span] + u * curve.jolts[span] / 2)
+    bend = curve.bends[span] + u * curve.jolts[span]
+    leg = np.clip(np.searchsorted(chain.at, grid, side="right") - 1, 0, len(used) - 1)
+    values = np.minimum(used[leg[:-1]], used[leg[1:]])
+    # the acceleration of a ramp builds up to its cap, or until half of the speed is there
+    parts_used = [part.T for part in (used[:, 0::2], used[:, 1::2]) if np.isfinite(part[0, 2])]
+    lasting = [float(np.minimum(a / jerk, np.sqrt(v / jerk)).max()) for v, a, jerk in parts_used]
+    top = np.full(len(grid) - 1, np.inf)
+    parts = []
+    for k, columns in enumerate((slice(0, 3), slice(3, 6))):
+        sizes = (np.linalg.norm(x[:, columns], axis=1) for x in (rate, bend))
+        first, second = (np.maximum(size[:-1], size[1:]) for size in sizes)
+        third = np.linalg.norm(curve.jolts[span[:-1]][:, columns], axis=1)
+        v, a, jerk = values[:, k::2].T
+        parts.append((first, second, third, a, jerk))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for cap in (v / first, np.sqrt(_ACROSS * a / second), np.cbrt(_TURNED * jerk / third)):
+                top = np.fmin(top, cap)
+    return _Limits(top, parts, max(lasting, default=0.0))
+
+
+def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Caps, h: float, size: float) -> list[Array]:
+    """Each difference as a share of its cap; rounding of coordinates of this size taken off."""
+    out = []
+    for k, found in enumerate(differences):
+        order = k // 2 + 1
+        # a difference looks at rows on both sides: the legs of its own middle
+        middle = at[order // 2 : order // 2 + len(found)]
+        leg = np.clip(np.searchsorted(chain.at, middle, side="right") - 1, 0, len(caps.values) - 1)
+        noise = 2**order * _ROUNDING * max(1.0, size) / h**order
+        out.append(np.maximum(found - noise, 0.0) / caps.values[leg, k])
+    return out
+
+
+def _worst(rates: list[Array], count: int) -> Array:
+    """The factor (count,) of time by which each row is too fast."""
+    worst = np.zeros(count)
+    for k, share in enumerate(rates):
+        order = k // 2 + 1
+        slow = share ** (1 / order)
+        for shift in range(order + 1):
+            part = worst[shift : shift + len(slow)]
+            np.maximum(part, slow, out=part)
+    return worst
+
+
+def _lowered(top: Array, push: Array, grid: Array, at: Array, worst: Array, mean: int) -> tuple[Array, Array]:
+    """Caps lowered where rows break one, as far around as the mean looks."""
+    factor = np.maximum(worst, 1.0)
+    factor = np.where(factor > 1, 1.002 * factor, 1.0)
+    reach = 2 * mean + 2
+    wide, have = np.concatenate([np.ones(reach), factor, np.ones(reach)]), 1
+    while have < 2 * reach + 1:
+        step = min(have, 2 * reach + 1 - have)
+        wide = np.maximum(wide[:-step], wide[step:])
+        have += step
+    row = np.clip(np.searchsorted(at, grid[:-1], side="right") - 1, 0, len(at) - 1)
+    by = wide[row]
+    return top / by, push / by**2
+
+
+def _binding(rates: list[Array], count: int) -> str:
+    """The cap that is nearest at most rows."""
+    table = np.zeros((len(rates), count))
+    for k, share in enumerate(rates):
+        table[k, : len(share)] = share
+    return CAPS[int(np.bincount(np.argmax(table, axis=0), minlength=len(CAPS)).argmax())]

@@ -1,0 +1,158 @@
+"""Paths as CSV, from CAD or a script: one pose per row, x, y, z and three angles or a quaternion, units in the header.
+
+`x [mm],y [mm],z [mm],alpha [deg],beta [deg],gamma [deg]` or `x [m],y [m],z [m],qw,qx,qy,qz`, in any order; a comma, a
+semicolon or a tab between columns, the point in numbers, UTF-8 with or without a byte-order mark, any line ends.
+Quaternions are the tool in the world, of norm 1 but for the digits they are printed with. Text in, poses out.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+import numpy as np
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.geometry import Array, BoolArray, rotation_from_wxyz
+from trajopt_cli.iiwa.task.angles import angles_of
+from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints
+from trajopt_cli.quantity import ANGLE, LENGTH
+
+MOST_POINTS, MOST_BYTES = 2_000_000, 400_000_000
+_POSITION, _ANGLES, _QUATERNION = ("x", "y", "z"), ("alpha", "beta", "gamma"), ("qw", "qx", "qy", "qz")
+_UNITS: dict[str, dict[str, float]] = {
+    **dict.fromkeys(_POSITION, LENGTH),
+    **dict.fromkeys(_ANGLES, ANGLE),
+    **{name: {"1": 1.0} for name in _QUATERNION},
+}
+_HEAD = re.compile(r"(?P<name>\w+)\s*(?:\[(?P<unit>[^\]]*)\])?")
+_EXAMPLE = "for example 'x [mm],y [mm],z [mm],alpha [deg],beta [deg],gamma [deg]' or 'x [m],y [m],z [m],qw,qx,qy,qz'"
+_SAME = 1e-12  # m, rad: nearer poses are one
+_FARTHEST, _LONGEST = 1e3, 10.0  # m: from the origin, and between neighbours
+_MOST_TURN = 1e3  # rad
+_UNIT = 1e-4  # by which a quaternion's norm may differ from 1: four digits
+
+
+def read_text(file: str) -> str:
+    """The file's text, without a byte-order mark. Raises InputError where it cannot be read as UTF-8."""
+    try:
+        if (size := os.stat(file).st_size) > MOST_BYTES:
+            raise InputError(f"has {size / 1e6:.0f} MB, at most {MOST_BYTES // 10**6} MB are read", file=file)
+        with open(file, encoding="utf-8-sig") as stream:
+            return stream.read()
+    except OSError as error:
+        raise InputError(f"cannot read the path: {error.strerror}", file=file) from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"byte {error.start} is not UTF-8; save the path as UTF-8", file=file) from error
+
+
+@of_kind(ErrorKind.PROGRAM)
+def read_path(text: str, file: str, meaning: AngleMeaning, R_start: Array) -> PathPoints:
+    """The poses of a text, in SI, angles as meaning says; R_start (3, 3): the tool where the controller is switched on.
+
+    Raises InputError with the row for another header, a missing unit, a field that is no finite number, a row of
+    another length, fewer than two rows, more than MOST_POINTS, a quaternion that is none, a pose that repeats the one
+    before, and places no cell has.
+    """
+    lines = text.rstrip().split("\n")
+    if not lines[0].strip():
+        raise InputError(f"the first line must be a header, {_EXAMPLE}", file=file, line=1)
+    separator = next((one for one in (";", "\t") if one in lines[0]), ",")
+    columns = _columns(lines[0], separator, file)
+    body = lines[1:]
+    if not 2 <= len(body) <= MOST_POINTS:
+        bound = "at least 2" if len(body) < 2 else f"at most {MOST_POINTS}"
+        raise InputError(f"{len(body)} rows under the header; a path needs {bound}", file=file, line=len(lines))
+    table = _numbers(body, len(columns), separator, file)
+    value = {name: factor * table[:, i] for i, (name, factor) in enumerate(columns.items())}
+    p = np.column_stack([value[name] for name in _POSITION])
+    far = np.abs(p).max(axis=1)
+    if (i := _first(far > _FARTHEST)) is not None:
+        raise _wrong(f"{far[i]:g} m from the origin, at most {_FARTHEST:g} m; check the unit", i, file)
+    way = np.linalg.norm(np.diff(p, axis=0), axis=1)
+    if (i := _first(way > _LONGEST)) is not None:
+        message = f"{way[i]:.6g} m from the row before, at most {_LONGEST:g} m; check the row and the unit"
+        raise _wrong(message, i + 1, file)
+    if _QUATERNION[0] in value:
+        q = np.column_stack([value[name] for name in _QUATERNION])
+        norm = np.linalg.norm(q, axis=1)
+        if (i := _first(np.abs(norm - 1) > _UNIT)) is not None:
+            raise _wrong(f"the quaternion's norm is {norm[i]:.6g}; it must be 1 within {_UNIT:g}", i, file)
+        R = rotation_from_wxyz(q)
+        angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
+    else:
+        angles = np.column_stack([value[name] for name in _ANGLES])
+        most = np.abs(angles).max(axis=1)
+        if (i := _first(most > _MOST_TURN)) is not None:
+            raise _wrong(f"an angle of {most[i]:g} rad, at most {_MOST_TURN:g} rad; check the unit", i, file)
+    same = (way <= _SAME) & (np.abs(np.diff(angles, axis=0)).max(axis=1) <= _SAME)
+    if (i := _first(same)) is not None:
+        more = f", as do {same.sum() - 1} more rows" if same.sum() > 1 else ""
+        raise _wrong(f"repeats the row before{more}; take repeated rows out", i + 1, file)
+    return PathPoints(np.hstack([p, angles]), file, np.arange(2, len(p) + 2))
+
+
+def _columns(head: str, separator: str, file: str) -> dict[str, float]:
+    """Names of the columns in their order, each with its unit's factor."""
+    out: dict[str, float] = {}
+    for field in head.split(separator):
+        found = _HEAD.fullmatch(field.strip().strip('"'))
+        name = found["name"].lower() if found else ""
+        if found is None or name not in _UNITS:
+            message = f"the column is '{field.strip()[:40]}'; wanted are x, y, z and angles or a quaternion, {_EXAMPLE}"
+            raise InputError(message, file=file, line=1)
+        if name in out:
+            raise InputError(f"column '{name}' stands twice", file=file, line=1)
+        units = _UNITS[name]
+        unit = (found["unit"] or ("1" if name in _QUATERNION else "")).strip()
+        if unit not in units:
+            given = f"has the unit '{unit}'" if unit else "has no unit"
+            wanted = " or ".join(f"'{name} [{one}]'" for one in units)
+            raise InputError(f"column '{name}' {given}; write {wanted}", file=file, line=1)
+        out[name] = units[unit]
+    missing = [name for name in _POSITION if name not in out]
+    turned = [kind for kind in (_ANGLES, _QUATERNION) if any(name in out for name in kind)]
+    if not missing and len(turned) == 1:
+        missing = [name for name in turned[0] if name not in out]
+    if missing or len(turned) != 1:
+        lacks = f"lacks {', '.join(missing)}" if missing else "needs either angles or a quaternion"
+        raise InputError(f"the header {lacks}; write it {_EXAMPLE}", file=file, line=1)
+    return out
+
+
+def _numbers(body: list[str], width: int, separator: str, file: str) -> Array:
+    """The table under the header; the first field that is not a finite number is told."""
+    try:
+        # an empty line would be skipped, and rows be told by other numbers than their lines'
+        table = np.loadtxt(body, delimiter=separator, comments=None, ndmin=2) if all(map(str.strip, body)) else None
+    except ValueError:
+        table = None
+    if table is not None and table.shape[1] == width and np.isfinite(table).all():
+        return np.asarray(table, dtype=np.float64)
+    for number, line in enumerate(body):
+        fields = line.split(separator)
+        if len(fields) != width:
+            raise _wrong(
+                f"{len(fields) if line.strip() else 'no'} values, the header has {width} columns", number, file
+            )
+        for field in fields:
+            if not _finite(field):
+                advice = "; write numbers with a decimal point" if "," in field else ""
+                raise _wrong(f"'{field.strip()[:40]}' is not a finite number{advice}", number, file)
+    raise InputError("the table holds a number that cannot be read", file=file)
+
+
+def _finite(field: str) -> bool:
+    try:
+        return bool(np.isfinite(float(field)))
+    except ValueError:
+        return False
+
+
+def _first(wrong: BoolArray) -> int | None:
+    return int(np.argmax(wrong)) if wrong.any() else None
+
+
+def _wrong(message: str, row: int, file: str) -> InputError:
+    """row: under the header, from 0."""
+    return InputError(f"row {row + 1}: {message}", file=file, line=row + 2)

@@ -1,0 +1,136 @@
+"""A ball at the tool's tip against boxes: how deep it is in them, and the force they answer with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import copysign, hypot
+
+from trajopt_cli.iiwa.task.model import Contact, Obstacle
+from trajopt_cli.iiwa.task.world import Six
+
+FRICTION_RISE = 2000.0
+"""Friction per sliding speed [N s/m] until Coulomb's bound is reached: 9 N, the bound of 30 N at 0.3, at 4.5 mm/s.
+
+Below that speed the tip creeps instead of sticking. An assumption: what real surfaces do there nobody measured here.
+"""
+STIFFEST = 1e9
+"""Largest stiffness [N/m] and damping [N s/m] of an obstacle: 5 mm of steel, pressed as a cube, have the first."""
+LARGEST_TIP = 1.0
+"""Largest radius [m] of a tip: more than the arm reaches."""
+ROUGHEST = 1000.0
+"""Largest friction coefficient: nothing slides there."""
+
+Three = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """force [N, Nm]: on the tool, at its TCP, world axes. depth [m]: of the ball in the box it is deepest in."""
+
+    force: Six
+    depth: float
+
+
+APART = Touch((0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0)
+
+
+class BallOnBoxes:
+    """The tip's ball, centred at the TCP, against the boxes of a contact. Plain floats, one sample at a time.
+
+    Every box the ball overlaps by a depth pushes along the outward normal of its nearest face, edge or corner (of its
+    nearest face where the ball's centre is inside) with stiffness * depth + damping * speed of approach, never pulling,
+    and rubs against the sliding with FRICTION_RISE * speed, at most friction * push. Both act half-way between the
+    ball's deepest point and the box's surface. Boxes add up.
+
+    Raises ValueError for a tip or a stiffness that is not above zero, for a negative damping or friction, and for
+    numbers beyond LARGEST_TIP, STIFFEST and ROUGHEST.
+    """
+
+    def __init__(self, contact: Contact) -> None:
+        check(contact)
+        self._tip, self._boxes = contact.tip, [_Box(obstacle) for obstacle in contact.obstacles]
+
+    def overlap(self, p: Three) -> bool:
+        """Whether a ball at p [m] is in any box."""
+        return any(box.nearest(p)[0] < self._tip for box in self._boxes)
+
+    def touch(self, p: Three, v: Three, w: Three) -> Touch:
+        """What the boxes do to a TCP at p [m] that moves at v [m/s] and turns at w [rad/s], all in world axes."""
+        force, deepest = APART.force, 0.0
+        for box in self._boxes:
+            distance, n = box.nearest(p)
+            depth = self._tip - distance
+            if depth <= 0.0:
+                continue
+            deepest = max(deepest, depth)
+            one = _push(box.obstacle, self._tip, depth, n, v, w)
+            force = added(force, one)
+        return Touch(force, deepest) if deepest else APART
+
+
+def check(contact: Contact) -> None:
+    """Raise ValueError for numbers no contact can have."""
+    if not 0 < contact.tip <= LARGEST_TIP:
+        raise ValueError(f"contact: tip {contact.tip:g} m, wanted a radius above zero, at most {LARGEST_TIP:g} m")
+    for obstacle in contact.obstacles:
+        where = f"obstacle '{obstacle.box.name}'"
+        if not 0 < obstacle.stiffness <= STIFFEST:
+            raise ValueError(
+                f"{where}: stiffness {obstacle.stiffness:g} N/m, wanted a number above zero, at most {STIFFEST:g} N/m"
+            )
+        if not 0 <= obstacle.damping <= STIFFEST:
+            raise ValueError(f"{where}: damping {obstacle.damping:g} N s/m, wanted 0 to {STIFFEST:g} N s/m")
+        if not 0 <= obstacle.friction <= ROUGHEST:
+            raise ValueError(f"{where}: friction {obstacle.friction:g}, wanted 0 to {ROUGHEST:g}")
+
+
+class _Box:
+    def __init__(self, obstacle: Obstacle) -> None:
+        self.obstacle = obstacle
+        X, half = obstacle.box.X.tolist(), (obstacle.box.size / 2).tolist()
+        self._R = X[0][:3], X[1][:3], X[2][:3]
+        self._p = X[0][3], X[1][3], X[2][3]
+        self._half = half
+
+    def nearest(self, p: Three) -> tuple[float, Three]:
+        """Distance [m] of a world point from the surface, negative inside, and the outward normal there."""
+        (a, b, c), (d, e, f), (g, h, i) = self._R
+        x, y, z = p[0] - self._p[0], p[1] - self._p[1], p[2] - self._p[2]
+        local = (a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
+        off = [abs(u) - s for u, s in zip(local, self._half, strict=True)]
+        if max(off) <= 0.0:
+            face = off.index(max(off))
+            distance = off[face]
+            n = [0.0, 0.0, 0.0]
+            n[face] = copysign(1.0, local[face])
+        else:
+            n = [copysign(max(o, 0.0), u) for o, u in zip(off, local, strict=True)]
+            distance = hypot(*n)
+            n = [u / distance for u in n]
+        x, y, z = n
+        return distance, (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+
+def _push(obstacle: Obstacle, tip: float, depth: float, n: Three, v: Three, w: Three) -> Six:
+    lever = depth / 2 - tip
+    x, y, z = lever * n[0], lever * n[1], lever * n[2]  # of the point of contact from the TCP
+    vx, vy, vz = v[0] + w[1] * z - w[2] * y, v[1] + w[2] * x - w[0] * z, v[2] + w[0] * y - w[1] * x
+    away = vx * n[0] + vy * n[1] + vz * n[2]
+    push = max(0.0, obstacle.stiffness * depth - obstacle.damping * away)
+    sx, sy, sz = vx - away * n[0], vy - away * n[1], vz - away * n[2]
+    sliding = hypot(sx, sy, sz)
+    bound = obstacle.friction * push
+    rub = FRICTION_RISE if FRICTION_RISE * sliding <= bound else bound / sliding
+    return about((x, y, z), (push * n[0] - rub * sx, push * n[1] - rub * sy, push * n[2] - rub * sz))
+
+
+def about(lever: Three, force: Three) -> Six:
+    """The force [N] and its moment [Nm] about a point that lies lever [m] before where it acts."""
+    (x, y, z), (a, b, c) = lever, force
+    return (a, b, c, y * c - z * b, z * a - x * c, x * b - y * a)
+
+
+def added(one: Six, other: Six) -> Six:
+    """Both forces together."""
+    (a, b, c, d, e, f), (g, h, i, j, k, m) = one, other
+    return (a + g, b + h, c + i, d + j, e + k, f + m)

@@ -1,0 +1,183 @@
+"""The robot against obstacles and against itself: how near it comes, and where it first touches.
+
+Every obstacle is one finding, the robot against itself another. value is the least distance of the whole motion
+(negative: the depth), limit the distance wanted. Where that is missed, time and source are those of the first miss.
+What the flange carries and what stands where may change on the way: see scene. Pairs that no axis moves against each
+other are not looked at: nothing a program does changes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from trajopt_cli.findings import Finding
+from trajopt_cli.judge.continuous_collision import LOOKS, OVERLOOKED, Body, Closest, Near, Sweep
+from trajopt_cli.judge.findings import SourceAt
+from trajopt_cli.judge.machine import Machine
+from trajopt_cli.judge.mechanism import FLANGE, Mechanism, mechanism_of
+from trajopt_cli.judge.scene import BodyInterval, shape_of, standing_still
+from trajopt_cli.motion import Move, Program, Source, motion_name
+from trajopt_cli.shapes import TOOL, Capsule, Shape, Solid
+from trajopt_cli.trajectory import Trajectory
+
+CLEARANCE = "clearance"
+SELF_CLEARANCE = "self clearance"
+
+
+def collisions(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """The findings that say the robot hits something or comes too close, in time order."""
+    missed = [one for one in findings if one.check in (CLEARANCE, SELF_CLEARANCE) and not one.passed]
+    return tuple(sorted(missed, key=lambda one: one.time or 0.0))
+
+
+def least_clearance(findings: Iterable[Finding]) -> Finding | None:
+    """The finding of the obstacle that the robot comes nearest to; None where no obstacle was looked at."""
+    return min((one for one in findings if one.check == CLEARANCE), key=lambda one: one.value, default=None)
+
+
+def check_start(program: Program, plant: Machine, start: str) -> list[Finding]:
+    """What check_clearance says of the robot standing at its start; start names that for people."""
+    q = np.tile(plant.start, (2, 1))
+    still = Trajectory(plant.limits.names, np.array([0.0, 1e-3]), q, np.zeros_like(q))
+    return check_clearance(program, plant, still, lambda _: None, start=start)
+
+
+def check_clearance(
+    program: Program,
+    plant: Machine,
+    trajectory: Trajectory,
+    source_at: SourceAt,
+    legs: Sequence[BodyInterval] | None = None,
+    start: str = "",
+    open_: float = 0.0,
+) -> list[Finding]:
+    """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it.
+
+    legs: which bodies are where during which rows; None: as at the start, all the time. open_: how much nearer than it
+    is the robot may be seen, as its rows and their digits show it [m].
+    """
+    mechanism = mechanism_of(plant)
+    sweep = Sweep(mechanism, trajectory)
+    last = len(trajectory.t) - 1
+    legs = [leg for leg in legs or () if leg.first < leg.last] or standing_still(program, plant, last)
+    links = {n: Body(n, plant.robot.capsules[n], i) for i, n in enumerate(mechanism.link_names)
+             if n in plant.robot.capsules}  # fmt: skip
+    carried = {shape: Body(shape.name, shape, FLANGE) for leg in legs for shape in map(shape_of, leg.carried)}
+    facing: dict[str, _Spans] = {solid.name: _Spans(last) for solid in plant.obstacles}
+    own = _Spans(last)
+    for leg in legs:
+        held = [carried[shape_of(solid)] for solid in leg.carried]
+        for solid in leg.standing:
+            for body in (*links.values(), *held):
+                if _meet(mechanism, body, solid):
+                    facing[solid.name].add(leg, body, shape_of(solid))
+        named = {**links, **{body.name: body for body in held}}
+        for first, second in plant.self_pairs:
+            if second in named:
+                own.add(leg, named[second], named[first])
+    out = [
+        _finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start, open_)
+        for group in (spans.group() for spans in facing.values())
+        if group
+    ]
+    pairs = own.group()
+    return [*out, _finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start, open_)] if pairs else out
+
+
+class _Spans:
+    """Pairs of bodies with the rows in which they are held against each other. last: of all rows."""
+
+    def __init__(self, last: int):
+        self._last = last
+        self._rows: dict[tuple[Body, Shape | Body], list[tuple[int, int]]] = {}
+
+    def add(self, leg: BodyInterval, body: Body, other: Shape | Body) -> None:
+        """The pair counts during the leg, too; legs come in order."""
+        spans = self._rows.setdefault((body, other), [])
+        if spans and spans[-1][1] == leg.first:
+            spans[-1] = (spans[-1][0], leg.last)
+        else:
+            spans.append((leg.first, leg.last))
+
+    def group(self) -> list[Near]:
+        """All pairs."""
+        return [
+            Near(body, None, other, tuple(spans)) if isinstance(other, Body) else Near(body, other, None, tuple(spans))
+            for (body, other), spans in self._rows.items()
+        ]
+
+
+def _meet(mechanism: Mechanism, body: Body, solid: Solid) -> bool:
+    """Whether an axis moves the body, and nobody allowed it to touch the solid."""
+    return body.name not in solid.ignore and (body.joints > 0 or mechanism.has_rail)
+
+
+def _finding(
+    check: str,
+    program: Program,
+    sweep: Sweep,
+    group: list[Near],
+    wanted: float,
+    source_at: SourceAt,
+    start: str = "",
+    open_: float = 0.0,
+) -> Finding:
+    least = sweep.least(group, wanted)
+    passed = least.proven and least.distance >= wanted - open_
+    first = least
+    if least.distance < wanted - open_:
+        first = sweep.first_below(group, (0.0 if least.distance < -open_ else wanted) - open_) or least
+    # Before the first row nothing is under way: the program's first motion leaves from there.
+    source = source_at(first.time) or next((motion.source for motion in program.motions), None)
+    if passed:
+        said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
+        message = f"{said}; no touch deeper than {OVERLOOKED * 1e3:g} mm was overlooked"
+    elif least.distance >= wanted - open_:
+        said = f"{least.distance * 1e3:.1f} mm at {least.time:.3f} s"
+        message = f"{_names(least)} are not judged to the end: after {LOOKS} looks the nearest is {said}, and nobody"
+        message += " knows what is between; see the rows: axes go to and fro, or speeds do not fit the positions"
+    else:
+        later = source_at(least.time)
+        motion = next((one for one in program.motions if one.source == later), None)
+        where = f" in {motion_name(motion)}" if isinstance(motion, Move) and later != source and not start else ""
+        message = f"{_what(program, source, start)} {_touch(first, least, wanted, where)}"
+    return Finding(check, _names(first), least.distance, wanted, "m", passed, first.time, source, message)
+
+
+def _names(closest: Closest) -> str:
+    return f"{closest.near.body.name} and {_against(closest)}"
+
+
+def _against(closest: Closest) -> str:
+    """An obstacle's name is the user's, a link's the robot's."""
+    return f"'{closest.near.against}'" if closest.near.other is None else closest.near.against
+
+
+def _what(program: Program, source: Source | None, start: str) -> str:
+    """Place and name of the motion, as in "cell.mod:41:9: MoveJ p_in"; start where nothing moves yet."""
+    if start:
+        return start
+    for motion in program.motions:
+        if motion.source == source:
+            return f"{source}: {type(motion).__name__} {getattr(motion, 'target', '')}".rstrip()
+    return "the motion"
+
+
+def _touch(first: Closest, least: Closest, wanted: float, where: str) -> str:
+    """where: of the least distance, in words; empty where it is in the motion of the first touch."""
+    other = "" if least.near is first.near else f" with {least.near.body.name}"
+    when = "" if f"{least.time:.3f}" == f"{first.time:.3f}" and not other else f"{other} at {least.time:.3f} s{where}"
+    if least.distance < 0:
+        verb, depth = "hits", f"{'deepest ' if when else ''}{-least.distance * 1e3:.1f} mm{'' if when else ' deep'}"
+    else:
+        verb, depth = "comes too close to", f"wanted {wanted * 1e3:g} mm, {'least' if when else 'has'} "
+        depth += f"{least.distance * 1e3:.1f} mm"
+    said = f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"
+    if TOOL in (first.near.body.name, first.near.against) and isinstance(first.near.body.shape, Capsule):
+        assumed = f"a capsule of {first.near.body.shape.radius * 1e3:g} mm from flange to TCP stands for the tool"
+        return f"{said} ({assumed}: give its bodies under attached, or another tool_radius)"
+    # A link's capsule is up to three times as large as the link.
+    remedy = " (as capsules; where the links themselves are clear, name the pair under may_touch)"
+    return said if first.near.other is None else said + remedy

@@ -1,0 +1,82 @@
+"""Where the rail is at a stop, how far it moves in a stretch of time, at least, and where in a rest it stands still for
+long enough."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.judge.program_points import ProgramPoint
+from trajopt_cli.judge.samples import INNER, Rows, unseen
+from trajopt_cli.judge.tolerances import DWELL, HELD, JOINT_TARGET
+from trajopt_cli.motion import MoveExtJ
+
+Indices = NDArray[np.intp]
+
+
+def rail_beside(rows: Rows, at: Indices, stop: ProgramPoint) -> tuple[Array, Array]:
+    """The rail's positions (m,) [m] nearest to a stop in the half gaps beside rows at (m,), and their grants.
+
+    A rail may run on while the tool stops between two rows. Between them it is off their chord by A h^2/8 at most.
+    Where joints or the rail itself are the target every axis stands, and a row shows where.
+    """
+    here, step = rows.q[at, 0], rows.doubt_q[:, 0]
+    stands = stop.arm is not None or isinstance(stop.move, MoveExtJ)
+    if rows.marked or stands or stop.rail is None:
+        return here, JOINT_TARGET + step[at] / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
+    before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(rows.t) - 1)
+    edges = np.stack([here, (here + rows.q[before, 0]) / 2, (here + rows.q[after, 0]) / 2])
+    doubt = np.maximum(np.maximum(step[before], step[at]), step[after])
+    granted = JOINT_TARGET + doubt / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
+    return np.clip(stop.rail, edges.min(axis=0), edges.max(axis=0)), granted
+
+
+def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]:
+    """Times (m,), rail positions (m,) and the doubt about them from row first to row last: the rows, and what lies
+    between them where that is known."""
+    part = slice(first, last + 1)
+    t, d = rows.t[part], rows.q[part, 0]
+    doubt = rows.doubt_q[part, 0] / 2
+    if not rows.exact or last <= first:
+        return t, d, doubt
+    inner = len(INNER)
+    between = slice(first * inner, last * inner)
+    t = np.r_[t, rows.hermite_places[0][between]]
+    order = np.argsort(t, kind="stable")
+    d = np.r_[d, rows.hermite_places[1][between, 0]]
+    return t[order], d[order], np.r_[doubt, np.repeat(rows.inner_doubt[first:last, 0], inner)][order]
+
+
+def still_from(rows: Rows, time: float, duration: float, depart: int) -> float:
+    """The earliest time [s] in a rest, not before `time`, from which the rail stands still for a duration [s].
+
+    The rest ends with row `depart`. Where the rail never stands for so long, the time from which it moves least; `time`
+    itself where the rest is too short.
+    """
+    slack = DWELL + rows.doubt_t + unseen(rows, depart)
+    first = int(np.searchsorted(rows.t, time - slack))
+    begins = np.arange(first, depart + 1)
+    begins = begins[rows.t[begins] + duration <= rows.t[depart] + slack]
+    if not len(begins):
+        return time
+    t, d, doubt = rail_course(rows, first, depart)
+    # what was begun at a row may have begun up to a gap before it, and ended so much earlier
+    ends = rows.t[begins] + duration - 2 * rows.open_time[begins]
+    a = np.searchsorted(t, rows.t[begins])
+    b = np.maximum(np.searchsorted(t, ends + DWELL + rows.doubt_t, side="right") - 1, a)
+    way = _highest(d - doubt, a, b) + _highest(-d - doubt, a, b)
+    still = np.flatnonzero(way <= HELD)
+    return float(rows.t[begins[still[0] if len(still) else np.argmin(way)]])
+
+
+def _highest(x: Array, a: Indices, b: Indices) -> Array:
+    """The greatest of x[a..b] for every pair (k,): the greater of two stretches of 2^n that cover it."""
+    level = np.floor(np.log2(b - a + 1)).astype(int)
+    out, longest = np.empty(len(a)), x
+    for n in range(int(level.max()) + 1):
+        if n:
+            longest = np.maximum(longest[: -(1 << n - 1)], longest[1 << n - 1 :])
+        here = level == n
+        out[here] = np.maximum(longest[a[here]], longest[b[here] + 1 - (1 << n)])
+    return out

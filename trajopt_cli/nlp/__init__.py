@@ -1,0 +1,1 @@
+"""The nonlinear program of a plan, its assembly and its solution."""

@@ -1,0 +1,71 @@
+"""From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between.
+
+What moves for longer than a minute has a wider grid, whole milliseconds and 20 of them at most. Where nothing moves
+from one of them to the next there is no grid: the cubic between two rows at rest stays where it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.settings import LONG_MOTION, ROW_APART, ROW_EVERY, ROWS_WIDEST, SAME_TIME
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.leg_trajectories import LegMotion, samples
+from trajopt_cli.trajectory import Trajectory
+
+
+def rows_of(
+    axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = (), busy: Sequence[bool] | None = None
+) -> tuple[Trajectory, Array]:
+    """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
+
+    end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well. busy: legs (L)
+    during which something else moves, so that there is a grid where the axes rest.
+    """
+    bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
+    grids = busy or [False] * len(legs)
+    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more, grids[i])[:-1] for i, leg in enumerate(legs)]
+    t = np.concatenate([*times, bounds[-1:]])
+    q, qd = np.empty((len(t), axes.n)), np.empty((len(t), axes.n))
+    q[-1], qd[-1] = end, 0.0
+    for at, sample in samples(axes, legs, [np.clip(t - bounds[i], 0.0, legs[i].T) for i, t in enumerate(times)]):
+        q[at], qd[at] = sample.q, sample.qd
+    for array in (t, q, qd):
+        array.setflags(write=False)
+    return Trajectory(axes.robot.axis_names, t, q, qd), bounds
+
+
+def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool) -> Array:
+    """Row times of one leg: its breaks, those of more and every grid time that keep their distance from them."""
+    breaks = start + leg.breaks()
+    breaks[0], breaks[-1] = start, end
+    keep = np.concatenate([[True], np.diff(breaks) > SAME_TIME])
+    keep[-1] = True
+    breaks = breaks[keep]
+    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
+        breaks = np.delete(breaks, -2)
+    inside = np.array([t for t in more if start < t < end])
+    marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks)]]))
+    grid = _grid(start + leg.breaks(), ~leg.resting() | busy, np.clip(np.ceil(leg.T / LONG_MOTION), 1, ROWS_WIDEST))
+    return np.unique(np.concatenate([marks, grid[_apart(grid, marks) & (grid > start) & (grid < end)]]))
+
+
+def _apart(times: Array, marks: Array) -> BoolArray:
+    """Which times (n,) are not too near to any mark, those in order."""
+    at = np.searchsorted(marks, times)
+    before, after = marks[np.clip(at - 1, 0, len(marks) - 1)], marks[np.clip(at, 0, len(marks) - 1)]
+    return np.asarray(np.minimum(np.abs(times - before), np.abs(times - after)) >= ROW_APART)
+
+
+def _grid(breaks: Array, moving: BoolArray, wide: float) -> Array:
+    """The grid times from break to break (N+1,) while something moves (N,), so many ROW_EVERY apart."""
+    every = ROW_EVERY * wide
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]])))
+    ticks = [
+        np.arange(np.ceil(breaks[a] / every - 1e-9), np.floor(breaks[b] / every + 1e-9) + 1)
+        for a, b in zip(edges[::2], edges[1::2], strict=True)
+    ]
+    return every * np.concatenate([np.zeros(0), *ticks])

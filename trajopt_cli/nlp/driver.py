@@ -1,0 +1,478 @@
+"""From a chain of waypoints to a clean plan: nested grids, then the exchange loop."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import deepcopy
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.clearances import Clearances
+from trajopt_cli.nlp.constraint_tightening import back_off
+from trajopt_cli.nlp.extract_solution import read
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.interior_point import NlpResult
+from trajopt_cli.nlp.transcription import Transcription
+from trajopt_cli.path.line import Line
+from trajopt_cli.problem.objective import LeastEffort
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.settings import (
+    ARRIVES,
+    AT_LIMIT,
+    BARRIER_AGAIN,
+    BARRIER_COLD,
+    BARRIER_DOUBT,
+    BARRIER_FIRST,
+    BARRIER_REFINED,
+    BARRIER_ROUGH,
+    BARRIER_WARM,
+    EXACT,
+    FEW_LEGS,
+    FINE,
+    FINE_JOINT,
+    FIRST,
+    FIRST_JOINT,
+    GRID_JOINT,
+    LAST,
+    LEAST_DRAFT,
+    LEAST_RATE,
+    LEAST_ZONE,
+    MOST_ITERATIONS,
+    MOST_SLOWED,
+    OVER,
+    RAMPS,
+    RATE_LOOKS,
+    ROUGH,
+    ROUNDS,
+    SAFE,
+    SHARP,
+    SHORT,
+    SLOWED,
+    START,
+    TOLD,
+)
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
+from trajopt_cli.trajectories.dense_check import Ratios, check_legs
+from trajopt_cli.trajectories.iterate import Iterate, Margins
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg, integrate, parabola
+from trajopt_cli.trajectories.profiles import hold
+
+
+@dataclass(frozen=True)
+class Grids:
+    """Intervals of a path and of a joint move on the last grid."""
+
+    path: int
+    joints: int
+
+    @classmethod
+    def of(cls, problem: Problem) -> Grids:
+        """Fine for a short program, coarse for a long one, whose time grows with its length."""
+        if len(problem.legs) <= SHORT:
+            return cls(FINE, FINE_JOINT)
+        return LONG if len(problem.legs) <= FEW_LEGS else LONGER
+
+    @property
+    def rough(self) -> Grids:
+        """Fine enough to tell which of several starts leads farthest."""
+        return Grids(min(self.path, TOLD), min(self.joints, GRID_JOINT))
+
+
+LONG = Grids(LAST, GRID_JOINT)
+LONGER = LONG.rough
+
+
+def first_draft(
+    axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array, grids: Grids = LONG,
+    capped: frozenset[int] = frozenset(),
+) -> Iterate:  # fmt: skip
+    """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
+    of the legs, zero where nothing is to be done. capped: joint moves known to meet a tool cap or a range."""
+    legs: list[LegMotion | None] = []
+    for k, leg in enumerate(problem.legs):
+        T = leg.duration or max(float(times[k]), LEAST_DRAFT, leg.least)
+        if leg.duration is None and times[k] == 0.0:
+            legs.append(hold(0.0, q[k]))
+        elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], grids.joints))
+        elif leg.kind is LegKind.JOINT and k in capped:
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], FIRST_JOINT))
+        elif leg.kind is LegKind.JOINT:
+            legs.append(_closed(axes, T, q[k], qd[k]))
+        elif leg.kind is LegKind.DWELL and not leg.rail_moves:
+            legs.append(hold(leg.duration or 0.0, q[k]))
+        else:
+            s, v, a = parabola(np.linspace(0, 1, FIRST + 1))
+            way = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
+            d, w, b = q[k, axes.layout.rail] + way * s[:, None], way * v[:, None], way * a[:, None]
+            legs.append(_path(axes, problem, k, T, q[k], cfx[k] if cfx[k] >= 0 else cfx[k + 1], (s, v, a, d, w, b)))
+    return Iterate(q, qd, cfx, tuple(legs))
+
+
+def on_grid(axes: Axes, problem: Problem, draft: Iterate, grids: Grids = LONG) -> Iterate:
+    """The motion on these grids, as near as its nodes come."""
+    legs: list[LegMotion | None] = []
+    for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True)):
+        q, at_hand = draft.q[k], motion is not None and grids.path == motion.N
+        if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
+            legs.append(motion)
+        elif leg.kind is LegKind.JOINT:
+            if isinstance(motion, JointProfiles) and _on_grids(axes, problem):
+                motion = _sampled(axes, motion, _with_switches(axes, leg, motion, grids.joints))
+            keep = isinstance(motion, JointProfiles) or grids.joints == motion.N
+            legs.append(motion if keep else _on_grid(axes, motion, grids.joints))
+        elif isinstance(motion, PathLeg) and at_hand:
+            legs.append(motion)
+        else:
+            grid = np.linspace(0, 1, grids.path + 1)
+            s, v, a = parabola(grid)
+            d = np.tile(q[axes.layout.rail], (grids.path + 1, 1))  # where nothing moves
+            nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
+            if isinstance(motion, PathLeg):
+                grid = _zoned(axes, motion, grids.path)
+                at, rate, _ = motion.progress(motion.T * grid, right=True)
+                x, v = at, rate * motion.T
+                a = np.diff(v, axis=0) / np.diff(grid)[:, None]
+                nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
+            found = _path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes)
+            legs.append(replace(found, grid=grid))
+    return Iterate(draft.q, draft.qd, draft.cfx, tuple(legs), draft.qdd)
+
+
+def _on_grids(axes: Axes, problem: Problem) -> bool:
+    """Whether joint moves have no closed form: where it is not the time that counts, or jerk is limited."""
+    return axes.jerk is not None or isinstance(problem.objective, LeastEffort)
+
+
+def _smooth(T: float, q: Array, qd: Array, N: int) -> JointNodes:
+    """A joint move of T seconds on N intervals between states (2, n) with the least effort there is without limits."""
+    grid = np.linspace(0, 1, N + 1)
+    nodes, v, _ = integrate(np.array([0.0, 1.0]), q, qd * T, grid)
+    return JointNodes(T, grid, nodes, v, np.diff(v, axis=0) * N)
+
+
+def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
+    """A joint move on N intervals, as near as its nodes come: half of them for the time, half for what changes."""
+    times = _looks(motion)
+    change = _behind(motion.sample(axes, times * motion.T).qd / axes.velocity)
+    grid = np.interp(np.linspace(0, 1, N + 1), (times + change) / 2, times)
+    return _sampled(axes, motion, grid)
+
+
+def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
+    """A grid of N intervals for a path in three zones of even ones: run-up and run-out are where its rates change."""
+    times = _looks(motion)
+    rates = motion.progress(motion.T * times, right=True)[1]
+    change = _behind(rates / np.r_[max(motion.v.max(), LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
+    begin, end = np.interp([RAMPS, 1 - RAMPS], change, times)
+    edges = [0.0, np.clip(begin, LEAST_ZONE, 0.5 - LEAST_ZONE), np.clip(end, 0.5 + LEAST_ZONE, 1 - LEAST_ZONE), 1.0]
+    return np.interp(np.linspace(0, 3, N + 1), [0, 1, 2, 3], edges)
+
+
+def _looks(motion: LegMotion) -> Array:
+    """Scaled times (m,) at which a motion is looked at: evenly, and at its breaks."""
+    return np.unique(np.concatenate([np.linspace(0, 1, RATE_LOOKS), motion.breaks() / motion.T]))
+
+
+def _behind(x: Array) -> Array:
+    """Share (m,) of all changes of x (m, n) that is behind each row."""
+    change = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(x, axis=0), axis=1))])
+    return change / change[-1] if change[-1] > 0 else np.linspace(0, 1, len(x))
+
+
+def _with_switches(axes: Axes, leg: Leg, motion: JointProfiles, N: int) -> Array:
+    """A grid of N intervals with nodes where axes switch that use all of their acceleration, so that the motion can be
+    on it what it is."""
+    grid = np.linspace(0, 1, N + 1)
+    tight = np.abs(motion.accelerations).max(axis=1) > AT_LIMIT * axes.acceleration_on(leg)
+    moved = np.isin(np.arange(N + 1), (0, N))
+    for switch in np.unique(motion.times[tight, 1:3] / motion.T):
+        k = int(np.argmin(np.abs(grid - switch)))
+        if not moved[k] and np.abs(grid[moved] - switch).min() > 0.5 / N:
+            grid[k], moved[k] = switch, True
+    return grid
+
+
+def _sampled(axes: Axes, motion: LegMotion, grid: Array) -> JointNodes:
+    sample = motion.sample(axes, grid * motion.T)
+    v = sample.qd * motion.T
+    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+
+
+def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
+    """A joint move of which the time alone is guessed [s]."""
+    return JointProfiles(T, q_0, qd_0, np.zeros((axes.n, 4)), np.zeros((axes.n, 3)))
+
+
+def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, nodes: Sequence[Array]) -> PathLeg:
+    """A line, an arc or a wait of T seconds on an even grid. nodes: s, v, a, d, w, b."""
+    leg = problem.legs[k]
+    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
+    grid = np.linspace(0, 1, len(nodes[0]))
+    return PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
+
+
+def slowed(problem: Problem, draft: Iterate, times: float) -> Iterate:
+    """The same motion, so many times as long; waits keep their time, and held ends of a window their velocities."""
+
+    def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
+        if motion is None or leg.duration is not None:
+            return motion
+        return motion.slowed(times)
+
+    held = np.array([point.q is not None for point in problem.waypoints])
+    qd = np.where(held[:, None], draft.qd, draft.qd / times)
+    qdd = None if draft.qdd is None else np.where(held[:, None], draft.qdd, draft.qdd / times**2)
+    return replace(draft, qd=qd, qdd=qdd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
+
+
+def _halved(motion: LegMotion | None, grows: bool) -> LegMotion | None:
+    return motion.refined() if isinstance(motion, PathLeg | JointNodes) and grows else motion
+
+
+class NotConverged(Exception):
+    """The nonlinear program found no clean answer from this start; the message is the solver's word."""
+
+
+class Stopped(Exception):
+    """There is no patience left for this solve."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """An answer on one grid: its draft, the limits in force, its program and the solver's answer; whether no grid is
+    left."""
+
+    draft: Iterate
+    margins: list[Margins | None]
+    warm: Sequence[Any]
+    ended: bool = False
+
+
+class Refiner:
+    """Solves one problem from a draft, as long as there is patience. scene: what its motions stay clear of."""
+
+    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience, grids: Grids = LONG,
+        scene: ClearanceQueries | None = None,
+    ):  # fmt: skip
+        self.axes, self.formulation, self.problem, self.patience = axes, formulation, problem, patience
+        self.grids, self.clearances = grids, Clearances(axes, problem, scene)
+        self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
+        self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
+        self.solved: tuple[Transcription, NlpResult | None] | None = None
+        """The program of the clean draft and its answer."""
+
+    def _ratios(self, draft: Iterate, kind: Any = LegMotion) -> list[Ratios | None]:
+        """What every leg of a draft with a motion of some kind uses of its limits at most; None for the others."""
+        start = perf_counter()
+        legs = [(leg, one) for leg, one in zip(self.problem.legs, draft.legs, strict=True) if isinstance(one, kind)]
+        new = [(leg, motion) for leg, motion in legs if motion not in self._known]
+        found = check_legs(self.axes, [leg for leg, _ in new], [motion for _, motion in new])
+        known = self._known | {motion: ratios for (_, motion), ratios in zip(new, found, strict=True)}
+        self._known = {motion: known[motion] for motion in draft.legs if motion is not None and motion in known}
+        self.seconds["check"] += perf_counter() - start
+        return [self._known[motion] if isinstance(motion, kind) else None for motion in draft.legs]
+
+    def _solve(
+        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
+        warm: Sequence[Any] | None = None,
+    ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
+        """The answer from a draft; where that goes deep into something that the draft goes around, with rows about the
+        draft that keep it out."""
+        while True:
+            found = self._answer(draft, margins, mu, tolerance, warm)
+            through = self.clearances.through(draft, found[0])
+            if not through:
+                return found
+            for k in through:
+                if isinstance(draft.legs[k], JointProfiles):
+                    margins[k] = Margins.full(self.grids.rough.joints, self.axes.n, EXACT)
+            draft, warm = self._with_grids(draft, margins), None
+
+    def _answer(
+        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
+        warm: Sequence[Any] | None = None,
+    ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
+        if self.patience.over:
+            raise Stopped
+        start = perf_counter()
+        tangents = self.clearances.tangents(draft, margins)
+        if warm is not None and tangents.keys() != warm[0].tangents.keys():  # another program
+            warm, mu = None, BARRIER_REFINED
+        t = Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
+        if t.nlp.empty:
+            return read(t, t.nlp.guess), t, None
+        if warm is None:
+            t.nlp.build()
+        else:
+            t.nlp.adopt(warm[0].nlp)
+        middle = perf_counter()
+        guess = warm[1] if warm else None
+        stop = lambda: self.patience.over  # noqa: E731
+        result = t.nlp.solve(guess, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS, stop=stop)
+        self.seconds["build"] += middle - start
+        self.seconds["solve"] += perf_counter() - middle
+        try:
+            out = read(t, result.x) if result.converged else draft
+        except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
+            raise NotConverged(str(odd)) from odd
+        if not result.converged and self.patience.over:
+            raise Stopped
+        if not result.converged:
+            raise NotConverged(result.status)
+        return out, t, result
+
+    def run(self, draft: Iterate) -> Iterate:
+        """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        return self.finished(self.begun(draft))
+
+    def begun(self, draft: Iterate) -> Stage:
+        """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
+        margins: list[Margins | None] = [
+            Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
+            if isinstance(m, PathLeg | JointNodes)
+            else None
+            for m in draft.legs
+        ]
+        draft, warm = self._first(draft, margins)
+        return Stage(draft, margins, warm)
+
+    def rough(self, stage: Stage) -> Stage:
+        """From an answer to one on a grid that tells how far it leads. Raises NotConverged and Stopped."""
+        while not stage.ended and self._intervals(stage.draft, 0) < self.grids.rough.path:
+            stage = self._finer(stage)
+        return stage
+
+    def finished(self, stage: Stage) -> Iterate:
+        """From an answer to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        while not stage.ended:
+            stage = self._finer(stage)
+        return self._exchange(stage.draft, stage.margins, stage.warm)
+
+    def _grows(self, motion: LegMotion | None, n: int) -> bool:
+        """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
+        if isinstance(motion, JointNodes):
+            return 2 * n >= TOLD and self.grids.joints > motion.N
+        return isinstance(motion, PathLeg) and self.grids.path > motion.N
+
+    def _intervals(self, draft: Iterate, default: int) -> int:
+        """On the paths of a draft."""
+        return max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=default)
+
+    def _finer(self, stage: Stage) -> Stage:
+        """On the next grid, where there is one, with joint moves on grids that turned out to need one."""
+        draft, margins, last = stage.draft, [*stage.margins], self.grids.path
+        n = self._intervals(draft, last)
+        finer = [self._grows(motion, n) for motion in draft.legs]
+        opened = self._open_grids(draft, margins, self.grids if n >= TOLD else self.grids.rough)
+        if not (opened or any(finer)):
+            return replace(stage, ended=True)
+        draft = self._with_grids(draft, margins)
+        margins = [m.refined() if m and grows else m for m, grows in zip(margins, finer, strict=True)]
+        draft = replace(draft, legs=tuple(_halved(*one) for one in zip(draft.legs, finer, strict=True)))
+        try:
+            start = self._slowed(draft, margins)
+            mu = BARRIER_ROUGH if n == FIRST else BARRIER_REFINED
+            draft, *warm = self._solve(start, margins, mu, SHARP if 2 * n >= last else ROUGH)
+        except NotConverged:
+            # the coarser grid's answer is a motion too; cleaned, it is only a little slower
+            return replace(stage, ended=True)
+        return Stage(draft, margins, warm)
+
+    def again(self, draft: Iterate, before: Transcription, answer: NlpResult) -> Iterate:
+        """From the clean draft of a program that differs in numbers only, with that program and its answer, to the
+        clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        margins = deepcopy([*before.margins])
+        try:
+            found, *warm = self._solve(draft, margins, BARRIER_AGAIN, warm=(before, answer))
+        except NotConverged:
+            found, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
+        return self._exchange(found, margins, warm)
+
+    def _first(self, draft: Iterate, margins: list[Margins | None]) -> tuple[Iterate, list[Any]]:
+        """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
+        gridded = any(isinstance(m, JointNodes) for m in draft.legs)
+        n = self._intervals(draft, self.grids.path if gridded else FIRST)
+        mu = BARRIER_REFINED if n >= self.grids.rough.path else BARRIER_FIRST
+        tolerance = SHARP if n >= self.grids.path else ROUGH
+        try:
+            out, *warm = self._solve(draft, margins, mu, tolerance)
+        except NotConverged:
+            out, *warm = self._solve(draft, margins, BARRIER_DOUBT, tolerance)
+        return out, warm
+
+    def _exchange(self, draft: Iterate, margins: list[Margins | None], warm: Sequence[Any]) -> Iterate:
+        """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
+        for _ in range(ROUNDS):
+            worst, changed, opened = 0.0, False, self._open_grids(draft, margins, self.grids)
+            draft = self._with_grids(draft, margins)
+            every = self._ratios(draft)
+            for leg, motion, m, ratios in zip(self.problem.legs, draft.legs, margins, every, strict=True):
+                if motion is None or ratios is None:
+                    continue
+                worst = max(worst, ratios.worst)
+                if m is not None:
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
+                    rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
+                    changed |= back_off(m, ratios, motion, SAFE, rail)
+            changed |= self.clearances.make_room(draft, margins)
+            if not (changed or opened):
+                self.solved = warm[0], warm[1]
+                return draft
+            if opened:
+                draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
+            else:
+                try:
+                    draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
+                except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
+                    draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_COLD)
+        raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
+
+    def _slowed(self, draft: Iterate, margins: list[Margins | None]) -> Iterate:
+        """The same motion so slow that no limit in force is reached: the solver keeps to them from where it begins."""
+        most = 1.0
+        for r, m in zip(self._ratios(draft), margins, strict=True):
+            if r is not None and m is not None:
+                shares = m.velocity.min(), m.acceleration.min(), *m.tool.min(axis=0)
+                rates = r.velocity.max(), np.sqrt(r.acceleration.max()), r.tool[:, 0].max(), np.sqrt(r.tool[:, 1].max())
+                most = max(
+                    most, *(one / share for one, share in zip((*rates, r.tool[:, 2].max()), shares, strict=True))
+                )
+                most = max(most, float(np.sqrt(r.torque.max() / m.torque.min())))
+                most = max(most, float(np.cbrt(r.jerk.max() / m.jerk.min())))
+        if most > MOST_SLOWED or most == 1.0:
+            return draft
+        return slowed(self.problem, draft, most * SLOWED)
+
+    def _open_grids(self, draft: Iterate, margins: list[Margins | None], grids: Grids) -> bool:
+        """Joint moves whose closed-form profiles break a cap, a range or a torque limit, or touch something, go on a
+        grid."""
+        opened = False
+        closed = self._ratios(draft, JointProfiles)
+        for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, draft.legs, closed, strict=True)):
+            if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
+                continue
+            past = max(np.max(x) for x in (ratios.tool, ratios.position, ratios.torque))
+            if past > 1 + OVER or self.clearances.touches(k, motion):
+                margins[k] = Margins.full(grids.joints, self.axes.n, EXACT)
+                opened = True
+        return opened
+
+    def _with_grids(self, draft: Iterate, margins: list[Margins | None]) -> Iterate:
+        legs = list(draft.legs)
+        for k, motion in enumerate(legs):
+            m = margins[k]
+            if isinstance(motion, JointProfiles) and m is not None:
+                T, N = motion.T, len(m.tool) - 1
+                end = motion.sample(self.axes, np.array([T])).q[0]
+                if np.abs(end - draft.q[k + 1]).max() < ARRIVES:
+                    legs[k] = _on_grid(self.axes, motion, N)
+                else:  # the time alone was guessed
+                    legs[k] = _smooth(T, draft.q[k : k + 2], draft.qd[k : k + 2], N)
+        return replace(draft, legs=tuple(legs))

@@ -1,0 +1,138 @@
+"""From the solver's variables back to a draft."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.transcription import LegVariables, Transcription, glides
+from trajopt_cli.problem.problem import Leg, Problem
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.profiles import hold, profiles
+
+
+def read(program: Transcription, x: Array) -> Iterate:
+    """The draft that variables x describe.
+
+    Raises ValueError for a joint move whose switches cannot be told apart in a file.
+    """
+    axes, problem, draft = program.axes, program.problem, program.draft
+    q, qd = (np.array([x[i] for i in indices]) for indices in (program.waypoint_q, program.waypoint_qd))
+    q, qd = _polished(axes, problem, draft, q, qd)
+    qdd = None
+    if program.waypoint_qdd:
+        qdd = _accelerations(axes, problem, q, qd, np.array([x[i] for i in program.waypoint_qdd]))
+    legs: list[LegMotion | None] = []
+    for leg, motion, var in zip(problem.legs, draft.legs, program.legs, strict=True):
+        k = leg.start
+        if motion is None:
+            legs.append(None)
+        elif var is None and glides(leg):
+            assert isinstance(motion, PathLeg)
+            legs.append(_glide(axes, motion, q[k : k + 2]))
+        elif var is None:  # a dwell in which nothing moves, or no time for it
+            legs.append(replace(hold(motion.T, q[k]), qd_0=qd[k]))
+        elif isinstance(motion, PathLeg):
+            legs.append(
+                _path(axes, motion, var, x, q[k : k + 2], qd[k : k + 2], qdd if qdd is None else qdd[k : k + 2])
+            )
+        elif isinstance(motion, JointProfiles):
+            legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T]), program.least(leg)))
+        else:
+            assert isinstance(motion, JointNodes)
+            T, nodes, velocities = float(x[var.T]), x[var.q], x[var.qv]
+            if len(var.qj):
+                assert qdd is not None
+                ends = (q[k : k + 2], qd[k : k + 2] * T, qdd[k : k + 2] * T**2)
+                legs.append(JointNodes(T, motion.grid, *_exact(motion.grid, ends, x[var.qj])))
+                continue
+            nodes[0], nodes[-1], velocities[0], velocities[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
+            legs.append(JointNodes(T, motion.grid, nodes, velocities, x[var.qa]))
+    return Iterate(q, qd, draft.cfx, tuple(legs), qdd)
+
+
+def _accelerations(axes: Axes, problem: Problem, q: Array, qd: Array, qdd: Array) -> Array:
+    """Those at the waypoints (M, n) with the arm's exactly as the rail's make them."""
+    rail, arm = axes.layout.rail, axes.layout.arm
+    for k, stop in enumerate(problem.waypoints):
+        if stop.q is None and not problem.rests(k):
+            at = axes.differential(q[k], np.eye(4))
+            J = at.jacobian()
+            qdd[k, arm] = np.linalg.solve(J[:, arm], -J[:, rail] @ qdd[k, rail] - at.bias(qd[k]))
+    return qdd
+
+
+def _exact(grid: Array, ends: tuple[Array, Array, Array], jerk: Array) -> tuple[Array, Array, Array]:
+    """Nodes x, v (N+1, k) and mean accelerations (N, k) of constant jerks (N, k) between given states (2, k) of
+    position, velocity and acceleration: integrated to rounding, so that the acceleration goes on through the nodes,
+    with what the solver leaves at the end spread over all of it."""
+    h = np.diff(grid)[:, None]
+    x, v, a = (np.zeros((len(grid), jerk.shape[1])) for _ in range(3))
+    x[0], v[0], a[0] = (one[0] for one in ends)
+    for i in range(len(jerk)):
+        a[i + 1] = a[i] + h[i] * jerk[i]
+        v[i + 1] = v[i] + h[i] * (a[i] + h[i] / 2 * jerk[i])
+        x[i + 1] = x[i] + h[i] * (v[i] + h[i] * (a[i] / 2 + h[i] / 6 * jerk[i]))
+    off = np.array([one[1] - now[-1] for one, now in zip(ends, (x, v, a), strict=True)])
+    # the quintic that is nothing at the start and all of what is missing at the end
+    powers = np.array([[1, 1, 1], [3, 4, 5], [6, 12, 20]])
+    c = np.linalg.solve(powers, off)
+    u = grid[:, None, None]
+    x += np.sum(c * u ** np.array([3, 4, 5])[:, None], axis=1)
+    v += np.sum(c * np.array([3, 4, 5])[:, None] * u ** np.array([2, 3, 4])[:, None], axis=1)
+    x[-1], v[-1] = ends[0][1], ends[1][1]
+    return x, v, np.diff(v, axis=0) / h
+
+
+def _polished(axes: Axes, problem: Problem, draft: Iterate, q: Array, qd: Array) -> tuple[Array, Array]:
+    """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
+    rail, arm = axes.layout.rail, axes.layout.arm
+    for first, *others in problem.ties:
+        q[others, rail] = q[first, rail]
+    for k, stop in enumerate(problem.waypoints):
+        if stop.q is not None:
+            continue
+        joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, draft.cfx[k]]
+        q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
+        qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
+    return q, qd
+
+
+def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q: Array, qd: Array, qdd: Array | None) -> PathLeg:
+    T = float(x[var.T])
+    lengths = np.repeat(x[var.h], motion.N // 3)
+    grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
+    s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
+    if not len(var.d):  # in proportion to the share
+        assert qdd is not None
+        still = np.zeros((2, 1))
+        s, v, a = _exact(grid, (np.array([[0.0], [1.0]]), still, still), x[var.j][:, None])
+        way = (q[1] - q[0])[axes.layout.rail]
+        d, w, b = q[0, axes.layout.rail] + s * way, v * way, a * way
+        return replace(motion, T=T, grid=grid, s=s[:, 0], v=v[:, 0], a=a[:, 0], d=d, w=w, b=b)
+    d, w, b = x[var.d], x[var.w], x[var.b]
+    w[0], w[-1] = qd[:, axes.layout.rail] * T  # short legs make much of what the solver leaves
+    reference, rail = q[0, axes.layout.arm], axes.layout.rail
+    if qdd is not None:
+        d, w, b = _exact(grid, (q[:, rail], qd[:, rail] * T, qdd[:, rail] * T**2), x[var.y])
+        if len(var.j):
+            still = np.zeros((2, 1))
+            s, v, a = (one[:, 0] for one in _exact(grid, (np.array([[0.0], [1.0]]), still, still), x[var.j][:, None]))
+    return replace(motion, T=T, grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
+
+
+def _glide(axes: Axes, motion: PathLeg, q: Array) -> PathLeg:
+    d_0, d_1 = q[:, axes.layout.rail]
+    d = d_0 + motion.grid[:, None] * (d_1 - d_0)
+    w = np.tile(d_1 - d_0, (motion.N + 1, 1))
+    return replace(motion, d=d, w=w, b=np.zeros_like(motion.b), reference=q[0, axes.layout.arm])
+
+
+def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float, low: float) -> JointProfiles:
+    # between given states the least time is known in closed form; the solver's T only comes near it
+    least = T if leg.duration is not None else low
+    return profiles(q[0], qd[0], q[1], qd[1], axes.velocity_on(leg), axes.acceleration_on(leg), least, common=False)

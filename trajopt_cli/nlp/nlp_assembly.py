@@ -1,0 +1,248 @@
+"""A nonlinear program put together from many copies of a few small blocks, with exact sparse derivatives.
+
+CasADi writes and differentiates each block once. A block's functions are evaluated for all its copies in one call, and
+their numbers gathered into the Jacobian and the Hessian of the Lagrangian. Construction stays a fraction of the solve
+however long the program is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.nlp.interior_point import Bounds, InteriorPoint, NlpResult
+from trajopt_cli.nlp.nlp_callbacks import Copies, Evaluation, Kernel, MapKernel
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """What a block asks for, without its functions: numbers of variables and parameters, bounds (m,), and rows and
+    columns of the nonzeros of its Jacobian and of the upper triangle of its Hessian."""
+
+    n_variables: int
+    n_parameters: int
+    lower: Array
+    upper: Array
+    jacobian_at: tuple[IndexArray, IndexArray]
+    hessian_at: tuple[IndexArray, IndexArray]
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """One kind of constraint: lower <= g(z, p) <= upper, with its derivatives' nonzeros as functions."""
+
+    name: str
+    shape: Shape
+    g: Kernel
+    jacobian: Kernel
+    hessian: Kernel
+
+    @property
+    def sizes(self) -> tuple[int, int, int]:
+        """Numbers of variables, parameters and rows."""
+        return self.shape.n_variables, self.shape.n_parameters, len(self.shape.lower)
+
+    def values(self, z: Array, p: Array) -> tuple[Array, Array]:
+        """g (n, m) and the Jacobian's nonzeros of n copies at variables (n, n_z) and parameters (n, n_p)."""
+        m, nonzeros = len(self.shape.lower), len(self.shape.jacobian_at[0])
+        return _called(self.g, m, z, p), _called(self.jacobian, nonzeros, z, p)
+
+    def curvature(self, z: Array, p: Array, lam: Array) -> Array:
+        """The Hessian's nonzeros of n copies at variables, parameters and multipliers (n, m)."""
+        return _called(self.hessian, len(self.shape.hessian_at[0]), z, p, lam)
+
+
+def _called(kernel: Kernel, k: int, z: Array, p: Array, lam: Array | None = None) -> Array:
+    copies = Copies(len(z), kernel.lanes)
+    none = np.zeros((len(z), 0))
+    packed_z, packed_p, packed_lam = (copies.packed(x) for x in (z, p, none if lam is None else lam))
+    out = np.zeros(copies.groups * copies.lanes * k)
+    kernel.bound(copies.groups, packed_z, packed_p, packed_lam, out)()
+    return out[copies.places(k)]
+
+
+@dataclass(frozen=True, eq=False)
+class Expressed:
+    """A block as CasADi expressions: by function, of what it is made and what it gives."""
+
+    shape: Shape
+    parts: dict[str, tuple[list[ca.SX], ca.SX]]
+
+    def functions(self) -> dict[str, ca.Function]:
+        """g, jacobian and hessian."""
+        return {name: ca.Function(name, of, [gives]) for name, (of, gives) in self.parts.items()}
+
+    def block(self, name: str) -> Block:
+        """The block that CasADi evaluates."""
+        return Block(name, self.shape, *map(MapKernel, self.functions().values()))
+
+
+Rows = Callable[[ca.SX, ca.SX], Sequence[tuple[ca.SX, float, float]]]
+
+
+def express(n_variables: int, n_parameters: int, rows: Rows) -> Expressed:
+    """A block from rows(z, p) -> [(expression, lower, upper), ...]; vector expressions share their bounds."""
+    z, p = ca.SX.sym("z", n_variables), ca.SX.sym("p", n_parameters)
+    entries = [(ca.vec(ca.densify(e)), low, high) for e, low, high in rows(z, p)]
+    g = ca.vertcat(*(e for e, _, _ in entries))
+    lower = np.concatenate([np.full(e.numel(), low) for e, low, _ in entries])
+    upper = np.concatenate([np.full(e.numel(), high) for e, _, high in entries])
+    jac = ca.jacobian(g, z)
+    lam = ca.SX.sym("lam", g.numel())
+    hess = ca.triu(ca.hessian(ca.dot(lam, g), z)[0])
+    shape = Shape(n_variables, n_parameters, lower, upper, _places(jac), _places(hess))
+    parts = {
+        "g": ([z, p], g),
+        "jacobian": ([z, p], ca.densify(jac.nz[:])),
+        "hessian": ([z, p, lam], ca.densify(hess.nz[:])),
+    }
+    return Expressed(shape, parts)
+
+
+def _places(of: ca.SX) -> tuple[IndexArray, IndexArray]:
+    rows, cols = of.sparsity().get_triplet()
+    return np.array(rows, dtype=np.intp), np.array(cols, dtype=np.intp)
+
+
+def make_block(name: str, n_variables: int, n_parameters: int, rows: Rows) -> Block:
+    """A block from its rows, see express, that CasADi evaluates."""
+    return express(n_variables, n_parameters, rows).block(name)
+
+
+@dataclass
+class _Held:
+    """Where a block holds: variables (n, n_z) and parameters (n, n_p) of n copies, added bit by bit."""
+
+    z: list[IndexArray] = field(default_factory=list)
+    p: list[Array] = field(default_factory=list)
+
+    @property
+    def all_z(self) -> IndexArray:
+        return np.concatenate(self.z)
+
+    @property
+    def all_p(self) -> Array:
+        return np.concatenate(self.p)
+
+
+class BlockNlp:
+    """Collects variables and block copies, then solves min cost . x."""
+
+    def __init__(self) -> None:
+        self._lower: list[Array] = []
+        self._upper: list[Array] = []
+        self._guess: list[Array] = []
+        self._count = 0
+        self._cost: list[tuple[int, float]] = []
+        self._damped: list[tuple[IndexArray, float]] = []
+        self._held: dict[Block, _Held] = {}
+
+    def variables(self, guess: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> IndexArray:
+        """Add len(guess) variables; returns their indices."""
+        guess = np.atleast_1d(np.asarray(guess, dtype=float)).ravel()
+        n = len(guess)
+        self._guess.append(guess)
+        self._lower.append(np.broadcast_to(np.asarray(lower, dtype=float), (n,)).copy())
+        self._upper.append(np.broadcast_to(np.asarray(upper, dtype=float), (n,)).copy())
+        out = np.arange(self._count, self._count + n)
+        self._count += n
+        return out
+
+    def minimise(self, index: int, weight: float = 1.0) -> None:
+        """Add weight * x[index] to the cost."""
+        self._cost.append((index, weight))
+
+    def damp(self, indices: IndexArray, weight: float) -> None:
+        """Add weight / 2 * x^2 to the cost: a hair of curvature where the cycle time does not care."""
+        self._damped.append((indices, weight))
+
+    def add(self, block: Block, z: Sequence[int] | IndexArray, p: Sequence[float] | Array = ()) -> None:
+        """Add one copy on variables z (n_z,) with parameters p (n_p,), or n of them: z (n, n_z), p (n, n_p)."""
+        Z, P = np.atleast_2d(np.asarray(z, dtype=np.intp)), np.atleast_2d(np.asarray(p, dtype=float))
+        n_z, n_p, _ = block.sizes
+        if Z.shape[1:] != (n_z,) or P.shape != (len(Z), n_p):
+            raise ValueError(f"block {block.name}: z {Z.shape}, p {P.shape}; wanted (n, {n_z}), (n, {n_p})")
+        ordered = np.sort(Z, axis=1)
+        twice = np.flatnonzero(np.any(ordered[:, 1:] == ordered[:, :-1], axis=1))
+        if len(twice):
+            raise ValueError(f"block {block.name}: a variable stands twice in z = {Z[twice[0]].tolist()}")
+        if len(Z):
+            held = self._held.setdefault(block, _Held())
+            held.z.append(Z)
+            held.p.append(P)
+
+    def build(self) -> None:
+        """Assemble what evaluates it, and what solves it."""
+        cost, weights = np.zeros(self._count), np.zeros(self._count)
+        for index, weight in self._cost:
+            cost[index] += weight
+        for indices, weight in self._damped:
+            weights[indices] += weight
+        kinds = [(block, held.all_z) for block, held in self._held.items()]
+        self._evaluation = Evaluation(kinds, cost, weights)
+        bounds = self._bounds()
+        free, equations = bounds.lower < bounds.upper, bounds.g_lower == bounds.g_upper
+        self._interior = InteriorPoint(self._evaluation.jacobian_at, self._evaluation.hessian_at, free, equations)
+
+    @property
+    def guess(self) -> Array:
+        """The variables' guesses."""
+        return np.concatenate(self._guess)
+
+    @property
+    def empty(self) -> bool:
+        """True when nothing constrains anything, or nothing is left to choose: there is no question to solve."""
+        return not self._held or not np.any(np.concatenate(self._lower) < np.concatenate(self._upper))
+
+    def adopt(self, other: BlockNlp) -> None:
+        """Take over the built functions of a program with the same blocks on the same variables."""
+        mine, theirs = self._held, other._held
+        if list(mine) != list(theirs) or any(not np.array_equal(mine[k].all_z, theirs[k].all_z) for k in mine):
+            raise ValueError("adopt: the two programs differ in structure")
+        self._evaluation, self._interior = other._evaluation, other._interior
+
+    def _bounds(self) -> Bounds:
+        held = self._held.items()
+        return Bounds(
+            np.concatenate(self._lower),
+            np.concatenate(self._upper),
+            np.concatenate([np.tile(block.shape.lower, len(one.all_z)) for block, one in held]),
+            np.concatenate([np.tile(block.shape.upper, len(one.all_z)) for block, one in held]),
+        )
+
+    def solve(
+        self, guess: NlpResult | None = None, *, mu: float = 1e-1, tolerance: float = 1e-8, most: int = 200,
+        stop: Callable[[], bool] | None = None,
+    ) -> NlpResult:  # fmt: skip
+        """Solve from the variables' guesses, or warm from an earlier result of the same program. stop: asked in every
+        iteration whether to end there, without convergence."""
+        if not hasattr(self, "_evaluation"):
+            self.build()
+        self._evaluation.put([one.all_p for one in self._held.values()])
+        start = self.guess if guess is None else guess
+        return self._interior.solve(self._evaluation, self._bounds(), start, mu, tolerance, most, stop)
+
+    def lagrangian_change(self, other: BlockNlp, answer: NlpResult) -> float:
+        """By how much the least cost of another program with the same structure differs from this one's, to first
+        order: by the multipliers of this one's answer. Raises ValueError where structures differ."""
+        other.adopt(self)
+        mine, theirs = self._bounds(), other._bounds()
+        fixed = mine.lower == mine.upper
+        if not np.array_equal(fixed, theirs.lower == theirs.upper):
+            raise ValueError("first order: the two programs fix other variables")
+        moved = np.where(fixed, theirs.lower, answer.x)
+        now, then = self._value(answer.x, answer.lam_g), other._value(moved, answer.lam_g)
+        with np.errstate(invalid="ignore"):  # bounds that are none
+            up, down = (np.nan_to_num(x) for x in (theirs.upper - mine.upper, theirs.lower - mine.lower))
+        pressed = np.maximum(-answer.lam_x, 0.0) * down - np.maximum(answer.lam_x, 0.0) * up
+        return then - now + float(pressed[~fixed].sum())
+
+    def _value(self, x: Array, lam_g: Array) -> float:
+        """Cost and weighed rows at x."""
+        self._evaluation.put([one.all_p for one in self._held.values()])
+        return self._evaluation.cost(x) + float(lam_g @ self._evaluation.constraints(x))

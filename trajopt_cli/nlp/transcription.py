@@ -1,0 +1,598 @@
+"""The whole problem as one nonlinear program: which variables a draft has, and where each relation holds.
+
+Each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the rail
+moves freely along lines and dwells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
+from trajopt_cli.nlp.clearances import Tangents
+from trajopt_cli.nlp.constraint import Parts, Relation
+from trajopt_cli.nlp.formulation import INF, LEFT, RIGHT, Formulation, ToolCap, Track
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
+from trajopt_cli.path.arc import Arc, ArcSymbols
+from trajopt_cli.path.dwell import Dwell, DwellSymbols
+from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path.turning import Turning, TurningSymbols
+from trajopt_cli.problem.decision_scope import RailFreedom
+from trajopt_cli.problem.objective import LeastEffort
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.robot.symbolic_dynamics import load_parameters
+from trajopt_cli.settings import (
+    DAMPED_AS_MUCH,
+    DAMPING,
+    DAMPING_DWELL,
+    DAMPING_JERK,
+    FREE_ZONES,
+    GLIDE,
+    JOINT_CURVE,
+    JOINT_JERK,
+    JOINT_RATE,
+    LEAST_TIME,
+    LEAST_ZONE,
+    MOST_ZONES,
+    SHARE_CURVE,
+    SHARE_JERK,
+    SHARE_RATE,
+    SHARPEST,
+    START,
+    TYPICAL_JERK,
+)
+from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.effort import efforts
+from trajopt_cli.trajectories.iterate import Iterate, Margins
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+
+NONE: IndexArray = np.zeros(0, dtype=np.intp)
+NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
+
+
+@dataclass
+class LegVariables:
+    """Indices of a leg's variables, NONE where the leg has no such: its time T, lengths h of a path's zones, share
+    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), and the axes of a joint move on a grid as (N+1, n). Where
+    jerk is limited the accelerations are N+1, and jerks j, y, qj are the N."""
+
+    T: int
+    h: IndexArray = field(default_factory=NONE.copy)
+    s: IndexArray = field(default_factory=NONE.copy)
+    v: IndexArray = field(default_factory=NONE.copy)
+    a: IndexArray = field(default_factory=NONE.copy)
+    d: IndexArray = field(default_factory=NONE.copy)
+    w: IndexArray = field(default_factory=NONE.copy)
+    b: IndexArray = field(default_factory=NONE.copy)
+    q: IndexArray = field(default_factory=NONE.copy)
+    qv: IndexArray = field(default_factory=NONE.copy)
+    qa: IndexArray = field(default_factory=NONE.copy)
+    j: IndexArray = field(default_factory=NONE.copy)
+    y: IndexArray = field(default_factory=NONE.copy)
+    qj: IndexArray = field(default_factory=NONE.copy)
+
+
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """The nodes (m,) of a leg that have intervals on the same sides, and the interval (m,) on each side."""
+
+    sides: str
+    at: IndexArray
+    beside: Mapping[str, IndexArray]
+
+    def around(self, **accelerations: IndexArray) -> dict[str, IndexArray]:
+        """Accelerations by name and side at these nodes, of those (N, ...) in each interval: around(a=x) has a_l of
+        the intervals on the left, a_r on the right."""
+        return {f"{name}_{side}": x[i] for name, x in accelerations.items() for side, i in self.beside.items()}
+
+
+def _nodes_by_sides(N: int) -> tuple[Nodes, Nodes, Nodes]:
+    """The first, the inner and the last node of N intervals."""
+    first, inner, last = np.arange(1), np.arange(1, N), np.array([N])
+    return (
+        Nodes(RIGHT, first, {RIGHT: first}),
+        Nodes(LEFT + RIGHT, inner, {LEFT: inner - 1, RIGHT: inner}),
+        Nodes(LEFT, last, {LEFT: last - 1}),
+    )
+
+
+def at_once(motion: LegMotion | None) -> bool:
+    """Whether a motion at hand takes no time: a place that the program names once more."""
+    return motion is not None and motion.T == 0.0
+
+
+def glides(leg: Leg) -> bool:
+    """Whether a leg is a wait so short that the rail goes on as it comes."""
+    return leg.kind is LegKind.DWELL and leg.rail_moves and leg.duration is not None and leg.duration < GLIDE
+
+
+class Transcription:
+    """The program for one draft's structure: its branches, grids, which joint moves are on a grid, and which legs have
+    bodies near them."""
+
+    def __init__(
+        self, axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, margins: Sequence[Margins | None],
+        tangents: Mapping[int, Tangents] = NOTHING_NEAR,
+    ):  # fmt: skip
+        self.axes, self.formulation, self.problem = axes, formulation, problem
+        self.draft, self.margins, self.tangents = draft, margins, tangents
+        self.nlp = BlockNlp()
+        self.waypoint_q: list[IndexArray] = []
+        self.waypoint_qd: list[IndexArray] = []
+        self.waypoint_qdd: list[IndexArray] = []
+        self._smooth = formulation.smooth
+        for k in range(len(problem.waypoints)):
+            self._waypoint(k)
+        asked = problem.objective
+        self._weighed = isinstance(asked, LeastEffort)
+        if isinstance(asked, LeastEffort):
+            whole = float(np.nansum(efforts(axes, draft.legs))) or 1.0
+            self._unit = axes.acceleration * np.sqrt(whole)  # so that the efforts add up to one or less
+        self.legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
+        if isinstance(asked, LeastEffort):
+            self._elapse(asked.seconds)
+        self._ties()
+
+    def _hold(self, relation: Relation, z: Parts, p: Parts | None = None) -> None:
+        relation.holds(self.nlp, z, p or {})
+
+    # ---- boundary
+    def _waypoint(self, k: int) -> None:
+        nlp, axes, stop = self.nlp, self.axes, self.problem.waypoints[k]
+        rail, arm = axes.layout.rail, axes.layout.arm
+        q, qd = self.draft.q[k], self.draft.qd[k]
+        qdd = np.zeros(axes.n) if self.draft.qdd is None else self.draft.qdd[k]
+        if stop.q is not None and self._smooth:
+            self.waypoint_qdd.append(nlp.variables(qdd, qdd, qdd))
+        if stop.q is not None:
+            self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
+            self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
+            return
+        low, high = self._waypoint_range(k, stop.rail)
+        d = nlp.variables(np.clip(q[rail], low, high), low, high)
+        joints = nlp.variables(q[arm], axes.lower[arm], axes.upper[arm])
+        rest = self.problem.rests(k)
+        V = np.zeros(axes.n) if rest else axes.velocity
+        guess = np.zeros(axes.n) if rest else qd
+        w = nlp.variables(guess[rail], -V[rail], V[rail])
+        joints_v = nlp.variables(guess[arm], -V[arm], V[arm])
+        self.waypoint_q.append(axes.layout.merge(d, joints))
+        self.waypoint_qd.append(axes.layout.merge(w, joints_v))
+        if self._smooth:
+            A = np.zeros(axes.n) if rest else axes.acceleration
+            self.waypoint_qdd.append(nlp.variables(np.zeros(axes.n) if rest else np.clip(qdd, -A, A), -A, A))
+        p = {
+            "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
+            "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
+            "near": q[arm],
+        }
+        if rest:
+            self._hold(self.formulation.resting_waypoint(), {"d": d, "q": joints}, p)
+        else:
+            z = {"d": d, "w": w, "q": joints, "qd": joints_v}
+            if self._smooth:
+                z |= {"b": self.waypoint_qdd[k][rail], "qdd": self.waypoint_qdd[k][arm]}
+            self._hold(self.formulation.waypoint(), z, p)
+        if axes.couplings:
+            self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
+
+    def _rail_range(self, share: Array) -> tuple[Array, Array]:
+        """The rail's range (..., r) at nodes that may use a share (..., r) of its half, about its middle: a rail that
+        is at its end with velocity would pass it before the next node."""
+        low, high = self.axes.lower[self.axes.layout.rail], self.axes.upper[self.axes.layout.rail]
+        room = share * (high - low) / 2
+        return (low + high) / 2 - room, (low + high) / 2 + room
+
+    def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array | float, Array | float]:
+        """The rail's range at waypoint k: what the program allows and what the legs beside it leave."""
+        before, after = self.margins[k - 1] if k else None, self.margins[k] if k < len(self.margins) else None
+        rail = self.axes.layout.rail
+        shares = [m.position[node, rail] for m, node in ((before, -1), (after, 0)) if m is not None]
+        if allowed[0] == allowed[1] or not shares:
+            return allowed
+        low, high = self._rail_range(np.min(shares, axis=0))
+        return np.maximum(allowed[0], low), np.minimum(allowed[1], high)
+
+    # ---- ties
+    def _ties(self) -> None:
+        """Waypoints of a station share one rail position where the freedom says so, and so do tied ones."""
+        rail = self.axes.layout.rail
+        pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
+        for k, leg in enumerate(self.problem.legs):
+            hold = not leg.rail_moves
+            if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
+                hold = True
+            if hold or at_once(self.draft.legs[k]):
+                pairs.append((k, k + 1))
+        held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
+        for i, k in pairs:
+            a, b = self.problem.waypoints[i], self.problem.waypoints[k]
+            if held[i] != held[k] and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
+                for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
+                    self._hold(self.formulation.equal(), {"x": x, "y": y})
+                held = [held[i] if one == held[k] else one for one in held]
+        for k, motion in enumerate(self.draft.legs):
+            moved = [i for i in (k, k + 1) if self.problem.waypoints[i].q is None and not self.problem.rests(i)]
+            if at_once(motion) and moved:
+                for x, y in zip(self.waypoint_qd[k][rail], self.waypoint_qd[k + 1][rail], strict=True):
+                    self._hold(self.formulation.equal(), {"x": x, "y": y})
+
+    # ---- legs
+    def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
+        if motion is None or at_once(motion) or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
+            return None
+        if glides(leg) and not self._smooth:
+            self._glide(leg)
+            return None
+        low, high = (leg.duration, leg.duration) if leg.duration is not None else (self.least(leg), INF)
+        T = int(self.nlp.variables([motion.T], low, high)[0])
+        if not self._weighed:
+            self.nlp.minimise(T)
+        out = LegVariables(T)
+        if isinstance(motion, PathLeg):
+            assert margins is not None
+            self._path(leg, motion, margins, out)
+        elif isinstance(motion, JointProfiles):
+            self._joint_closed(leg, out)
+        else:
+            assert margins is not None
+            assert isinstance(motion, JointNodes)
+            self._joints(leg, motion, margins, out)
+        return out
+
+    def _glide(self, leg: Leg) -> None:
+        """A wait so short that the rail goes on as it comes."""
+        assert leg.duration is not None
+        rail, k = self.axes.layout.rail, leg.start
+        still = self.nlp.variables(np.zeros(self.axes.layout.r), 0.0, 0.0)
+        ends = [(self.waypoint_q[i][rail], self.waypoint_qd[i][rail]) for i in (k, k + 1)]
+        z = {"x_0": ends[0][0], "v_0": ends[0][1], "a": still, "x_1": ends[1][0], "v_1": ends[1][1]}
+        self._hold(self.formulation.integration(), z, {"h": leg.duration})
+
+    def _most(self, leg: Leg, motion: LegMotion, rate: float, curve: float) -> tuple[Array, Array]:
+        """Bounds (n,) of the axes' derivatives by scaled time that no answer comes near: more in a long time."""
+        V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
+        return np.maximum(rate, 2 * V * motion.T), np.maximum(curve, 2 * A * motion.T**2)
+
+    def least(self, leg: Leg) -> float:
+        """What a leg takes at least [s]; a joint move what the tool takes straight from stop to stop."""
+        shortest = max(LEAST_TIME, leg.least)
+        if leg.kind is not LegKind.JOINT:
+            return shortest
+        points = self.problem.waypoints[leg.start : leg.start + 2]
+        p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
+        return max(shortest, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, mean_ramp(*leg.ramps))))
+
+    def _elapse(self, seconds: float) -> None:
+        """The legs take so long in all."""
+        pairs = zip(self.legs, self.draft.legs, strict=True)
+        left = seconds - sum(motion.T for var, motion in pairs if var is None and motion is not None)
+        times = [var.T for var in self.legs if var is not None]
+        passed = np.cumsum([0.0, *self.nlp.guess[times]])
+        passed *= left / passed[-1]
+        low, high = np.zeros(len(passed)), np.full(len(passed), left)
+        low[-1], high[0] = left, 0.0
+        t = self.nlp.variables(passed, low, high)
+        self._hold(self.formulation.elapsed(), {"t_0": t[:-1], "T": times, "t_1": t[1:]})
+
+    def _damp(self, accelerations: IndexArray, weight: float) -> None:
+        """A hair of curvature, but where effort is what counts."""
+        if not self._weighed:
+            self.nlp.damp(accelerations.ravel(), weight)
+
+    def _damp_jerk(self, jerks: IndexArray, scale: Array, T: float) -> None:
+        """The same for jerks (N, k), which are of the order of scale (k,)."""
+        for of_axis, one in zip(jerks.T, scale, strict=True):
+            self._damp(of_axis, DAMPING_JERK * T / one**2)
+
+    def _effort(self, guess: Array) -> IndexArray:
+        """Variables of the effort at nodes or in intervals, to be kept small. guess: what it may be."""
+        e = self.nlp.variables(guess, 0.0, np.inf)
+        for one in e:
+            self.nlp.minimise(int(one))
+        return e
+
+    def _track(self, leg: Leg, motion: PathLeg) -> tuple[Track, Array]:
+        """A path's kind, and its parameters."""
+        X_BW, turning, segment = inverse_pose(self.axes.X_WB0), leg.angle > 1e-9, motion.segment
+        if isinstance(segment, Turning):
+            way = ArcSymbols.of(segment.way) if isinstance(segment.way, Arc) else LineSymbols(turning)
+            over = TurningSymbols(way, len(segment.turns))
+            return over, over.vector(segment, X_BW, motion.X_FT)
+        if isinstance(segment, Arc):
+            arc = ArcSymbols.of(segment)
+            return arc, arc.vector(segment, X_BW, motion.X_FT)
+        assert isinstance(segment, Line)
+        line = LineSymbols(turning)
+        return line, line.vector(segment, X_BW, motion.X_FT)
+
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> dict[str, Array]:
+        """Parameters of all nodes of a path."""
+        m = margins
+        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.fastest_turn / leg.v_ori]) / m.tool
+        return {
+            "path": np.tile(path, (len(caps), 1)),
+            "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (len(caps), 1)),
+            "near": motion.node_arm(self.axes),
+            "V": self.axes.velocity_on(leg) * m.velocity,
+            "A": self.axes.acceleration_on(leg) * m.acceleration,
+            "at_speed": caps[:, 0],
+            "at_acceleration": caps[:, 1],
+            "at_turning": caps[:, 2],
+            "room": m.position[:, self.axes.layout.arm],
+            **({} if self.axes.jerk is None else {"jerk": self.axes.jerk * m.jerk}),
+            **({} if leg.along is None else {"along": _along(leg, leg.along, m.tool[:, ToolCap.ACCELERATION])}),
+            **({"table": np.tile(np.array(leg.table) / START, (len(caps), 1))} if leg.units else {}),
+        }
+
+    def _chain(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
+        """What the integration of a chain is made of; j: jerks where they are limited."""
+        z = {"x_0": x[:-1], "v_0": v[:-1], "x_1": x[1:], "v_1": v[1:]}
+        return z | ({"a_0": a[:-1], "j": j, "a_1": a[1:]} if self._smooth else {"a": a})
+
+    def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> None:
+        z = self._chain(x, v, a, j) | {"h": np.repeat(h, (len(x) - 1) // 3)}
+        self._hold(self.formulation.zoned_integration(), z)
+
+    def _linked(self, leg: Leg, axes: slice, v: IndexArray, a: IndexArray, T: int) -> None:
+        """Velocities v (N+1, m) of some axes begin and end as the waypoints' do; accelerations (N+1, m), too, where
+        jerk is limited."""
+        for node, k in ((0, leg.start), (-1, leg.start + 1)):
+            z = {"xd": self.waypoint_qd[k][axes], "v": v[node], "T": T}
+            self._hold(self.formulation.velocity_link(), z)
+            if self._smooth:
+                z = {"xdd": self.waypoint_qdd[k][axes], "a": a[node], "T": T}
+                self._hold(self.formulation.acceleration_link(), z)
+
+    def _zones(self, motion: PathLeg) -> IndexArray:
+        """Interval lengths of a path's three zones (run-up, middle, run-out).
+
+        Free on one grid only, so that switches fall on nodes; kept on the finer ones, which saves iterations.
+        """
+        per_zone = motion.N // 3
+        lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
+        if motion.N != FREE_ZONES or self._weighed:
+            return self.nlp.variables(lengths, lengths, lengths)
+        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, MOST_ZONES / per_zone)
+        self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
+        return h
+
+    def _share(self, motion: PathLeg, curve: float, out: LegVariables) -> None:
+        """Variables of a share going from 0 to 1, at rest at both ends, never backwards; curve: bound of its second
+        derivative."""
+        N = motion.N
+        low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
+        low_s[-1], high_s[0] = 1.0, 0.0
+        high_v = np.full(N + 1, SHARE_RATE)
+        high_v[[0, -1]] = 0.0
+        out.s = self.nlp.variables(motion.s, low_s, high_s)
+        out.v = self.nlp.variables(motion.v, 0.0, high_v)
+        if not self._smooth:
+            out.a = self.nlp.variables(motion.a, -curve, curve)
+            return
+        most = np.full(N + 1, curve)
+        most[[0, -1]] = 0.0
+        between = np.r_[0.0, (motion.a[1:] + motion.a[:-1]) / 2, 0.0]
+        out.a = self.nlp.variables(between, -most, most)
+        out.j = self.nlp.variables(np.diff(between) / np.diff(motion.grid), -SHARE_JERK, SHARE_JERK)
+
+    def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
+        """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
+        nlp, N, layout = self.nlp, motion.N, self.axes.layout
+        M = N + 1 if self._smooth else N
+        if not leg.rail_moves:
+            out.d = np.tile(self.waypoint_q[leg.start][layout.rail], (N + 1, 1))
+            out.w = nlp.variables(np.zeros((N + 1) * layout.r), 0.0, 0.0).reshape(N + 1, layout.r)
+            out.b = nlp.variables(np.zeros(M * layout.r), 0.0, 0.0).reshape(M, layout.r)
+            out.y = nlp.variables(np.zeros(N * layout.r), 0.0, 0.0).reshape(N, layout.r) if self._smooth else NONE
+            return
+        ends = [self.waypoint_q[k][None, layout.rail] for k in (leg.start, leg.start + 1)]
+        low, high = self._rail_range(margins.position[1:-1, layout.rail])
+        inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
+        out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
+        fast, sharp = (bound[layout.rail] for bound in self._most(leg, motion, SHARE_RATE, SHARE_CURVE))
+        out.w = nlp.variables(motion.w, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, layout.r)
+        most = np.tile(sharp, (M, 1))
+        guess = motion.b
+        if self._smooth:
+            guess = np.vstack([guess[:1], (guess[1:] + guess[:-1]) / 2, guess[-1:]])
+            steps = np.diff(motion.grid)[:, None]
+            out.y = nlp.variables(np.diff(guess, axis=0) / steps, -SHARE_JERK, SHARE_JERK).reshape(N, layout.r)
+        elif leg.kind is LegKind.DWELL and leg.duration is not None:
+            most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
+        out.b = nlp.variables(np.clip(guess, -most, most), -most.ravel(), most.ravel()).reshape(M, layout.r)
+        for j in range(layout.r):
+            self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j], out.y[:, j] if self._smooth else NONE)
+        self._damp(out.b, DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
+        if self.axes.jerk is not None:
+            self._damp_jerk(out.y, self.axes.jerk[layout.rail] * motion.T**3, motion.T)
+        self._linked(leg, layout.rail, out.w, out.b, out.T)
+
+    def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
+        out.h = self._zones(motion)
+        line = leg.kind is LegKind.LINE
+        if line:
+            sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow way has short ramps
+            self._share(motion, max(SHARE_CURVE, min(sharp, SHARPEST)), out)
+            self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
+            if self._smooth:
+                self._damp_jerk(out.j[:, None], np.array([TYPICAL_JERK]), motion.T)
+        fixed = line and self.problem.coordinated
+        tied = fixed and self.axes.layout.r > 0  # without a rail it is the same node
+        if not tied:
+            self._rail_on_path(leg, motion, margins, out)
+        track, path = self._track(leg, motion)
+        p = self._path_parameters(leg, motion, margins, path)
+        half = np.diff(motion.grid) / 2
+        e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
+        for nodes in _nodes_by_sides(motion.N):
+            at = nodes.at
+            z: dict[str, ArrayLike] = {"T": out.T}
+            if line:
+                z |= {"s": out.s[at], "v": out.v[at], **self._driving(nodes, a=out.a, ja=out.j)}
+            if not tied:
+                z |= {"d": out.d[at], "w": out.w[at], **self._driving(nodes, b=out.b, jb=out.y)}
+            here = {name: x[at] for name, x in p.items()}
+            if tied:
+                ends = self.draft.q[leg.start : leg.start + 2, self.axes.layout.rail]
+                here |= {"d_0": np.tile(ends[0], (len(at), 1)), "way": np.tile(ends[1] - ends[0], (len(at), 1))}
+            if self._weighed:
+                z["e"] = e[at]
+                here |= {"unit": np.tile(self._unit, (len(at), 1))}
+                widths = [half[i] for i in nodes.beside.values()]
+                here |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
+            relation = (
+                self.formulation.path_node(track, nodes.sides, self._weighed, tied, leg.along is not None)
+                if line
+                else self.formulation.dwell_node(nodes.sides, self._weighed)
+            )
+            self._hold(relation, z, here)
+            self._path_torques(track if line else None, nodes, z, here, leg, margins, tied)
+        if not fixed and (tangents := self.tangents.get(leg.start)) is not None:
+            z = {"d": out.d, "s": out.s} if line else {"d": out.d}
+            here = {name: p[name] for name in ("path", "branch", "near")}
+            here |= {"gradient": tangents.gradient, "least": tangents.least}
+            self._hold(self.formulation.clear_path(track if line else None), z, here)
+
+    def _path_torques(
+        self, track: Track | None, nodes: Nodes, z: Parts, p: Parts, leg: Leg, margins: Margins,
+        tied: bool,
+    ) -> None:  # fmt: skip
+        """Torques at nodes of a path, track None for a dwell, with the parts of its own relation."""
+        if self.axes.torque is None:
+            return
+        rows = self.formulation
+        relation = rows.dwell_torque(nodes.sides) if track is None else rows.path_torque(track, nodes.sides, tied)
+        have = {**p, **self._torque_parameters(leg, margins, nodes)}
+        own = {name: have[name] for name in relation.p.shapes}
+        self._hold(relation, {name: z[name] for name in relation.z.shapes}, own)
+
+    def _torque_parameters(self, leg: Leg, margins: Margins, nodes: Nodes) -> dict[str, Array]:
+        assert self.axes.torque is not None
+        count = (len(nodes.at), 1)
+        return {
+            "load": np.tile(load_parameters(leg.load), count),
+            "limit": np.tile(np.nan_to_num(self.axes.torque.limit, posinf=1.0), count),
+            "share": margins.torque[nodes.at],
+        }
+
+    def _driving(self, nodes: Nodes, **variables: IndexArray) -> dict[str, IndexArray]:
+        """What drives at some nodes: accelerations on their sides; where jerk is limited their own, and jerks on their
+        sides. variables: an acceleration and, named with a j before it, its jerk."""
+        (name, acceleration), (jerk_name, jerk) = variables.items()
+        if not self._smooth:
+            return nodes.around(**{name: acceleration})
+        return {name: acceleration[nodes.at], **nodes.around(**{jerk_name: jerk})}
+
+    def _effort_of(self, motion: PathLeg, half: Array) -> Array:
+        """About the effort (N+1,) at the nodes of a path."""
+        sample = motion.sample(self.axes, motion.T * motion.grid)
+        squares = np.sum((sample.qdd / self._unit) ** 2, axis=1)
+        return np.nan_to_num(motion.T * squares * (np.r_[half, 0.0] + np.r_[0.0, half]))
+
+    def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
+        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
+        z: Parts = {
+            "q_0": self.waypoint_q[k], "qd_0": self.waypoint_qd[k],
+            "q_1": self.waypoint_q[k + 1], "qd_1": self.waypoint_qd[k + 1], "T": out.T,
+        }  # fmt: skip
+        self._hold(self.formulation.axis_reach(), z, {"V": V, "A": A})
+
+    def _joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+        nlp, N, n, k0 = self.nlp, motion.N, self.axes.n, leg.start
+        middle, half = (self.axes.upper + self.axes.lower) / 2, (self.axes.upper - self.axes.lower) / 2
+        room = half * margins.position[1:-1]
+        inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
+        out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
+        if self.axes.couplings:
+            self._hold(self.formulation.sums(), {"q": out.q[1:-1]}, {"room": margins.position[1:-1]})
+        fast, sharp = self._most(leg, motion, JOINT_RATE, JOINT_CURVE)
+        out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
+        if self._smooth:
+            steps = np.diff(motion.grid)[:, None]
+            guess = np.vstack([motion.a[:1], (motion.a[1:] + motion.a[:-1]) / 2, motion.a[-1:]])
+            out.qa = nlp.variables(guess, -np.tile(sharp, N + 1), np.tile(sharp, N + 1)).reshape(N + 1, n)
+            out.qj = nlp.variables(np.diff(guess, axis=0) / steps, -JOINT_JERK, JOINT_JERK).reshape(N, n)
+        else:
+            out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
+        for indices, step in zip(out.qa, np.diff(motion.grid), strict=False):
+            self._damp(indices, DAMPING * N * step * max(1.0, motion.T / DAMPED_AS_MUCH))
+        if self.axes.jerk is not None:
+            self._damp_jerk(out.qj, self.axes.jerk * motion.T**3, motion.T)
+        V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
+        rail = self.axes.layout.rail
+        if not leg.rail_moves:
+            held = out.q[1:-2, rail]  # the last one follows from the chain
+            x = np.broadcast_to(self.waypoint_q[k0][rail], held.shape)
+            self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
+        self._integrate(motion.grid, self._chain(out.q, out.qv, out.qa, out.qj))
+        self._linked(leg, slice(None), out.qv, out.qa, out.T)
+        if self._weighed:
+            h, unit, a = np.diff(motion.grid), self._unit, motion.a
+            if self._smooth:
+                h, a = (np.r_[h, 0.0] + np.r_[0.0, h]) / 2, np.vstack([a, a[-1:]])
+            e = self._effort(h * np.sum((a / unit) ** 2, axis=1) / motion.T**3)
+            z_effort: Parts = {"a": out.qa, "T": out.T, "e": e}
+            self._hold(self.formulation.axes_effort(), z_effort, {"h": h, "unit": unit})
+        for nodes in _nodes_by_sides(N):
+            at = nodes.at
+            acc = {name: i.ravel() for name, i in self._driving(nodes, a=out.qa, ja=out.qj).items()}
+            z: Parts = {"v": out.qv[at].ravel(), "T": out.T, **acc}
+            p = {"V": (V * margins.velocity[at]).ravel(), "A": (A * margins.acceleration[at]).ravel()}
+            if self.axes.jerk is not None:
+                p["jerk"] = (self.axes.jerk * margins.jerk[at]).ravel()
+            self._hold(self.formulation.axis_node(nodes.sides), z, p)
+            if self.axes.torque is not None:
+                own: Parts = {"q": out.q[at], "v": out.qv[at], **self._driving(nodes, a=out.qa, ja=out.qj), "T": out.T}
+                relation = self.formulation.axes_torque(nodes.sides)
+                self._hold(relation, own, self._torque_parameters(leg, margins, nodes))
+        if (tangents := self.tangents.get(k0)) is not None:
+            p = {"gradient": tangents.gradient, "least": tangents.least}
+            self._hold(self.formulation.clear_axes(), {"q": out.q}, p)
+        self._tool_caps(leg, motion, margins, out)
+
+    def _integrate(self, grid: Array, z: dict[str, IndexArray]) -> None:
+        """Chains (N+1, n) of all axes on one grid."""
+        h = np.repeat(np.diff(grid), z["x_0"].shape[1])
+        self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
+
+    def _tool_caps(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+        """The tool's caps at the nodes of a joint move; of the acceleration on either side, of the speed also on the
+        straight way from node to node."""
+        N = motion.N
+        for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
+            if not np.isfinite(limit):
+                continue
+            at = i = np.arange(N + 1)
+            beside: dict[str, ArrayLike] = {}
+            if cap is ToolCap.ACCELERATION and self._smooth:
+                beside = {"a": out.qa}
+            elif cap is ToolCap.ACCELERATION:
+                at, i = np.concatenate([at[1:], at[:-1]]), np.concatenate([at[:-1], at[:-1]])
+                beside = {"a": out.qa[i]}
+            z: Parts = {"q": out.q[at], "v": out.qv[at], **beside, "T": out.T}
+            p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
+            self._hold(self.formulation.tool_cap(cap), z, p)
+            if cap is ToolCap.ACCELERATION and leg.along is not None:
+                moves = (at > 0) & (at < N)  # at rest nothing is along a path
+                z = {"q": out.q[at[moves]], "v": out.qv[at[moves]], "a": out.qa[i[moves]], "T": out.T}
+                ramps = np.outer(margins.tool[at[moves], cap], leg.along)
+                self._hold(self.formulation.tool_along(), z, {"tcp": leg.X_FT[:3, 3], "ramps": ramps})
+        if np.isfinite(leg.v_tcp):
+            share = np.minimum(margins.tool[:-1, ToolCap.SPEED], margins.tool[1:, ToolCap.SPEED])
+            z = {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}
+            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)}
+            self._hold(self.formulation.tool_chord(), z, p)
+
+
+def _along(leg: Leg, ramps: tuple[float, float], share: Array) -> Array:
+    """Parameters (N+1, 2) of the tool's speeding up and slowing down along a path, of which a share may be used."""
+    half, middle = (ramps[0] + ramps[1]) / 2, (ramps[0] - ramps[1]) / 2
+    return np.column_stack([leg.chord / half / share, np.full(len(share), middle / half)])

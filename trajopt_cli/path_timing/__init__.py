@@ -1,0 +1,1 @@
+"""Time-optimal timing of fixed joint paths."""

@@ -1,0 +1,227 @@
+"""A legal motion before any nonlinear program: every run of a chain timed by TOPP.
+
+The axes of a leg share one progress, as a RAPID controller drives them; so the motion serves both targets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+from contextlib import suppress
+from dataclasses import replace
+from hashlib import blake2b
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.path_timing.edge_times import leg_name_at, short
+from trajopt_cli.path_timing.path_timing import Unresolved, fastest, least_times
+from trajopt_cli.path_timing.sampled_path import courses_of
+from trajopt_cli.path_timing.smooth import smooth
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.settings import ALONE_NODES, MOST_MARKS, OVER, PAIR_NODES, RUN_NODES
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import check_legs
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.profiles import hold, profiles
+from trajopt_cli.trajectories.route import Route
+
+_SAME = 1e-9  # m between rail positions that are one
+
+Run = tuple[int, int]  # its first waypoint and its last
+Runs = dict[bytes, tuple[dict[int, LegMotion], Sequence[Leg]]]  # motions of runs, by leg in the run; its legs
+
+
+class NotDriven(Exception):
+    """A run of a chain that no law drives: run, its first waypoint and last. least: the time [s] that a leg would take
+    which the program gives less; singular: where the run passes a singularity; None where that is not why."""
+
+    def __init__(self, run: tuple[int, int], least: float | None = None, singular: Unresolved | None = None):
+        super().__init__(run)
+        self.run, self.least, self.singular = run, least, singular
+
+
+def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None) -> Iterate:
+    """Every run driven along its coordinated course, at the chain's rail positions and configurations, as fast as all
+    limits allow. known: runs of this plant that were driven before; those driven here are added. Raises NotDriven."""
+    legs: list[LegMotion | None] = [None] * len(problem.legs)
+    cfx = tuple(label.cfx for label in chain.labels)
+    known = {} if known is None else known
+    names = [run_name(problem, run, chain.q, cfx) for run in problem.runs]
+    asked = {name: run for name, run in zip(names, problem.runs, strict=True) if name not in known}  # equal ones once
+    failures = {}
+    for (name, run), found in zip(asked.items(), _fastest(axes, problem, [*asked.values()], chain.q, cfx), strict=True):
+        if isinstance(found, NotDriven):
+            failures[name] = found
+        else:
+            known[name] = {k - run[0]: motion for k, motion in found.items()}, problem.legs[slice(*run)]
+    for name, (first, _) in zip(names, problem.runs, strict=True):
+        if name in failures:
+            raise failures[name]
+        for k, motion in known[name][0].items():
+            legs[first + k] = motion
+    return Iterate(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
+
+
+def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> bytes:
+    """Equal for runs that are driven alike, between axes q (M, n) on branches cfx at all waypoints."""
+    first, last = run
+    points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
+    joint = any(leg.kind is LegKind.JOINT for leg in problem.legs[first:last])  # no other leg knows the coupling
+    name = repr((cfx[first : last + 1], points, problem.coupling.value if joint else ""))
+    parts = [name.encode(), q[first : last + 1].tobytes(), *(leg_name_at(problem, k) for k in range(first, last))]
+    return blake2b(b"|".join(parts), digest_size=16).digest()
+
+
+def _fastest(
+    axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
+) -> list[dict[int, LegMotion] | NotDriven]:
+    """Each run's motions in one go or, where axes are free, in parts between stops if that is faster; or why it is not
+    driven."""
+    cuts = _stops(axes, problem, runs, q, cfx)
+    asked = [*dict.fromkeys(part for run, parts in zip(runs, cuts, strict=True) for part in (run, *parts))]
+    driven = dict(zip(asked, _driven(axes, problem, asked, q, cfx), strict=True))
+    out: list[dict[int, LegMotion] | NotDriven] = []
+    for run, parts in zip(runs, cuts, strict=True):
+        ways: list[dict[int, LegMotion]] = []
+        failures: list[NotDriven] = []
+        for tried in [parts, [run]] if parts != [run] else [parts]:
+            found = [driven[part] for part in tried]
+            failed = [one for one in found if isinstance(one, NotDriven)]
+            failures += failed
+            if not failed:
+                ways.append({k: motion for one in found if isinstance(one, dict) for k, motion in one.items()})
+        out.append(min(ways, key=lambda way: sum(motion.T for motion in way.values())) if ways else failures[0])
+    return out
+
+
+def stopping(axes: Axes, problem: Problem, chain: Route) -> Problem:
+    """The problem with a stop at every fly-by where the timed chain stops."""
+    cfx = tuple(label.cfx for label in chain.labels)
+    ends = {last for parts in _stops(axes, problem, problem.runs, chain.q, cfx) for _, last in parts}
+    return _with_stops(problem, ends)
+
+
+def stopped(problem: Problem) -> Problem:
+    """The problem with a stop at every fly-by but those between short lines, which no stop at each would resemble."""
+    passing = [short(problem, k) for k in range(len(problem.legs))]
+    return _with_stops(problem, {k for k in range(1, len(passing)) if not (passing[k - 1] and passing[k])})
+
+
+def stopped_at_joint_moves(problem: Problem) -> Problem:
+    """The problem with a stop at every fly-by beside a joint move."""
+    joint = [leg.kind is LegKind.JOINT for leg in problem.legs]
+    return _with_stops(problem, {k for k in range(1, len(joint)) if joint[k - 1] or joint[k]})
+
+
+def _with_stops(problem: Problem, at: Set[int]) -> Problem:
+    points = (replace(point, fly_by=None) if k in at else point for k, point in enumerate(problem.waypoints))
+    return replace(problem, waypoints=tuple(points))
+
+
+def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]) -> list[list[Run]]:
+    """Each run in parts between stops, if stopping at a fly-by beside a joint move is faster: between stops axes that
+    are free need not keep to one progress."""
+    marks = []
+    for first, last in runs:
+        joint = [problem.legs[k].kind is LegKind.JOINT and not problem.coordinated for k in range(first, last)]
+        marks.append([first, *(first + k for k in range(1, last - first) if joint[k - 1] or joint[k]), last])
+    ways = [
+        [(start, end) for at, end in enumerate(own) for start in own[max(0, at - MOST_MARKS) : at]]
+        if len(own) > 2
+        else []
+        for own in marks
+    ]
+    asked = [*dict.fromkeys(way for own in ways for way in own)]
+    times = dict(zip(asked, about(axes, problem, asked, [q] * len(asked), cfx), strict=True))
+    out = []
+    for run, own in zip(runs, ways, strict=True):
+        best: dict[int, tuple[float, list[Run]]] = {run[0]: (0.0, [])}
+        for start, end in own:
+            T, parts = best[start]
+            best[end] = min(best.get(end, (np.inf, [])), (T + times[start, end], [*parts, (start, end)]))
+        T, parts = best.get(run[1], (np.inf, []))
+        out.append(parts if np.isfinite(T) else [run])
+    return out
+
+
+def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:
+    """How long runs (m,) take between stops, each between axes of its own, on a few nodes; infinite where they cannot
+    be driven."""
+    names = [(run, own[run[0] : run[1] + 1].tobytes()) for run, own in zip(runs, q, strict=True)]
+    distinct = dict(zip(names, zip(runs, q, strict=True), strict=True))
+    simple = _simple(axes, problem, [run for run, _ in distinct.values()], [own for _, own in distinct.values()])
+    times = {name: np.inf if one is None else one.T for name, one in zip(distinct, simple, strict=True)}
+    left = {name: one for name, one in distinct.items() if times[name] == np.inf}
+    some, every = [run for run, _ in left.values()], [own for _, own in left.values()]
+    courses = dict(zip(left, courses_of(axes, problem, some, every, cfx, [PAIR_NODES] * len(left)), strict=True))
+    can = {name: course for name, course in courses.items() if course is not None}
+    times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
+    return np.array([times[name] for name in names])
+
+
+def _driven(
+    axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
+) -> list[dict[int, LegMotion] | NotDriven]:
+    """The motions of each run in one go, or why there are none."""
+    out: dict[Run, dict[int, LegMotion] | NotDriven] = {}
+    motions: dict[Run, PathLeg | JointNodes | JointProfiles | None] = {}  # of legs between two stops
+    left = []
+    for run, simple in zip(runs, _simple(axes, problem, runs, [q] * len(runs)), strict=True):
+        if simple is not None:
+            motions[run] = simple
+        elif axes.jerk is not None:
+            motions[run] = smooth(axes, problem, run[0], q, cfx)
+        else:
+            left.append(run)
+    nodes = [ALONE_NODES if last == first + 1 else RUN_NODES for first, last in left]
+    courses = dict(zip(left, courses_of(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
+    can = {run: course for run, course in courses.items() if course is not None}
+    found = dict(zip(can, fastest(axes, problem, [*can.values()]), strict=True))
+    for run in left:
+        pieces = found.get(run)
+        if isinstance(pieces, Unresolved):
+            out[run] = NotDriven(run, singular=pieces)
+        elif pieces is None:
+            out[run] = NotDriven(run)
+        elif run[1] > run[0] + 1:
+            out[run] = dict(pieces)
+        else:
+            (motions[run],) = pieces[run[0]].pieces  # one leg between stops is one piece
+    for run, motion in motions.items():
+        T, least = problem.legs[run[0]].duration, problem.legs[run[0]].least
+        if motion is None or (T is not None and T * (1 + 1e-9) < motion.T):
+            out[run] = NotDriven(run, None if motion is None else motion.T)
+        elif T is None and least > motion.T:
+            out[run] = {run[0]: motion.slowed(least / motion.T)}
+        elif T is None or isinstance(motion, JointProfiles):
+            out[run] = {run[0]: motion}
+        else:
+            out[run] = {run[0]: replace(motion, T=T)}
+    return [out[run] for run in runs]
+
+
+def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array]) -> list[JointProfiles | None]:
+    """The motions of runs that need no TOPP: one leg between stops, resting, or with joint profiles that pass no cap of
+    the tool; None of others."""
+    out: list[JointProfiles | None] = [None] * len(runs)
+    tried: dict[int, JointProfiles] = {}
+    for i, ((first, last), own) in enumerate(zip(runs, q, strict=True)):
+        leg, q_0, q_1 = problem.legs[first], own[first], own[first + 1]
+        if last == first + 1 and leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
+            out[i] = hold(leg.duration or 0.0, q_0)
+        if last > first + 1 or leg.kind is not LegKind.JOINT or axes.jerk is not None:
+            continue
+        still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))
+        with suppress(ValueError):  # an axis whose switches a file could not tell apart
+            tried[i] = profiles(q_0, still, q_1, still, *limits, leg.duration or leg.least, problem.coordinated)
+    checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
+    for (i, motion), ratios in zip(tried.items(), checked, strict=True):
+        if max(ratios.tool.max(), ratios.position.max(), ratios.torque.max()) <= 1 + OVER:
+            out[i] = motion
+    return out
+
+
+def duration(draft: Iterate) -> float:
+    """Cycle time [s] of a draft."""
+    return float(sum(motion.T for motion in draft.legs if motion is not None))

@@ -1,0 +1,426 @@
+"""How fast a run's course may be driven: TOPP under all limits, then tightened where a dense check finds an excess."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
+from itertools import groupby, pairwise
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.path.joint_corner import JointCorner
+from trajopt_cli.path.joint_move import JointMove
+from trajopt_cli.path_timing.run_check import looked_at
+from trajopt_cli.path_timing.sampled_path import PathDerivatives, PathPart, SampledPath, finer, together
+from trajopt_cli.problem.problem import Leg, Problem
+from trajopt_cli.settings import (
+    BEYOND,
+    HALVINGS,
+    LEAST_FELT,
+    LED,
+    LOST,
+    MOST_LEFT,
+    NEARLY,
+    NODES_AT_ONCE,
+    PACE_ROUNDS,
+    RESOLVED,
+    SAFE,
+    START,
+    STEEP,
+    TOOL_DIRECTIONS,
+    WAITED,
+)
+from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.timing.retiming import fastest_laws
+from trajopt_cli.trajectories.axes import Axes, AxisLimits
+from trajopt_cli.trajectories.dense_check import Ratios
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces
+from trajopt_cli.trajectories.torque import Columns, of_room
+
+_RANGE = 1 + 1e-6  # share of half an axis' range that a course may reach
+_ANGLES = (np.arange(TOOL_DIRECTIONS) + 0.5) * np.pi / TOOL_DIRECTIONS - np.pi / 2
+
+
+class Unresolved(Exception):
+    """A course passes so near a singularity that no rate is low enough: leg, its number; q (n,), axes there."""
+
+    def __init__(self, leg: int, q: Array):
+        super().__init__(leg, q)
+        self.leg, self.q = leg, q
+
+
+@dataclass
+class Shares:
+    """Of each limit, what an interval (N,) of a course may use: axes' and tool's speed, axes' and tool's
+    acceleration, axes' torque; and at what rate of sigma it goes by at most, because its leg has a least time."""
+
+    speed: Array
+    tool_speed: Array
+    acceleration: Array
+    tool_acceleration: Array
+    torque: Array
+    rate: Array
+
+    @classmethod
+    def full(cls, N: int) -> Shares:
+        """All but a hair."""
+        out = cls(*(np.full(N, START) for _ in fields(cls)))
+        out.rate[:] = np.inf
+        return out
+
+    def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array, torque: Array) -> BoolArray:
+        """Less for the intervals whose worst ratios (N,), (N,), (N, 3), (N,) exceed what is safe: which.
+
+        used: what the law uses at the nodes, which is tightened, for what it leaves it would not miss.
+        """
+        changed = np.zeros(len(speed), dtype=bool)
+        for share, use, ratio in (
+            (self.speed, used.speed, speed),
+            (self.acceleration, used.acceleration, acceleration),
+            (self.tool_speed, used.tool_speed, np.maximum(tool[:, 0], tool[:, 2])),
+            (self.tool_acceleration, used.tool_acceleration, tool[:, 1]),
+            (self.torque, used.torque, torque),
+        ):
+            over = ratio > SAFE
+            felt = np.clip(use, share * LEAST_FELT, share)
+            share[over] = felt[over] * (SAFE - BEYOND) / ratio[over]
+            changed |= over
+        return changed
+
+    def wait(self, problem: Problem, course: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
+        """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
+        and these too. A run that passes a limit, as over says, comes when it no longer does."""
+        edges = [0, *course.rests, len(course.part)]
+        out = over.copy()
+        for first, last in pairwise(edges):
+            legs = [first, *(first + 1 + np.flatnonzero(np.diff(course.leg[first:last]))).tolist(), last]
+            for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
+                least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
+                if least > 0.0 and 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
+                    left = least * WAITED - T  # legs beside it get slower as well: not all of it at once
+                    aim, low, high = T + left * (1.0 if left < NEARLY * T else MOST_LEFT), 0.0, float(rates.max())
+                    for _ in range(HALVINGS):
+                        middle = (low + high) / 2
+                        late = _time(course.sigma[a : b + 1], np.minimum(rates, middle)) > aim
+                        low, high = (middle, high) if late else (low, middle)
+                    self.rate[a:b], out[a:b] = low, True
+        return out
+
+    def at(self, intervals: BoolArray) -> Shares:
+        """Those of some of the intervals."""
+        return Shares(*(getattr(self, one.name)[intervals] for one in fields(self)))
+
+
+def _time(sigma: Array, rates: Array) -> float:
+    """How long a way takes whose nodes are passed at these rates; 0 where it stands still."""
+    sums = rates[1:] + rates[:-1]
+    return float(np.sum(2 * np.diff(sigma) / sums)) if np.all(sums > 0) else 0.0
+
+
+def top_rate(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array]:
+    """The greatest rates of sigma (m,) that axes and that tool and positioners allow at places, or at all of them under
+    one cap."""
+    with np.errstate(divide="ignore"):
+        joints = np.min(caps.velocity / np.abs(along.dq), axis=-1)
+        speed, turning = (np.linalg.norm(x, axis=-1) for x in (along.v, along.w))
+        tool = np.minimum(caps.v_tcp / speed, caps.v_ori / turning)
+        if along.table.any():
+            tool = np.minimum(tool, 1 / along.table[..., 0])
+    return joints, tool
+
+
+def columns(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array, Array]:
+    """Slopes, bends and rests (m, c) of what is limited at places: |slope u + bend x + rest| <= 1 with u the second
+    derivative of sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half
+    circle; its limit is a circle, around which they are drawn; then the positioners', where any turns; last the tool's
+    speeding up and slowing down along its path, where these are limited by themselves: the only one with a rest."""
+    size = np.linalg.norm(along.v, axis=-1, keepdims=True)
+    ahead = along.v / np.maximum(size, 1e-12)
+    forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
+    aside = np.linalg.norm(along.bend - forward * ahead, axis=-1, keepdims=True)
+    c, s = (of(_ANGLES) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
+    slopes = np.concatenate([along.dq / caps.acceleration, size * c], axis=-1)
+    bends = np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
+    if along.table.any():
+        table = along.table[..., 1:]
+        slopes, bends = np.concatenate([slopes, table], axis=-1), np.concatenate([bends, 0 * table], axis=-1)
+    rests = np.zeros_like(slopes)
+    if caps.along:
+        half, tilt = np.sum(caps.ramps, axis=1, keepdims=True) / 2, -np.diff(caps.ramps, axis=1) / 2
+        slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
+        rests = np.hstack([rests, -tilt / half])
+    return slopes, bends, rests
+
+
+def limits(axes: Axes, problem: Problem, course: SampledPath) -> tuple[Array, Array, Array, Array]:
+    """top_rate and columns at all nodes of a course: (rows, 2), then (rows, c) each."""
+    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
+    caps = axes.caps([problem.legs[k] for k in legs]).at(np.repeat(of, course.counts + 1))
+    return np.column_stack(top_rate(caps, course.along)), *columns(caps, course.along)
+
+
+def used_by(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> Shares:
+    """What a law uses of each limit at the ends of every interval."""
+    tops, slopes, bends, rests = limits(axes, problem, course)
+    x = law.rates**2
+    u = np.diff(x) / (2 * np.diff(course.sigma))
+    most = [np.zeros((len(u), 2)), np.zeros((len(u), slopes.shape[1]))]
+    for row, rate in ((course.first, law.rates[:-1]), (course.first + 1, law.rates[1:])):
+        most[0] = np.maximum(most[0], rate[:, None] / tops[row])
+        most[1] = np.maximum(most[1], of_room(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2, rests[row]))
+    speed, acceleration = most
+    return Shares(
+        speed[:, 0],
+        speed[:, 1],
+        acceleration[:, : axes.n].max(axis=1),
+        acceleration[:, axes.n :].max(axis=1),
+        _torque_used(axes, problem, course, u, x),
+        np.zeros(len(u)),
+    )
+
+
+def torque_columns(axes: Axes, problem: Problem, course: SampledPath) -> Columns:
+    """What torques ask for at all nodes of a course (rows, n); (rows, 0) where they are free."""
+    if axes.torque is None:
+        return Columns(*(course.along.q[:, :0] for _ in range(3)))
+    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
+    number, along = np.repeat(of, course.counts + 1), course.along
+    return axes.torque.columns([problem.legs[k] for k in legs], number, along.q, along.dq, along.ddq)
+
+
+def _torque_used(axes: Axes, problem: Problem, course: SampledPath, u: Array, x: Array) -> Array:
+    """The worst share (N,) of what gravity leaves at the ends of every interval."""
+    slopes, bends, rest = torque_columns(axes, problem, course)
+    most = np.zeros(len(u))
+    for row, there in ((course.first, x[:-1]), (course.first + 1, x[1:])):
+        used = of_room(slopes[row] * u[:, None] + bends[row] * there[:, None], rest[row])
+        most = np.maximum(most, used.max(axis=1, initial=0.0))
+    return most
+
+
+def in_force(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> tuple[Array, Rows, Rows]:
+    """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
+    each interval begins and where it ends."""
+    N = len(course.part)
+    tops, slopes, bends, rests = limits(axes, problem, course)
+    give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
+                            np.repeat(shares.tool_acceleration[:, None], slopes.shape[1] - axes.n, 1)])  # fmt: skip
+    a, b = course.first, course.first + 1
+    allowed = np.column_stack([shares.speed, shares.tool_speed])
+    top = np.full(N + 1, np.inf)
+    top[:-1] = np.minimum(np.min(tops[a] * allowed, axis=1), shares.rate)
+    top[1:] = np.minimum(top[1:], np.minimum(np.min(tops[b] * allowed, axis=1), shares.rate))
+    top[[*course.rests]] = 0.0
+    torque = torque_columns(axes, problem, course)
+    most = shares.torque[:, None]
+    begins, ends = (
+        (
+            np.hstack([slopes[i] / give, torque.slopes[i] / most]),
+            np.hstack([bends[i] / give, torque.bends[i] / most]),
+            np.hstack([rests[i], torque.rest[i]]),
+        )
+        for i in (a, b)
+    )
+    return top, begins, ends
+
+
+def law_of(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw | None:
+    """The fastest law of a run's course, from rest to rest; None where there is none."""
+    law = _fastest(axes, problem, course, shares)
+    return law if _moves(law, slice(0, len(course.part))) else None
+
+
+Rows = tuple[Array, Array, Array]
+Pace = Callable[[Axes, Problem, SampledPath, Shares], TimeLaw | None]
+Driven = dict[int, Pieces] | Unresolved | None
+
+
+def clean(axes: Axes, problem: Problem, course: SampledPath, pace: Pace = law_of) -> dict[int, Pieces] | None:
+    """The motions of a run's legs, fastest on its course or as another pace wants, within every limit wherever it is
+    looked at; None where the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
+    (found,) = _clean(axes, problem, [course], pace)
+    if isinstance(found, Unresolved):
+        raise found
+    return found
+
+
+def fastest(axes: Axes, problem: Problem, courses: Sequence[SampledPath]) -> list[Driven]:
+    """The same of many runs, each as fast as its limits allow; Unresolved where it passes a singularity."""
+    sizes = np.cumsum([len(course.part) for course in courses])
+    out: list[Driven] = []
+    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+        out += _clean(axes, problem, [courses[i] for i in group], _fastest)
+    return out
+
+
+def least_times(axes: Axes, problem: Problem, courses: Sequence[SampledPath]) -> Array:
+    """What courses (m,) take from rest to rest, unchecked between their nodes; infinite where there is no law."""
+    T = np.full(len(courses), np.inf)
+    sizes = np.cumsum([len(course.part) for course in courses])
+    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+        numbers = [*group]
+        every = together([courses[i] for i in numbers])
+        law = _fastest(axes, problem, every, Shares.full(len(every.part)))
+        with np.errstate(divide="ignore"):
+            steps = 2 * np.diff(every.sigma) / (law.rates[1:] + law.rates[:-1])
+        T[numbers] = np.add.reduceat(steps, [0, *every.rests])
+    return T
+
+
+def _fastest(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw:
+    """The fastest law of courses one after the other; it stands still on those that have none."""
+    top, *rows = in_force(axes, problem, course, shares)
+    begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
+    return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
+
+
+def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: Pace) -> list[Driven]:
+    """Courses one after the other; of several the pace must bear that."""
+    out: list[Driven] = [None] * len(courses)
+    left: dict[int, SampledPath] = {}
+    for i, course in enumerate(_resolved_all(axes, problem, courses)):
+        if isinstance(course, SampledPath):
+            left[i] = course
+        else:
+            out[i] = course
+    if not left:
+        return out
+    every = together([*left.values()])
+    shares, seen, before = Shares.full(len(every.part)), _nothing(axes, len(every.part)), None
+    for _ in range(PACE_ROUNDS):
+        law = pace(axes, problem, every, shares)
+        if law is None:
+            break
+        edges = np.concatenate([[0], np.cumsum([len(course.part) for course in left.values()])]).tolist()
+        spans = dict(zip(left, map(slice, edges[:-1], edges[1:]), strict=True))
+        lost = {i for i, at in spans.items() if not _moves(law, at)}
+        stay = np.ones(len(every.part), dtype=bool)
+        for i in lost:
+            stay[spans[i]] = False
+        # what a round tightens is felt nearby only: a leg driven as before is what it was
+        new = np.flatnonzero(stay & _driven_anew(every, law, before))
+        if len(new):
+            seen.put(new, looked_at(axes, problem, every, law, new))
+        worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
+        over = shares.tighten(used_by(axes, problem, every, law), *worst)
+        over = shares.wait(problem, every, law, over)
+        for i, at in spans.items():
+            outside = i in lost or seen.position[at].max() > _RANGE
+            if outside or not over[at].any():
+                own = law if len(spans) == 1 else TimeLaw(left[i].sigma, law.rates[at.start : at.stop + 1])
+                out[i] = None if outside else motions(axes, problem, left[i], own)
+                stay[at] = False
+                del left[i]
+        if not left:
+            break
+        before = law.rates
+        if not stay.all():
+            every, shares, seen = together([*left.values()]), shares.at(stay), seen.at(stay)
+            before = np.append(law.rates[:-1][stay], 0.0)
+    return out
+
+
+def _nothing(axes: Axes, N: int) -> Ratios:
+    """Of intervals that were not looked at."""
+    return Ratios(*(np.zeros((N, k)) for k in (axes.n, axes.n, axes.n, 3, axes.n, axes.n)))
+
+
+def _moves(law: TimeLaw, at: slice) -> bool:
+    """Whether the intervals of a run take a time: a law that has none stands still."""
+    rates = law.rates[at.start : at.stop + 1]
+    return bool(np.all(rates[1:] + rates[:-1] > 0))
+
+
+def _driven_anew(course: SampledPath, law: TimeLaw, before: Array | None) -> BoolArray:
+    """The intervals (N,) of legs that were driven otherwise before."""
+    if before is None:
+        return np.ones(len(course.part), dtype=bool)
+    other = law.rates != before
+    starts = np.flatnonzero(np.diff(course.leg, prepend=-1))
+    legs = np.logical_or.reduceat(other[:-1] | other[1:], starts)
+    return np.repeat(legs, np.diff(starts, append=len(course.leg)))
+
+
+def _resolved_all(
+    axes: Axes, problem: Problem, courses: Sequence[SampledPath]
+) -> list[SampledPath | Unresolved | None]:
+    """As _resolved, of many runs."""
+    every = together(courses)
+    wanted, _ = _steep(axes, problem, every)
+    edges = np.cumsum([len(course.part) for course in courses])[:-1]
+    out: list[SampledPath | Unresolved | None] = []
+    for course, at in zip(courses, np.split(wanted, edges), strict=True):
+        try:
+            out.append(_resolved(axes, problem, course) if at.any() else course)
+        except Unresolved as singular:
+            out.append(singular)
+    return out
+
+
+def _resolved(axes: Axes, problem: Problem, course: SampledPath) -> SampledPath | None:
+    """The course on nodes so close that what happens at one says what happens up to the next: the rate at which it may
+    be driven changes little, and the axes go where their slopes lead. Beside a singularity that takes many.
+
+    Raises Unresolved where no nodes are close enough: the course passes a singularity.
+    """
+    for _ in range(RESOLVED):
+        wanted, _ = _steep(axes, problem, course)
+        if not wanted.any():
+            return course
+        found = finer(axes, problem, course, wanted)
+        if found is None:
+            return None
+        course = found
+    _, lost = _steep(axes, problem, course)
+    if lost.any():
+        i = int(np.argmax(lost))
+        raise Unresolved(int(course.leg[i]), course.along.q[course.first[i]])
+    return course
+
+
+def _steep(axes: Axes, problem: Problem, course: SampledPath) -> tuple[BoolArray, BoolArray]:
+    """Which intervals (N,) want a node in the middle, and which say nothing of what happens in them."""
+    top = np.min(limits(axes, problem, course)[0], axis=1)
+    row, along = course.first, course.along
+    low, high = np.minimum(top[row], top[row + 1]), np.maximum(top[row], top[row + 1])
+    step = np.diff(course.sigma)[:, None]
+    led = np.abs(along.q[row + 1] - along.q[row] - step * (along.dq[row] + along.dq[row + 1]) / 2).max(axis=1)
+    return (high > STEEP * low) | (led > LED), led > LOST
+
+
+def motions(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> dict[int, Pieces]:
+    """The motions of a run's legs under a law, by leg."""
+    out: dict[int, list[PathLeg | JointNodes]] = {}
+    edges = np.concatenate([[0], np.cumsum(course.counts)])
+    for i, part in enumerate(course.parts):
+        here = slice(edges[i], edges[i + 1] + 1)
+        row = edges[i] + i
+        q = course.along.q[row : row + part.N + 1]
+        dq = course.along.dq[row : row + part.N + 1]
+        out.setdefault(part.leg, []).append(
+            _piece(axes, problem.legs[part.leg], part, q, dq, law.times[here], law.rates[here])
+        )
+    return {k: Pieces(tuple(pieces)) for k, pieces in out.items()}
+
+
+def _piece(
+    axes: Axes, leg: Leg, part: PathPart, q: Array, dq: Array, times: Array, rates: Array
+) -> PathLeg | JointNodes:
+    """One part in scaled time, from when and how fast (N+1,) its nodes are passed."""
+    T = float(times[-1] - times[0])
+    grid = (times - times[0]) / T
+    grid[-1] = 1.0
+    if isinstance(part.segment, JointMove | JointCorner):
+        v = dq * (rates * T)[:, None]
+        return JointNodes(T, grid, q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+    assert part.rail is not None
+    rate = rates * T / part.size  # of the part's share by scaled time
+    way = part.s_1 - part.s_0
+    d, dd, _ = part.rail.at(part.u)
+    w = dd * rate[:, None]
+    steps = np.diff(grid)
+    return PathLeg(
+        T, part.segment, leg.X_FT, part.cfx, q[0, axes.layout.arm], grid, part.own(part.u), way * rate,
+        way * np.diff(rate) / steps, d, w, np.diff(w, axis=0) / steps[:, None],
+    )  # fmt: skip

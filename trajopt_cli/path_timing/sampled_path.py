@@ -1,0 +1,632 @@
+"""Where a run leads all axes: its parts in order, with derivatives along them, for given axes at its waypoints.
+
+The axes share one progress. A leg is cut where its formula changes: half of the corner before it, the way itself, half
+of the corner behind it, and where the rail has left its own corner. The parameter sigma goes on through the whole run
+with continuous first derivatives: it counts the metres of a line or an arc, and a joint move in the measure that the
+corner beside it asks for. Second derivatives jump between parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.path.along import along_all
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.corner import Corner
+from trajopt_cli.path.joint_corner import JointCorner
+from trajopt_cli.path.joint_move import JointMove
+from trajopt_cli.path.line import Line
+from trajopt_cli.path.turning import Turning, over_work
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.settings import (
+    CORNER_PART,
+    END_CURVE,
+    LONG_LINE,
+    LONG_TURN,
+    SHRINK,
+    SHRINKS,
+    SPHERE,
+    SPHERE_SAMPLES,
+    ZONE_SAMPLES,
+)
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.leg_trajectories import unwound
+
+_SHORT = 1e-9  # of a way, or of a share: no part of it
+_SLIVER = 1e-6  # share of a way between two corners: no part of it; a corner goes on along its own ways
+_INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
+_NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
+_ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
+_FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "table")
+_APART = 1e-4  # rad, m: axes of two parts that are not one place
+
+Way = Line | Arc | Turning
+Segment = Way | Corner | JointMove | JointCorner
+
+
+@dataclass(frozen=True, eq=False)
+class Rail:
+    """The rail on a part, over its share u: d + u (slope + u bend); each (r,), or (m, r) on one part at each of m
+    shares."""
+
+    d: Array
+    slope: Array
+    bend: Array
+
+    def at(self, u: Array) -> tuple[Array, Array, Array]:
+        """Position and both derivatives by u, each (m, r), at shares u (m,)."""
+        u = u[:, None]
+        rate = self.slope + 2 * u * self.bend
+        return self.d + u * (self.slope + u * self.bend), rate, 2 * np.broadcast_to(self.bend, rate.shape)
+
+
+@dataclass(frozen=True, eq=False)
+class PathPart:
+    """From s_0 to s_1 of a segment, of one leg (its number in the problem). size: how much sigma it is. u (N+1,): its
+    nodes, as shares of it.
+
+    rail, cfx: rail and branch on a segment of the tool; None and -1 on one of the axes.
+    """
+
+    leg: int
+    segment: Segment
+    s_0: float
+    s_1: float
+    size: float
+    u: Array
+    rail: Rail | None
+    cfx: int
+
+    @property
+    def N(self) -> int:
+        """Intervals."""
+        return len(self.u) - 1
+
+    def own(self, u: Array) -> Array:
+        """The segment's parameter (m,) at shares u (m,) of the part."""
+        return self.s_0 + u * (self.s_1 - self.s_0)
+
+
+@dataclass(frozen=True, eq=False)
+class PathDerivatives:
+    """At m places: axes q with their derivatives dq, ddq (m, n), and the tool's position's v, bend and turning's first
+    one w (m, 3), all by sigma; against the work object where that turns. table (m, 2): what positioners take for one
+    sigma, see Leg.table."""
+
+    q: Array
+    dq: Array
+    ddq: Array
+    v: Array
+    w: Array
+    bend: Array
+    table: Array
+
+    def at(self, rows: slice | IndexArray) -> PathDerivatives:
+        """Some of the places."""
+        return PathDerivatives(*(getattr(self, name)[rows] for name in _FIELDS))
+
+    def put(self, rows: BoolArray, other: PathDerivatives) -> None:
+        """Others at some of the places, in place."""
+        for name in _FIELDS:
+            getattr(self, name)[rows] = getattr(other, name)
+
+    def by(self, size: Array) -> PathDerivatives:
+        """The derivatives by a parameter that grows size (m,) times as fast."""
+        k = 1 / size[:, None]
+        return PathDerivatives(
+            self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2, self.table * k
+        )
+
+
+def _empty(n: int, m: int) -> PathDerivatives:
+    """To be filled in, of n axes at m places."""
+    return PathDerivatives(*(np.empty((m, k)) for k in (n, n, n, 3, 3, 3, 2)))
+
+
+def joined(pieces: Sequence[PathDerivatives]) -> PathDerivatives:
+    """One after the other."""
+    return PathDerivatives(*(np.concatenate([getattr(piece, name) for piece in pieces]) for name in _FIELDS))
+
+
+@dataclass(frozen=True, eq=False)
+class SampledPath:
+    """A run's parts, and what is along them at their nodes, part by part: a place between two parts stands twice.
+
+    q (M, n): axes at all waypoints of the problem. rests: nodes at rest besides both ends.
+    """
+
+    parts: tuple[PathPart, ...]
+    along: PathDerivatives
+    q: Array
+    rests: tuple[int, ...] = ()
+
+    @cached_property
+    def counts(self) -> IndexArray:
+        """Intervals of each part (P,)."""
+        return np.array([part.N for part in self.parts])
+
+    @cached_property
+    def part(self) -> IndexArray:
+        """Number of the part of each interval (N,)."""
+        return np.repeat(np.arange(len(self.parts)), self.counts)
+
+    @cached_property
+    def leg(self) -> IndexArray:
+        """Number of the leg of each interval (N,)."""
+        return np.array([part.leg for part in self.parts])[self.part]
+
+    @cached_property
+    def first(self) -> IndexArray:
+        """Row of `along` where each interval begins (N,); it ends in the next one."""
+        return np.arange(len(self.part)) + self.part
+
+    @cached_property
+    def progress(self) -> tuple[Array, Array]:
+        """At all nodes of parts that the tool decides: its segment's parameter and the rail, and their derivatives by
+        sigma (rows, 1 + r); NaN at others."""
+        out = []
+        for part in self.parts:
+            if part.rail is None:
+                out.append(np.full((2, part.N + 1, self._rails + 1), np.nan))
+                continue
+            d, dd, _ = part.rail.at(part.u)
+            way = np.full((part.N + 1, 1), part.s_1 - part.s_0)
+            out.append(np.stack([np.hstack([part.own(part.u)[:, None], d]), np.hstack([way, dd]) / part.size]))
+        x, slope = np.concatenate(out, axis=1)
+        return x, slope
+
+    @property
+    def _rails(self) -> int:
+        return max((len(part.rail.d) for part in self.parts if part.rail is not None), default=0)
+
+    @cached_property
+    def sigma(self) -> Array:
+        """The parameter where intervals meet (N+1,), 0 at the run's start."""
+        steps = [part.size * np.diff(part.u) for part in self.parts]
+        return np.concatenate([[0.0], np.cumsum(np.concatenate(steps))])
+
+
+def course_of(
+    axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int
+) -> SampledPath | None:
+    """The course of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
+    the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
+    """
+    return courses_of(axes, problem, [run], [q], cfx, [nodes])[0]
+
+
+def courses_of(
+    axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int],
+    nodes: Sequence[int],
+) -> list[SampledPath | None]:  # fmt: skip
+    """The same of many runs, each between axes of its own; the same run may be there more than once."""
+    known: Known = {}
+    cuts = [_Cut(axes, problem, run, own, cfx, N, known).parts() for run, own, N in zip(runs, q, nodes, strict=True)]
+    found = iter(_courses(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
+    return [next(found) if parts else None for parts in cuts]
+
+
+def finer(axes: Axes, problem: Problem, course: SampledPath, wanted: BoolArray) -> SampledPath | None:
+    """The same course with a node in the middle of every interval that is wanted (N,)."""
+    parts = []
+    for i, part in enumerate(course.parts):
+        middles = (part.u[:-1] + part.u[1:]) / 2
+        parts.append(replace(part, u=np.sort(np.r_[part.u, middles[wanted[course.part == i]]])))
+    return _courses(axes, problem, [(parts, course.q)])[0]
+
+
+def _courses(
+    axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart], Array]]
+) -> list[SampledPath | None]:
+    """The courses of runs cut into parts, each with axes at all waypoints of its own."""
+    if not runs:
+        return []
+    along = _along(axes, problem, runs)
+    nodes = [sum(part.N + 1 for part in parts) for parts, _ in runs]
+    edges = np.concatenate([[0], np.cumsum(nodes)])
+    every = [along.at(slice(a, b)) for a, b in pairwise(edges.tolist())]
+    return [
+        SampledPath(tuple(parts), own, q) if _can_follow(parts, own, q) else None
+        for (parts, q), own in zip(runs, every, strict=True)
+    ]
+
+
+def _can_follow(parts: Sequence[PathPart], along: PathDerivatives, q: Array) -> bool:
+    """Whether the arm reaches all places, and need not jump from part to part."""
+    if not all(np.isfinite(x).all() for x in (along.q, along.dq, along.ddq)):
+        return False
+    behind = np.cumsum([part.N + 1 for part in parts])
+    begins = np.vstack([along.q[np.r_[0, behind[:-1]]], q[parts[-1].leg + 1]])
+    ends = np.vstack([q[parts[0].leg], along.q[behind - 1]])
+    return bool(np.abs(begins - ends).max() < _APART)
+
+
+def together(courses: Sequence[SampledPath]) -> SampledPath:
+    """Courses one after the other as one, at rest where one ends and the next begins; it has no axes at waypoints."""
+    if len(courses) == 1:
+        return courses[0]
+    parts = tuple(part for course in courses for part in course.parts)
+    ends = np.cumsum([len(course.part) for course in courses])
+    return SampledPath(parts, joined([course.along for course in courses]), courses[0].q[:0], tuple(ends[:-1].tolist()))
+
+
+@dataclass(frozen=True, eq=False)
+class _Bend:
+    """The corner at a waypoint: the shares of the legs before and behind it that it replaces, and those in which the
+    rail is bent by itself (0 where the corner is one of all axes)."""
+
+    corner: Corner | JointCorner
+    before: float
+    after: float
+    rail_before: float = 0.0
+    rail_after: float = 0.0
+
+
+Known = dict[tuple[int, bytes], Any]  # corners and joint moves by their number and the axes beside them
+
+
+class _Cut:
+    """A run cut into parts. known: of other runs; what is made here is added."""
+
+    def __init__(
+        self, axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int,
+        known: Known,
+    ):  # fmt: skip
+        self._axes, self._problem, self._q, self._cfx, self._nodes, self._known = axes, problem, q, cfx, nodes, known
+        self._first, self._last = run
+        self._ways = {k: self._way(k) for k in range(*run)}
+
+    def parts(self) -> list[PathPart] | None:
+        """The parts in order; None where a corner's joints are not to be had."""
+        bends: dict[int, _Bend] = {}
+        for k in range(self._first + 1, self._last):
+            bend = self._bend(k)
+            if bend is None:
+                return None
+            bends[k] = bend
+        out: list[PathPart] = []
+        measure, half = self._measure(self._first), 0.0
+        for k in range(self._first, self._last):
+            if k in bends:  # both halves of a corner are equally much sigma
+                measure = half / bends[k].after
+            out += self._leg(k, bends.get(k), bends.get(k + 1), measure)
+            half = measure * bends[k + 1].before if k + 1 in bends else 0.0
+        return out
+
+    def _way(self, k: int) -> Way | JointMove:
+        """A leg's segment; of a wait the line of no length."""
+        leg = self._problem.legs[k]
+        if leg.kind is LegKind.JOINT:
+            return self._once(k, self._q[k : k + 2], lambda: JointMove(self._q[k], self._q[k + 1]))
+        if leg.segment is not None:
+            return leg.segment
+        X_WT = self._problem.waypoints[k].X_WF @ leg.X_FT
+        return Line(X_WT, X_WT)
+
+    def _once(self, k: int, q: Array, make: Callable[[], Any]) -> Any:
+        """What is made of a leg or a waypoint and axes q beside it, the same for all runs that have them alike."""
+        name = k, q.tobytes()
+        if name not in self._known:
+            self._known[name] = make()
+        return self._known[name]
+
+    def _measure(self, k: int) -> float:
+        """What a leg's zones count, and how much sigma the run's first leg is: metres of the tool's way, radians of a
+        turn in place, 1 for what is neither."""
+        leg = self._problem.legs[k]
+        return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
+
+    # ---- a leg's parts
+    def _leg(self, k: int, start: _Bend | None, end: _Bend | None, measure: float) -> Iterator[PathPart]:
+        """The parts of leg k between the middles of its corners."""
+        t_0, t_1 = (start.after if start else 0.0), 1 - (end.before if end else 0.0)
+        nodes = self._nodes * (self._part_of_long(k) if start and end else 1.0)
+        cuts = {0.0, t_0, t_1, 1.0}
+        if start:
+            cuts |= {start.rail_after, *(start.after * (2 * s - 1) for s in start.corner.breaks if s > 0.5)}
+        if end:
+            cuts |= {1 - end.rail_before, *(1 - end.before * (1 - 2 * s) for s in end.corner.breaks if s < 0.5)}
+        for a, b in pairwise(_distinct(cuts)):
+            middle = (a + b) / 2
+            segment: Segment = self._ways[k]
+            own = a, b
+            if start and middle < t_0:
+                segment, own = start.corner, (0.5 + a / t_0 / 2, 0.5 + b / t_0 / 2)
+            elif end and middle > t_1:
+                segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
+            corner = segment is not self._ways[k]
+            N = CORNER_PART if corner else max(CORNER_PART, round(nodes * (b - a)))
+            joints = isinstance(segment, JointMove | JointCorner)
+            rail = None if joints else self._rail(k, start, end, a, b)
+            u = spaced(N) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
+            yield PathPart(
+                k,
+                segment,
+                *own,
+                measure * (b - a),
+                u,
+                rail,
+                -1 if joints else self._branch(k),
+            )
+
+    def _part_of_long(self, k: int) -> float:
+        """What part of a line or an arc that has all its nodes a shorter one is; 1 of other legs."""
+        leg = self._problem.legs[k]
+        return min(1.0, max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)) if leg.kind is LegKind.LINE else 1.0
+
+    def _branch(self, k: int) -> int:
+        return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]
+
+    def _rail(self, k: int, start: _Bend | None, end: _Bend | None, a: float, b: float) -> Rail:
+        """The rail from share a to b of leg k: in proportion to the way, between its corners."""
+        d_0, way, h = self._d(k), self._d(k + 1) - self._d(k), b - a
+        middle = (a + b) / 2
+        if start and middle < start.rail_after:
+            zone, slope = start.rail_after, self._slope_in(k, k - 1)
+            # the parabola through both edges of the corner with the slopes of both ways
+            curve, t = (way - slope) / (4 * zone), a + zone
+            return Rail(d_0 + slope * a + curve * t**2, (slope + 2 * curve * t) * h, curve * h**2)
+        if end and middle > 1 - end.rail_before:
+            zone, slope, t = end.rail_before, self._slope_in(k, k + 1), a - 1 + end.rail_before
+            curve = (slope - way) / (4 * zone)
+            return Rail(d_0 + way * a + curve * t**2, (way + 2 * curve * t) * h, curve * h**2)
+        return Rail(d_0 + way * a, way * h, np.zeros_like(way))
+
+    def _d(self, k: int) -> Array:
+        return np.asarray(self._q[k, self._axes.layout.rail])
+
+    def _slope_in(self, k: int, other: int) -> Array:
+        """The rail's way per metre on another leg, in the measure of leg k."""
+        return np.asarray((self._d(other + 1) - self._d(other)) * self._measure(k) / self._measure(other))
+
+    # ---- corners
+    def _bend(self, k: int) -> _Bend | None:
+        """The corner at waypoint k, between legs k - 1 and k."""
+        zone = self._problem.waypoints[k].fly_by
+        assert zone is not None
+        before, after = self._ways[k - 1], self._ways[k]
+        if zone.joint or not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
+            found: _Bend | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_bend(k, zone.radius))
+            return found
+        sides = self._measure(k - 1), self._measure(k)
+
+        def make() -> Corner:
+            if zone.in_place:
+                return Corner(before, after, *(zone.turning / side for side in sides))
+            return Corner.of_zone(before, after, zone.radius, zone.turning)
+
+        corner: Corner = self._once(k, self._q[:0], make)
+        rail_before, rail_after = (zone.external / side for side in sides)
+        return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
+
+    def _joint_bend(self, k: int, radius: float) -> _Bend | None:
+        """A corner of all axes, small enough that the tool stays within its zone. Where another one takes over, the
+        first stays within it in its half, and the other comes no farther from its point than where the corner begins.
+        """
+        sides = ((k - 1, True), (k, False))
+        tools = [self._problem.legs[leg].X_FT for leg, _ in sides]
+        points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
+        shares = []
+        for (leg, end), X_FT, point in zip(sides, tools, points, strict=True):
+            way = self._ways[leg]
+            if isinstance(way, JointMove):
+                shares.append(_reaching(self._axes, way, X_FT, point, radius, end))
+            else:
+                shares.append(radius / self._measure(leg))
+        for _ in range(SHRINKS):
+            states = [self._state(k - 1, 1 - shares[0]), self._state(k, shares[1])]
+            if any(np.isnan(q).any() for q, _ in states):
+                return None
+            (q_0, rate_0), (q_1, rate_1) = states
+            corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
+            halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))), 2)
+            first, last = (
+                float(np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max())
+                for X_WF, X_FT, point in zip(halves, tools, points, strict=True)
+            )
+            begins = 0.0
+            if not np.array_equal(tools[0], tools[1]):
+                begins = float(np.linalg.norm((halves[0][0] @ tools[1])[:3, 3] - points[1]))
+            if first <= radius * SPHERE and last <= max(radius, begins) * SPHERE:
+                break
+            shares = [share * SHRINK for share in shares]
+        return _Bend(corner, *shares)
+
+    def _state(self, k: int, share: float) -> tuple[Array, Array]:
+        """Axes (n,) at a share of leg k, and their derivative by it."""
+        way, t = self._ways[k], np.array([share])
+        if isinstance(way, JointMove):
+            return way.axes(t)[0], way.rate(t)[0]
+        rail = Rail(self._d(k), self._d(k + 1) - self._d(k), np.zeros_like(self._d(k)))
+        part = PathPart(k, way, 0.0, 1.0, 1.0, t, rail, self._branch(k))
+        near = self._q[k] + share * (self._q[k + 1] - self._q[k])
+        along = _on_ways(self._axes, self._problem, [part], [t])
+        turns = 2 * np.pi * np.round((near - along.q[0]) / (2 * np.pi))
+        turns[self._axes.layout.rail] = 0.0
+        return along.q[0] + turns, along.dq[0]
+
+
+def spaced(N: int) -> Array:
+    """Shares (N+1,) of a way between two stops, closer together where the tool speeds up and slows down."""
+    x = np.linspace(0.0, 1.0, N + 1)
+    return np.asarray(x - END_CURVE * np.sin(2 * np.pi * x) / (2 * np.pi))
+
+
+def _distinct(cuts: set[float]) -> list[float]:
+    """Cuts in order, those that are one but for rounding once: where zones meet, num's seven digits leave a sliver
+    between them."""
+    out = [0.0]
+    for cut in sorted(cuts):
+        if cut > out[-1] + (_SLIVER if out[-1] > 0 and cut < 1 else _SHORT):
+            out.append(cut)
+    out[-1] = 1.0
+    return out
+
+
+def _reaching(axes: Axes, move: JointMove, X_FT: Array, point: Array, radius: float, end: bool) -> float:
+    """Which share of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
+    share = np.linspace(0, 0.5, ZONE_SAMPLES)
+    away = np.linalg.norm((axes.forward(move.axes(1 - share if end else share)) @ X_FT)[:, :3, 3] - point, axis=1)
+    outside = np.flatnonzero(away > radius)
+    if not len(outside):
+        return 0.5
+    i = max(int(outside[0]), 1)
+    part = (radius - away[i - 1]) / max(away[i] - away[i - 1], 1e-300)
+    return float(max(share[i - 1] + np.clip(part, 0, 1) * (share[i] - share[i - 1]), _SHORT * 10))
+
+
+# ------------------------------------------------------------------------------------------- axes along the parts
+
+
+def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart], Array]]) -> PathDerivatives:
+    """What is along the parts of runs at their nodes; NaN where the arm does not reach."""
+    parts = [part for own, _ in runs for part in own]
+    counts = np.array([part.N + 1 for part in parts])
+    edges = np.concatenate([[0], np.cumsum(counts)])
+    on_way = np.array([part.rail is not None for part in parts])
+    names = [_name(part) for part in parts]
+    distinct = {name: part for name, part in zip(names, parts, strict=True)}  # many runs may have it alike
+    out = _along_distinct(axes, problem, [*distinct.values()])
+    if len(distinct) < len(parts):
+        behind = np.cumsum([part.N + 1 for part in distinct.values()])
+        begins = dict(zip(distinct, behind - [part.N + 1 for part in distinct.values()], strict=True))
+        shift = np.repeat([begins[name] for name in names] - edges[:-1], counts)
+        out = out.at(np.arange(edges[-1]) + shift)
+    starts, near, first = [], [], 0  # of stretches on ways: joints there are near those of the waypoint before
+    for own, q in runs:
+        for i, part in enumerate(own):
+            if part.rail is not None and (i == 0 or own[i - 1].rail is None):
+                starts.append(edges[first + i])
+                near.append(q[part.leg])
+        first += len(own)
+    if starts:
+        at = np.repeat(on_way, counts)
+        kept = np.cumsum(at)[starts] - 1
+        arm = axes.layout.arm
+        out.q[at, arm] = unwound(out.q[at, arm], kept, np.array(near)[:, arm])
+    return out.by(np.repeat([part.size for part in parts], counts))
+
+
+def _along_distinct(axes: Axes, problem: Problem, parts: Sequence[PathPart]) -> PathDerivatives:
+    """The same of parts, one after the other, by their own shares and with joints in whatever turn."""
+    counts = [part.N + 1 for part in parts]
+    out = _empty(axes.n, sum(counts))
+    on_way = np.array([part.rail is not None for part in parts])
+    for which, of in ((on_way, _on_ways), (~on_way, _on_axes)):
+        some = [part for part, wanted in zip(parts, which, strict=True) if wanted]
+        if some:
+            out.put(np.repeat(which, counts), of(axes, problem, some, [_shares(part) for part in some]))
+    return out
+
+
+def _name(part: PathPart) -> tuple[object, ...]:
+    """Equal for parts of one problem along which is the same by their shares."""
+    rail = () if part.rail is None else (*part.rail.d, *part.rail.slope, *part.rail.bend)
+    return part.leg, id(part.segment), part.s_0, part.s_1, part.cfx, part.u.tobytes(), *rail
+
+
+def _shares(part: PathPart) -> Array:
+    return part.u if part.rail is None else np.clip(part.u, _INSIDE, 1 - _INSIDE)
+
+
+def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Sequence[Array]) -> PathDerivatives:
+    """Along parts that axes decide, by their shares, one after the other."""
+    found = []
+    for part, u in zip(parts, shares, strict=True):
+        segment = part.segment
+        assert isinstance(segment, JointMove | JointCorner)
+        s, k = part.own(u), part.s_1 - part.s_0
+        found.append((segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2))
+    q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))
+    v, w, bend = (np.empty((len(q), 3)) for _ in range(3))
+    out = PathDerivatives(q, dq, ddq, v, w, bend, np.zeros((len(q), 2)))
+    tools = [problem.legs[part.leg].X_FT for part in parts]
+    for at, X_FT in _by_tool(tools, shares):
+        motion = axes.differential(q[at], X_FT).motion(dq[at], ddq[at])
+        out.v[at], out.w[at], out.bend[at] = motion[:, 0, :3], motion[:, 0, 3:], motion[:, 1, :3]
+    return out
+
+
+def _by_tool(tools: Sequence[Array], shares: Sequence[Array]) -> Iterator[tuple[IndexArray, Array]]:
+    """The rows of every tool X_FT among parts with shares (m,) each, and the tool."""
+    names = [X_FT.tobytes() for X_FT in tools]
+    number = {name: i for i, name in enumerate(dict.fromkeys(names))}
+    of = np.repeat([number[name] for name in names], [len(u) for u in shares])
+    for name, i in number.items():
+        yield np.flatnonzero(of == i), tools[names.index(name)]
+
+
+def _on_ways(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Sequence[Array]) -> PathDerivatives:
+    """Along parts of the tool's way by their shares, at shares (m,) of each, one part after the other; joints in
+    whatever turn, NaN out of reach."""
+    tools = [problem.legs[part.leg].X_FT for part in parts]
+    names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in shares]
+    out = _empty(axes.n, sum(counts))
+    for name in dict.fromkeys(names):
+        alike = np.array([one == name for one in names])
+        numbers = np.flatnonzero(alike).tolist()
+        ways = [parts[i] for i in numbers]
+        table = np.array([problem.legs[one.leg].table for one in ways])
+        found = _with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers], table)
+        out.put(np.repeat(alike, counts), found)
+    return out
+
+
+def _with_tool(
+    axes: Axes, X_FT: Array, parts: Sequence[PathPart], shares: Sequence[Array], table: Array
+) -> PathDerivatives:
+    """The same with one tool on all parts. table (p, 2): what positioners take for the whole way of each."""
+    counts = [len(u) for u in shares]
+    edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
+    cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
+    rail = Rail(*(np.array([getattr(part.rail, name) for part in parts])[of] for name in ("d", "slope", "bend")))
+    way = (s_1 - s_0)[:, None]
+    segments: list[Any] = [part.segment for part in parts]
+
+    def at(u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
+        X, twist, bend = along_all(segments, np.split(s_0 + u * (s_1 - s_0), edges))
+        d, dd, ddd = rail.at(u)
+        arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[np.arange(len(u)), cfx]
+        return axes.layout.merge(d, arm), arm, twist * way, bend * way**2, dd, ddd
+
+    u = np.concatenate(shares)
+    q, arm, twist, bend, dd, ddd = at(u)
+    numb = axes.robot.walls(arm)[1] < _NUMB
+    place = q
+    if numb.any():  # there a derivative is what it is a little farther on
+        place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
+    dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
+    if table.any():  # such a way is one part: its share is the way's own
+        twist, bend = over_work(segments, np.split(u, edges), twist, bend)
+    return PathDerivatives(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], table[of])
+
+
+def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:
+    """Both derivatives of all axes (m, n) where the tool moves by twist and bend (m, 6), the rail by dd and ddd (m, r),
+    all by one parameter."""
+    at = axes.differential(q, X_FT)
+    J = at.jacobian()
+    Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+
+    def arm_follows(tool: Array, rail: Array) -> Array:
+        return _solved(Ja, tool - (Jr @ rail[..., None])[..., 0])
+
+    dq = axes.layout.merge(dd, arm_follows(twist, dd))
+    return dq, axes.layout.merge(ddd, arm_follows(bend - at.bias(dq), ddd))
+
+
+def _solved(A: Array, b: Array) -> Array:
+    """x (m, k) of A x = b; NaN where A (m, k, k) is singular."""
+    try:
+        return np.asarray(np.linalg.solve(A, b[..., None])[..., 0])
+    except np.linalg.LinAlgError:
+        singular = np.abs(np.linalg.det(A)) < 1e-15
+        safe = np.where(singular[:, None, None], np.eye(A.shape[-1]), A)
+        return np.where(singular[:, None], np.nan, np.linalg.solve(safe, b[..., None])[..., 0])

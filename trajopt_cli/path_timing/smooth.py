@@ -1,0 +1,166 @@
+"""A leg between two stops under jerk limits, before any nonlinear program: one profile of Ruckig's along its course.
+
+Its speed, acceleration and jerk are constants for the whole course, in a ratio that is searched; what it then passes
+of any limit says by how much it has to be driven slower as a whole, which is legal. A joint move that meets no cap of
+the tool has the least time there is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.path.line import Line
+from trajopt_cli.path_timing.path_timing import limits
+from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
+from trajopt_cli.timing.soft_move import SoftMove, soft_move
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import Ratios, check_leg
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
+
+Shares = tuple[float, float, float]
+
+_ATTEMPTS = 40  # hairs by which a profile is made softer until its switches stand apart
+
+
+def rest_time(D: Array, V: Array, A: Array, J: Array) -> Array:
+    """Least times from rest to rest over ways D >= 0 under speed, acceleration and jerk limits; all broadcast."""
+    D, V, A, J = np.broadcast_arrays(D, V, A, J)
+    ramp = np.where(V * J > A * A, V / A + A / J, 2 * np.sqrt(V / J))  # from rest to the top speed
+    sharp = 4 * np.cbrt(D / (2 * J))
+    speed = (np.sqrt((A / J) ** 2 + 4 * D / A) - A / J) * A / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        full = np.where(D > 0, 2 * D / speed, 0.0)
+    slower = np.where(D <= 2 * A**3 / J**2, sharp, full)
+    return np.asarray(np.where(V * ramp <= D, D / V + ramp, slower))
+
+
+def smooth(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
+    """The motion of leg k between axes q[k], q[k + 1] at rest, as fast as was found; None where the arm cannot follow
+    or leaves its ranges. A programmed time is not looked at."""
+    assert axes.jerk is not None
+    leg = problem.legs[k]
+    tries = [_along(axes, problem, k, q, cfx)]
+    if leg.kind is LegKind.JOINT and not problem.coordinated:
+        tries.append(_each(axes, problem, k, q))
+    return min((one for one in tries if one is not None), key=lambda one: one.T, default=None)
+
+
+def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
+    """A joint move with a profile for each axis."""
+    leg, jerk = problem.legs[k], axes.jerk
+    assert jerk is not None
+    V, A = axes.velocity_on(leg) * SAFE, axes.acceleration_on(leg) * SAFE
+    soft = 1.0
+    for _ in range(_ATTEMPTS):
+        move = soft_move(q[k], q[k + 1], V, A * soft, jerk * SAFE_JERK * soft)
+        if _apart(move):
+            break
+        soft *= 1 - 1e-3
+    else:
+        return None
+    grid = _grid(move)
+    at, rates = move.at(grid * move.duration)
+    at[-1], rates[-1] = q[k + 1], 0.0
+    v = rates * move.duration
+    motion = JointNodes(move.duration, grid, at, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+    ratios = check_leg(axes, leg, motion)
+    return motion.slowed(_slower(ratios)) if ratios.position.max() <= 1 + 1e-9 else None
+
+
+def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
+    """One profile along the course, with the ratio of its constants that was found best."""
+    leg = problem.legs[k]
+    course = course_of(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
+    if course is None:
+        return None
+    tops, slopes, *_ = limits(axes, problem, course)
+    L, dq = float(course.sigma[-1]), np.abs(course.along.dq).max(axis=0)
+    assert axes.jerk is not None
+    with np.errstate(divide="ignore"):
+        caps = np.array([tops.min(), 1 / np.abs(slopes).max(), np.min(axes.jerk / dq)]) * SAFE
+    if not np.isfinite(caps).all() or not (caps > 0).all():
+        return None
+
+    def tried(shares: Shares) -> tuple[float, float, PathLeg | JointNodes] | None:
+        """The time it takes driven so slowly that it is legal, how much slower, and the motion as it is."""
+        soft = 1.0
+        for _ in range(_ATTEMPTS):
+            v, a, j = (caps * shares * np.array([1.0, soft, soft]))[:, None]
+            move = soft_move(np.zeros(1), np.array([L]), v, a, j)
+            if _apart(move):
+                break
+            soft *= 1 - 1e-3
+        else:
+            return None
+        motion = _driven(axes, problem, k, q, cfx, move, L)
+        ratios = check_leg(axes, leg, motion)
+        if ratios.position.max() > 1 + 1e-6:
+            return None
+        times = _slower(ratios)
+        return motion.T * times, times, motion
+
+    shares: Shares = 1.0, 1.0, 1.0
+    known = {shares: tried(shares)}
+    best, step = known[shares], SMOOTH_STEP
+    while best is not None and best[1] > 1.0 and step < SMOOTH_LAST:
+        near = [(shares[0] * step**x, shares[1] * step**y, shares[2] * step**z) for x, y, z in _WAYS]
+        for way in near:
+            if way not in known:
+                known[way] = tried(way)
+        found = [(one, way) for way in near if (one := known[way]) is not None]
+        first = min(found, key=lambda pair: pair[0][0], default=None)
+        if first is not None and first[0][0] < best[0]:
+            best, shares = first
+        else:
+            step = float(np.sqrt(step))
+    return None if best is None else best[2].slowed(best[1])
+
+
+_WAYS = [way for way in product((-1, 0, 1), repeat=3) if sum(map(abs, way)) == 1]
+
+
+def _driven(
+    axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int], move: SoftMove, L: float
+) -> PathLeg | JointNodes:
+    """Leg k with all axes on one profile over the way L."""
+    leg, T, grid = problem.legs[k], move.duration, _grid(move)
+    at, rates = move.at(grid * T)
+    s, v = at[:, 0] / L, rates[:, 0] * T / L
+    s[0], s[-1], v[0], v[-1] = 0.0, 1.0, 0.0, 0.0
+    a = np.diff(v) / np.diff(grid)
+    way = q[k + 1] - q[k]
+    if leg.kind is LegKind.JOINT:
+        return JointNodes(T, grid, q[k] + s[:, None] * way, v[:, None] * way, a[:, None] * way)
+    rail = axes.layout.rail
+    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
+    return PathLeg(
+        T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx[k] if cfx[k] >= 0 else cfx[k + 1], q[k, axes.layout.arm],
+        grid, s, v, a, q[k, rail] + s[:, None] * way[rail], v[:, None] * way[rail], a[:, None] * way[rail],
+    )  # fmt: skip
+
+
+def _grid(move: SoftMove) -> Array:
+    """Its switches in scaled time."""
+    times = move.switches / move.duration
+    grid = times[np.concatenate([[True], np.diff(times) > SWITCHES_APART / 2 / move.duration])]
+    grid[-1] = 1.0
+    return grid
+
+
+def _apart(move: SoftMove) -> bool:
+    """Whether no two switches nearly but not quite coincide."""
+    gaps = np.diff(move.switches)
+    return not np.any((gaps > 1e-12) & (gaps < SWITCHES_APART))
+
+
+def _slower(ratios: Ratios) -> float:
+    """How many times as long a motion has to take that it is legal; less than one for time to spare."""
+    rates = max(ratios.velocity.max(), ratios.tool[:, 0].max(), ratios.tool[:, 2].max())
+    bends = max(ratios.acceleration.max(), ratios.tool[:, 1].max(), ratios.torque.max())
+    return float(max(rates, np.sqrt(bends), np.cbrt(ratios.jerk.max() / SAFE_JERK) * SAFE) / SAFE)

@@ -1,0 +1,126 @@
+"""A slow motion by the plainest means, for a program that nothing faster was found for: a stop at every point.
+
+From point to point in order, each time the axes nearest to those before that the arm can be driven to, going back a
+point where it cannot be; each leg from rest to rest along a parabola of its own, as slow as its limits ask for. No
+search over all points, no course, no TOPP, no nonlinear program has a say, so it stands where one of them fails. The
+rail is where the program has it, where it is already, or in the middle or at the ends of what it may have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from trajopt_cli.collision.motion_collision import clear
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.driver import first_draft
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.settings import FIRST_JOINT
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import check_leg
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, integrate
+
+_MOST = 1000  # legs that are tried before it is given up
+_TIMES = 8  # looks at a leg that is made slower and slower
+_SAME = 1e-9  # rad, m
+_WITHIN = 1 - 1e-5  # of every limit
+
+State = tuple[Array, int]  # axes (k,), branch
+
+
+def plain_motion(axes: Axes, problem: Problem) -> Iterate | None:
+    """A legal motion at rest at every point; None where none was found, and where jerk is limited, which parabolas do
+    not keep."""
+    if axes.jerk is not None:
+        return None
+    problem = replace(problem, waypoints=tuple(replace(point, fly_by=None) for point in problem.waypoints))
+    start = problem.waypoints[0].q
+    if start is None:
+        return None
+    states: list[State] = [(start, -1)]
+    legs: list[LegMotion] = []
+    open_: list[Iterator[State]] = [_next(axes, problem, states, 1)]
+    for _ in range(_MOST):
+        if len(legs) == len(problem.legs):
+            break
+        state = next(open_[-1], None)
+        if state is None:
+            open_.pop()
+            if not open_:
+                return None
+            states.pop()
+            legs.pop()
+            continue
+        motion = _driven(axes, problem, len(legs), states[-1], state)
+        if motion is not None:
+            states.append(state)
+            legs.append(motion)
+            open_.append(_next(axes, problem, states, len(states)))
+    if len(legs) < len(problem.legs):
+        return None
+    q = np.array([own for own, _ in states])
+    draft = Iterate(q, np.zeros_like(q), tuple(cfx for _, cfx in states), tuple(legs))
+    return draft if clear(axes, problem, draft) else None
+
+
+def _next(axes: Axes, problem: Problem, states: list[State], k: int) -> Iterator[State]:
+    """Axes and branches that waypoint k may have, the nearest to those before first."""
+    if k >= len(problem.waypoints):
+        return
+    point, leg, (q_0, cfx_0), layout = problem.waypoints[k], problem.legs[k - 1], states[-1], axes.layout
+    tied = [states[one] for group in problem.ties if k in group for one in group if one < k]
+    if point.q is not None:
+        yield point.q, -1
+        return
+    low, high = point.rail
+    now = float(q_0[layout.rail][0]) if axes.layout.has_rail else 0.0
+    wanted = [point.written, now, (low + high) / 2, low, high] if leg.rail_moves else [now]
+    rails = [*dict.fromkeys(float(np.clip(one, low, high)) for one in wanted)]
+    if not leg.rail_moves and abs(rails[0] - now) > _SAME:
+        return
+    for rail in rails if axes.layout.has_rail else [None]:
+        at_rail = np.zeros(0) if rail is None else np.array([rail])
+        found = axes.robot.solutions(point.X_WF, rail, problem.plant.limits)
+        options: list[State] = [(layout.merge(at_rail, arm), cfx) for cfx, arm in found
+                                if point.conf is None or axes.robot.admits(point.conf, arm)]  # fmt: skip
+        options.sort(key=lambda one: float(np.max(np.abs(one[0] - q_0) / axes.velocity)))
+        for q, cfx in options:
+            along = leg.kind is LegKind.JOINT or cfx_0 in (-1, cfx)
+            if along and all(np.abs(q - own).max() < 1e-6 for own, _ in tied):
+                yield q, cfx
+
+
+def _driven(axes: Axes, problem: Problem, k: int, state: State, then: State) -> LegMotion | None:
+    """Leg k from rest to rest within all limits; None where there is no such parabola, whatever its time."""
+    leg, (q_0, cfx_0), (q_1, cfx_1) = problem.legs[k], state, then
+    still = np.abs(q_1 - q_0).max() < _SAME and leg.segment is None
+    least = 2 * float(np.max(np.abs(q_1 - q_0) / axes.velocity))
+    T = leg.duration or max(least, leg.least, 0.02)
+    alone = replace(problem, legs=(leg,), waypoints=problem.waypoints[k : k + 2])
+    ends, rest = np.stack([q_0, q_1]), np.zeros((2, axes.n))
+    motion: LegMotion | None
+    if leg.kind is LegKind.JOINT and not still:
+        grid = np.linspace(0, 1, FIRST_JOINT + 1)
+        q, v, _ = integrate(np.array([0.0, 1.0]), ends, rest, grid)
+        motion = JointNodes(T, grid, q, v, np.diff(v, axis=0) * FIRST_JOINT)
+    else:
+        times = np.array([0.0 if still else T])
+        motion = first_draft(axes, alone, ends, rest, (cfx_0, cfx_1), times).legs[0]
+    if motion is None or motion.T == 0.0:
+        return motion
+    for _ in range(_TIMES):
+        ratios = check_leg(axes, leg, motion)
+        if not ratios.position.max() <= 1.0:
+            return None
+        speed = max(ratios.velocity.max(), ratios.tool[:, 0].max(), ratios.tool[:, 2].max())
+        acceleration = max(ratios.acceleration.max(), ratios.tool[:, 1].max())
+        slower = max(float(speed), float(np.sqrt(acceleration))) / _WITHIN
+        if slower <= 1.0 and ratios.torque.max() <= _WITHIN:
+            return motion
+        if leg.duration is not None:
+            return None
+        motion = motion.slowed(max(slower, 1.2 if ratios.torque.max() > _WITHIN else 1.0) * (1 + 1e-9))
+    return None

@@ -1,0 +1,413 @@
+"""A legal motion for the whole program before any nonlinear program: the best chain of waypoints that can be driven.
+
+What may change less may be driven as well: the chains of lesser freedoms are tried too, so that more freedom is never
+slower, whatever the search misses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from time import perf_counter
+
+import numpy as np
+
+from trajopt_cli.collision.collision_scene import collision_scene_of
+from trajopt_cli.collision.motion_collision import clear
+from trajopt_cli.graph_search.ik_tables import broken_between, check_reach
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.motion import Program, motion_name
+from trajopt_cli.path_timing.edge_times import Times
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
+from trajopt_cli.plan.collision_diagnosis import blocked_place, touches
+from trajopt_cli.plan.detour_planner import NoClearWay, clear_motions, coordinated, driven_clear
+from trajopt_cli.plan.rail_refinement import polished, refined
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.detours import Detour, Numbering, with_detours
+from trajopt_cli.problem.editable import Changes, everything
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plannable import with_exact_orientation
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.progress import Progress, Report
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.settings import HOPELESS, ROOMS
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.route import Route
+
+
+class NoCleanPlan(Exception):
+    """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
+
+
+@dataclass(frozen=True, eq=False)
+class Legal:
+    """A motion at rest at every stop that keeps every limit, and the chain it was timed from. detours: the points that
+    its problem's program has besides its own, so that it touches nothing."""
+
+    problem: Problem
+    chain: Route
+    draft: Iterate
+    detours: tuple[Detour, ...] = ()
+
+    @property
+    def dropped(self) -> frozenset[int]:
+        """The motions left out, as numbered in the program without additional points."""
+        if not self.detours:
+            return self.problem.dropped
+        points = sum(len(detour.points) for detour in self.detours)
+        numbering = Numbering(len(self.problem.program.motions) - points, self.detours)
+        return frozenset(numbering.own(index) for index in self.problem.dropped)
+
+    @property
+    def duration(self) -> float:
+        """Cycle time [s]."""
+        return duration(self.draft)
+
+
+@dataclass(frozen=True, eq=False)
+class Memory:
+    """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
+    found for them take [s]; and the runs that were driven."""
+
+    answers: dict[tuple[Target, Freedom], Legal | Infeasible] = field(default_factory=dict)
+    estimates: dict[tuple[Target, Freedom], float] = field(default_factory=dict)
+    runs: Runs = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What is asked: a program on a plant and a target, what may change at all, and which motions may have it."""
+
+    program: Program
+    plant: Plant
+    target: Target
+    freedom: Freedom
+    changes: Changes | None = None
+
+    def problems(self, axes: Axes) -> list[Problem | Infeasible]:
+        """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
+        return [(check_reach(axes, one) or one) if isinstance(one, Problem) else one for one in self.unchecked()]
+
+    def unchecked(self) -> list[Problem | Infeasible]:
+        """The same, of which some may be out of reach: where that shows anyhow."""
+        changes = self.changes or everything(self.program, self.plant)
+        optional = changes.droppable if self.freedom.drop else frozenset()
+        return [
+            build_problem(self.program, self.plant, self.freedom, self.target, changes, dropped)
+            for dropped in [frozenset[int]()] + ([optional] if optional else [])
+        ]
+
+    def detoured(self, dropped: frozenset[int], detours: Sequence[Detour]) -> Problem:
+        """The program with additional points, without motions, which are numbered as in the one without them."""
+        changes = self.changes or everything(self.program, self.plant)
+        numbering = Numbering(len(self.program.motions), detours)
+        problem = build_problem(
+            with_detours(self.program, self.plant, detours),
+            self.plant,
+            self.freedom,
+            self.target,
+            numbering.changes(changes),
+            frozenset(numbering.at(index) for index in dropped),
+        )
+        assert isinstance(problem, Problem), problem  # without points it is one
+        return problem
+
+    def lesser(self) -> Iterator[Question]:
+        """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
+        if self.target is Target.RAPID or self.plant.limits.binding_jerk is not None:
+            yield from self.calmer()
+
+    def calmer(self) -> Iterator[Question]:
+        """The same with a rail that may move less; for a stream, too."""
+        if self.freedom.rail is RailFreedom.PROGRAMMED:
+            return
+        fewer = [FIXED_RAIL, AS_WRITTEN]
+        if self.plant.limits.binding_jerk is not None:  # in a wait a rail may need longer than with free jerk
+            fewer.insert(0, Freedom(dwells=False))
+        lesser = (self.freedom.and_not_more_than(one) for one in fewer)
+        yield from (replace(self, freedom=one) for one in lesser if one != self.freedom)
+
+
+def legal_motion(
+    axes: Axes, question: Question, memory: Memory, patience: Patience, tell: Report, seconds: dict[str, float]
+) -> Legal | Infeasible:
+    """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
+    other questions about the same program; what is found here is added. patience: ends the search for a stream once
+    there is a motion. Raises NoCleanPlan."""
+    start = perf_counter()
+    tell(Progress("reach"))
+    known = memory.answers.get((question.target, question.freedom))
+    problems = question.unchecked() if isinstance(known, Legal) else question.problems(axes)
+    open_ = [one for one in problems if isinstance(one, Problem)]
+    add(seconds, "reach", perf_counter() - start)
+    if not open_:
+        assert isinstance(problems[0], Infeasible)
+        return problems[0]
+    own: Legal | Infeasible | NoCleanPlan
+    tell(Progress("search"))
+    try:
+        own = known or _found(axes, question, open_, memory, patience, tell, seconds)
+    except NoCleanPlan as failure:
+        own = failure
+    best = own if isinstance(own, Legal) else None
+    for less in question.lesser():
+        found = _of_lesser(axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan))
+        if found is not None and (best is None or found.duration < best.duration):
+            near = [found, *_again(axes, found, memory.runs, seconds)]
+            near = [one for one in near if clear(axes, one.problem, one.draft)]
+            best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
+    if best is None and isinstance(own, NoCleanPlan):
+        raise own
+    if best is None:
+        assert isinstance(own, Infeasible)
+        return own
+    memory.answers[question.target, question.freedom] = best
+    return best
+
+
+def calmer_motions(
+    axes: Axes, question: Question, legal: Legal, memory: Memory, seconds: dict[str, float]
+) -> Iterator[Legal]:
+    """Legal motions of the same problem whose rail moves less, and which may take longer."""
+    own = [one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped]
+    for less in question.calmer():
+        found = _of_lesser(axes, question, less, own, memory, Patience(), lambda _: None, seconds)
+        if found is not None:
+            yield found
+
+
+def _of_lesser(
+    axes: Axes, question: Question, less: Question, problems: Sequence[Problem], memory: Memory, patience: Patience,
+    tell: Report, seconds: dict[str, float], around: bool = False,
+) -> Legal | None:  # fmt: skip
+    """The legal motion of a question with less freedom as one of these problems', which are of this one; None where
+    there is none, or where it asks for the same. around: points may be added to the program, which takes time."""
+    mine = {one.dropped: one for one in problems}
+    asked = [one for one in less.unchecked() if isinstance(one, Problem) and one.dropped in mine]
+    if all(_says(one) == _says(mine[one.dropped]) for one in asked):
+        return None
+    name = less.target, less.freedom
+    if name not in memory.answers:
+        try:
+            found = _found(axes, less, asked, memory, patience, tell, seconds, around)
+        except NoCleanPlan:
+            return None
+        if isinstance(found, Legal) or around:
+            memory.answers[name] = found
+    else:
+        found = memory.answers[name]
+    if not isinstance(found, Legal):
+        return None
+    if found.detours:
+        return replace(found, problem=question.detoured(found.dropped, found.detours))
+    return replace(found, problem=mine[found.problem.dropped])
+
+
+def _found(
+    axes: Axes, question: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
+    seconds: dict[str, float], around: bool = True,
+) -> Legal | Infeasible:  # fmt: skip
+    """legal_of of a question's problems; what its chain takes is kept. around: points may be added. Raises
+    NoCleanPlan."""
+    name = question.target, question.freedom
+
+    def keep(cost: float) -> None:
+        memory.estimates.setdefault(name, cost)
+
+    return legal_of(axes, problems, patience, tell, seconds, memory.runs, keep, question if around else None)
+
+
+def _says(problem: Problem) -> tuple[object, ...]:
+    """What differs between problems of one program and target with different freedoms."""
+    free = any(point.rail[0] < point.rail[1] for point in problem.waypoints)
+    points = tuple((point.rail, point.conf, point.rest) for point in problem.waypoints)
+    return points, tuple(leg.rail_moves for leg in problem.legs), free and problem.freedom.rail is RailFreedom.STATION
+
+
+def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> Iterator[Legal]:
+    """The motion of a lesser freedom with its rail refined in the freedom at hand."""
+    start = perf_counter()
+    for chain in _shifted(axes, found.problem, found.chain, Times()):
+        try:
+            yield replace(found, chain=chain, draft=timed(axes, found.problem, chain, runs))
+        except NotDriven:
+            continue
+    add(seconds, "timing", perf_counter() - start)
+
+
+def legal_of(
+    axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
+    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: Question | None = None,
+) -> Legal | Infeasible:  # fmt: skip
+    """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
+    stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
+    with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
+    timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
+    problems they are, to add points to its program. Raises NoCleanPlan."""
+    failure: tuple[Problem, NotDriven] | None = None
+    touched: NoClearWay | None = None
+    for room in ROOMS:
+        start = perf_counter()
+        narrow, known = axes.narrowed(room), Times()
+        chains = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
+        if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
+            searched(min(costs))
+        found = [
+            (_shifted(narrow, bound, chain, known), chain, bound, problem)
+            for chain, bound, problem in chains
+            if chain is not None
+        ]
+        add(seconds, "search", perf_counter() - start)
+        hopeless = bool(found)  # with less room it takes no less
+        for tried, chain, bound, problem in sorted(found, key=lambda one: one[0][0].cost):
+            drafts: list[Legal] = []
+            for coupled in dict.fromkeys((bound, problem)):
+                if coupled is not bound:  # a rail that suits free axes; but that for one progress may be the better one
+                    if drafts and patience.over:
+                        break
+                    start = perf_counter()
+                    tried = _shifted(narrow, coupled, chain, known)
+                    add(seconds, "search", perf_counter() - start)
+                start = perf_counter()
+                for one in tried:
+                    try:
+                        draft = driven_clear(axes, problem, one, runs)
+                    except NotDriven as said:
+                        failure = failure or (problem, said)
+                        wanted = problem.legs[said.run[0]].duration
+                        hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
+                        continue
+                    if isinstance(draft, NoClearWay):
+                        touched = touched or draft
+                        continue
+                    drafts.append(Legal(problem, one, draft))
+                    if not problem.coordinated:
+                        patience.answer()
+                    tell(Progress("timing", drafts[-1].duration))
+                add(seconds, "timing", perf_counter() - start)
+            if drafts:
+                return min(drafts, key=lambda one: one.duration)
+        if touched is not None and question is not None:
+            start = perf_counter()
+            blocked = [blocked_place(axes, problem) for problem in problems]
+            if None not in blocked:
+                assert blocked[0] is not None
+                return blocked[0]
+            around = _around(narrow, question, problems, known, runs)
+            add(seconds, "ways around", perf_counter() - start)
+            if isinstance(around, Legal):
+                tell(Progress("timing", around.duration))
+                return around
+            touched = _blamed(touched, around)
+            if failure is None:  # with less room there is no more
+                break
+        if failure is None and touched is None:
+            return _disconnected(problems[0].program, any(problem.ties for problem in problems))
+        if hopeless:
+            break
+    if touched is not None:
+        return touches(axes, touched, runs)
+    assert failure is not None
+    return _not_driven(axes, *failure)
+
+
+def _around(
+    axes: Axes, question: Question, problems: Sequence[Problem], known: Times, runs: Runs | None
+) -> Legal | NoClearWay | None:
+    """The fastest motion found that touches nothing; or what the best one touches."""
+    changes = question.changes or everything(question.program, question.plant)
+    found: list[Legal] = []
+    failure: NoClearWay | None = None
+
+    def shifted(problem: Problem, chain: Route) -> list[Route]:
+        near = refined(axes, problem, chain, known, collision_scene_of(problem))
+        polish = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
+        return [near, polished(axes, problem, near)] if polish else [near]
+
+    for problem in problems:
+        try:
+            for one in clear_motions(
+                axes, coordinated(problem), problem, changes.straight, changes.detours, question.detoured, shifted, runs
+            ):
+                found.append(Legal(one.problem, one.chain, one.draft, one.detours))
+        except NoClearWay as said:
+            failure = said
+        except NotDriven:
+            continue
+    return min(found, key=lambda one: one.duration, default=failure)
+
+
+def _blamed(touched: NoClearWay, around: NoClearWay | None) -> NoClearWay:
+    """What tells best why there is no plan: the motion by points that touches something; else the one without, at the
+    leg where chains end that touch nothing."""
+    if around is None or around.draft is not None:
+        return around or touched
+    legs = tuple(k for k in around.legs if k in touched.legs) if around.problem is touched.problem else ()
+    return NoClearWay(touched.problem, legs, touched.draft, touched.chain) if legs else touched
+
+
+def _shifted(axes: Axes, problem: Problem, chain: Route, known: Times) -> list[Route]:
+    """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
+    are nearly that, and a leg alone does not see how the rail bends in them. known: as in leg_times."""
+    out = [refined(axes, problem, chain, known)]
+    if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
+        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain, known))]
+    return out
+
+
+def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
+    """The answer no where a leg has less time than it takes, passes a singularity, or is out of reach between the nodes
+    of the search. Raises NoCleanPlan where it is for none of them."""
+    leg = problem.legs[failure.run[0] if failure.singular is None else failure.singular.leg]
+    motion = problem.motion(leg.motion)
+    if failure.least is not None:
+        text = f"has {leg.duration:g} s and takes {failure.least:.3f} s as fast as was found; give it more time"
+    elif (heavy := _too_heavy(axes, problem, failure.run)) is not None:
+        text = f"cannot be driven: {heavy}; take a lighter tool or load, or bring the point nearer"
+    elif failure.singular is not None:
+        elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
+        what = "the wrist singularity (axes 4 and 6 parallel)" if wrist < 1 - elbow else "the stretched or folded elbow"
+        p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
+        text = (
+            f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
+            f" shift the way, or use MoveJ{with_exact_orientation(motion)}"
+        )
+    elif (broken := broken_between(axes, problem, range(*failure.run))) is not None:
+        return broken
+    else:
+        raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")
+
+
+def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None:
+    """Which axis cannot hold the arm at a point of a run in any posture, in words; a rail that is free there stands in
+    the middle of its room."""
+    if axes.torque is None:
+        return None
+    for k in range(*run):
+        for point in problem.waypoints[k : k + 2]:
+            postures = [point.q]
+            if point.q is None:
+                rail = np.full(axes.layout.r, sum(point.rail) / 2)
+                found = axes.robot.solutions(point.X_WF, float(rail[0]) if len(rail) else None, problem.plant.limits)
+                postures = [axes.layout.merge(rail, arm) for _, arm in found]
+            heavy = [axes.torque.too_heavy(problem.legs[k], q) for q in postures if q is not None]
+            if heavy and all(heavy):
+                return heavy[0]
+    return None
+
+
+def _disconnected(program: Program, tied: bool) -> Infeasible:
+    index = len(program.motions) - 1
+    source = program.motions[index].source
+    why = "no chain of configurations connects the start with the program's end"
+    if tied:
+        why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
+    return Infeasible(index, source, why)
+
+
+def add(total: dict[str, float], phase: str, spent: float) -> None:
+    """Add seconds to a phase."""
+    total[phase] = total.get(phase, 0.0) + spent

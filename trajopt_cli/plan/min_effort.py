@@ -1,0 +1,225 @@
+"""A legal motion made gentler within a given time: more time where it spares most, and laws of least effort.
+
+Between two rests a motion may be driven k times as long: its effort falls with k^-3, so what time there is goes where
+the fourth powers meet. On a course with one progress the law of least effort in a given time is a convex program in
+x = (rate)^2, for the effort is a square over a root and every limit is linear; it is solved in the rates themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from time import perf_counter
+
+import numpy as np
+
+from trajopt_cli.collision.merge_via_points import joined
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.driver import Grids
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
+from trajopt_cli.path_timing.path_timing import Shares, Unresolved, clean
+from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
+from trajopt_cli.plan.initial_plan import Legal, add
+from trajopt_cli.plan.local_refinement import Sweeps, Tally, frozen
+from trajopt_cli.plan.min_effort_law import gentle_law
+from trajopt_cli.problem.objective import LeastEffort
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.settings import EASE_NODES, EASE_ROUNDS, SAFE, SAFE_JERK, SWEEP_GAIN
+from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import check_legs
+from trajopt_cli.trajectories.effort import efforts
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, Pieces
+
+_SAME = 1e-9  # share of a time that is rounding
+
+
+@dataclass(frozen=True, eq=False)
+class _Span:
+    """The legs between two rests of all axes, from waypoint first to last: time and effort [s], the least times it may
+    be driven as long, and the most."""
+
+    first: int
+    last: int
+    time: float
+    effort: float
+    least: float
+    most: float
+
+
+def spread(times: Array, efforts: Array, least: Array, total: float) -> Array:
+    """How many times as long (m,) motions are to be driven, each at least `least` times, so that they take `total` [s]
+    in all with the least effort: where it is more than the least, effort / time / k^4 is one for all. More than the
+    total only where the least are."""
+    wish = (np.maximum(efforts, 1e-12 * efforts.max()) / times) ** 0.25
+    order = np.argsort(least / wish, kind="stable")
+    spent, wanted = (times * least)[order], (times * wish)[order]
+    for free in range(1, len(order) + 1):
+        k = (total - spent[free:].sum()) / wanted[:free].sum()
+        if free == len(order) or k <= (least / wish)[order[free]]:
+            break
+    return np.maximum(least, k * wish)
+
+
+def stretched(axes: Axes, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
+    """The motion with what time is left given to the spans between rests that can be driven slower; it takes less than
+    so many seconds where there is no such span. Waits keep their time."""
+    spans = _spans(axes, problem, draft)
+    free = [span for span in spans if span.most > 1.0]
+    fixed = sum(span.time for span in spans if span.most == 1.0)
+    if not free:
+        return draft
+    time, effort, least = (np.array([getattr(span, name) for span in free]) for name in ("time", "effort", "least"))
+    times = spread(time, effort, least, seconds - fixed)
+    legs, qd = list(draft.legs), draft.qd.copy()
+    qdd = None if draft.qdd is None else draft.qdd.copy()
+    for span, k in zip(free, times.tolist(), strict=True):
+        legs[span.first : span.last] = [m and m.slowed(k) for m in draft.legs[span.first : span.last]]
+        qd[span.first + 1 : span.last] /= k
+        if qdd is not None:
+            qdd[span.first + 1 : span.last] /= k**2
+    return replace(draft, qd=qd, qdd=qdd, legs=tuple(legs))
+
+
+def _spans(axes: Axes, problem: Problem, draft: Iterate) -> list[_Span]:
+    moves = np.abs(draft.qd if draft.qdd is None else np.hstack([draft.qd, draft.qdd])).max(axis=1) > 0
+    marks = [k for k in range(len(draft.q)) if not problem.passes(k) and not moves[k]]
+    each = efforts(axes, draft.legs)
+    out = []
+    for first, last in pairwise(marks):
+        legs, motions = problem.legs[first:last], draft.legs[first:last]
+        there = [(leg, motion) for leg, motion in zip(legs, motions, strict=True) if motion is not None]
+        time, stiff = sum(motion.T for _, motion in there), any(leg.duration is not None for leg in legs)
+        least = 1.0
+        if there and not stiff:
+            ratios = check_legs(axes, [leg for leg, _ in there], [motion for _, motion in there])
+            rates = [max(r.velocity.max(), r.tool[:, 0].max(), r.tool[:, 2].max()) for r in ratios]
+            bends = [max(r.acceleration.max(), r.tool[:, 1].max(), r.torque.max()) for r in ratios]
+            jerk = max(r.jerk.max() for r in ratios)
+            waits = max(leg.least / motion.T if leg.least else 0.0 for leg, motion in there)
+            least = min(max(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, waits), 1.0)
+        rests = stiff or not time or least <= 0
+        out.append(
+            _Span(first, last, time, float(each[first:last].sum()), 1.0 if rests else least, 1.0 if rests else np.inf)
+        )
+    return out
+
+
+def eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
+    """The motion of runs that share one progress, in so many seconds, with laws of least effort where they were found.
+    Never more effort than time alone gives it."""
+    best = stretched(axes, problem, draft, seconds)
+    for _ in range(EASE_ROUNDS):
+        legs, known = list(best.legs), dict[bytes, dict[int, LegMotion]]()
+        for span in _spans(axes, problem, best):
+            if not span.effort:
+                continue
+            key = run_name(problem, (span.first, span.last), best.q, best.cfx) + repr(span.time).encode()
+            if key not in known:  # equal runs are driven alike
+                found = _eased(axes, formulation, problem, best, span)
+                known[key] = {k - span.first: motion for k, motion in found.items()}
+            for k, motion in known[key].items():
+                legs[span.first + k] = motion
+        now = stretched(axes, problem, replace(best, legs=tuple(legs)), seconds)
+        gained = float(efforts(axes, best.legs).sum() - efforts(axes, now.legs).sum())
+        if gained <= 0:
+            break
+        best = now
+    return best
+
+
+def _eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span) -> dict[int, LegMotion]:
+    """A span's motions by the law of least effort; none where no gentler one is found."""
+    course = course_of(axes, problem, (span.first, span.last), draft.q, draft.cfx, EASE_NODES)
+    if course is None:
+        return {}
+
+    def pace(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw | None:
+        return gentle_law(axes, formulation, problem, course, shares, span.time)
+
+    try:
+        found = clean(axes, problem, course, pace)
+    except Unresolved:
+        return {}
+    if found is None:
+        return {}
+    motions: dict[int, LegMotion] = dict(found)
+    if span.last == span.first + 1:  # one leg between stops is one piece
+        motions = {k: motion.pieces[0] for k, motion in found.items()}
+    if float(efforts(axes, [*motions.values()]).sum()) >= span.effort:
+        return {}
+    return motions
+
+
+def gentlest(
+    axes: Axes,
+    legal: Sequence[Legal],
+    solved: Problem,
+    fast: Iterate,
+    asked: LeastEffort,
+    patience: Patience,
+    spent: dict[str, float],
+    hands: Callable[[], int],
+) -> tuple[Iterate, tuple[str, ...]] | None:
+    """The gentlest motion found in the time that is asked for, and what a reader should know of it; None where that is
+    too short. legal: motions before any nonlinear program; fast: the fastest one and the problem it solves."""
+    start, seconds = perf_counter(), asked.time(duration(fast))
+    if seconds is None:
+        return None
+    formulation, bases = Formulation(axes), list[tuple[Problem, Iterate]]()
+    for one in legal:
+        if one.duration <= seconds:
+            base = stretched(axes, one.problem, one.draft, seconds)
+            if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
+                base = eased(axes, formulation, one.problem, one.draft, seconds)
+            own = frozen(one.problem, one.chain)
+            bases.append((own, base) if solved.coordinated else joined(axes, own, base, one.detours))
+    bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
+    add(spent, "ease", perf_counter() - start)
+    sweeps, tally = Sweeps(axes, Grids.of(solved), patience, spent, hands), Tally()
+    if not solved.coordinated:
+        bases.append((solved, stretched(axes, solved, fast, seconds)))
+        bases = [(one, _swept(axes, sweeps, one, base, seconds, tally)) for one, base in bases]
+    drafts = [draft for _, draft in bases]
+    best = min(drafts, key=lambda draft: (duration(draft) < seconds * (1 - _SAME), efforts(axes, draft.legs).sum()))
+    return _ended(solved, best, asked.seconds)
+
+
+def _swept(axes: Axes, sweeps: Sweeps, problem: Problem, draft: Iterate, seconds: float, tally: Tally) -> Iterate:
+    """The motion with free axes made gentler window by window, and its time given anew to what it became."""
+    asked = replace(problem, objective=LeastEffort(seconds))
+    for _ in range(EASE_ROUNDS):
+        draft = sweeps.run(asked, draft, None, tally, lambda _: None)
+        again = stretched(axes, problem, draft, seconds)
+        before, after = (float(efforts(axes, one.legs).sum()) for one in (draft, again))
+        if duration(draft) >= seconds * (1 - _SAME) and after >= before:
+            return draft
+        draft = again
+        if before - after < SWEEP_GAIN * before:
+            return draft
+    return draft
+
+
+def _ended(problem: Problem, draft: Iterate, seconds: float) -> tuple[Iterate, tuple[str, ...]]:
+    """The motion with a rest where no leg of it could be given what time is left, and a word on it."""
+    left = seconds - duration(draft)
+    if left <= seconds * _SAME:
+        return draft, ()
+    rests = [
+        k
+        for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True))
+        if motion is not None and leg.duration is None and not problem.passes(k + 1) and not draft.qd[k + 1].any()
+    ]
+    if not rests:
+        return draft, (f"{left:.6f} s of the given time are left: every leg has a time that the program gives",)
+    motion, still = draft.legs[rests[-1]], np.array([draft.q[rests[-1] + 1]] * 2)
+    assert motion is not None
+    rest = JointNodes(left, np.array([0.0, 1.0]), still, np.zeros_like(still), np.zeros_like(still[:1]))
+    legs = list(draft.legs)
+    legs[rests[-1]] = Pieces((*(motion.pieces if isinstance(motion, Pieces) else (motion,)), rest))
+    note = f"the last {left:.6f} s before a stop are a rest: no leg could be given more time"
+    return replace(draft, legs=tuple(legs)), (note,)

@@ -1,0 +1,69 @@
+"""The law of least effort that drives a course in a given time: a small nonlinear program over the rates at its nodes.
+
+With x the squared rate and u its half slope the effort of an interval is a square of what is linear in u and x over the
+sum of two roots of x: convex; so is the time, and every limit is linear. The program is solved in the rates, where it
+is smooth at the stops, too; what it finds is the least on the nodes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
+from trajopt_cli.path_timing.path_timing import Shares, in_force, law_of
+from trajopt_cli.path_timing.sampled_path import SampledPath
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.settings import BARRIER_REFINED, MOST_ITERATIONS, SHARP
+from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.trajectories.axes import Axes
+
+_SPARE = 1e-4  # share of a law's time that is left before a gentler one is looked for
+
+
+def gentle_law(
+    axes: Axes, formulation: Formulation, problem: Problem, course: SampledPath, shares: Shares, seconds: float
+) -> TimeLaw | None:
+    """The law of a run's course that takes so many seconds with the least effort, from rest to rest; None where it
+    takes longer, or hardly less, as fast as may be."""
+    fast = law_of(axes, problem, course, shares)
+    if fast is None or fast.duration > seconds * (1 - _SPARE):
+        return None
+    start = fast.slowed(seconds / fast.duration)
+    top, begins, ends = in_force(axes, problem, course, shares)
+    # the unit of sigma is the whole way, that of time the seconds, that of effort what the fast law has of it
+    L, N = float(course.sigma[-1]), len(course.part)
+    steps, rate, slope, bend = np.diff(course.sigma) / L, L / seconds, L / seconds**2, (L / seconds) ** 2
+    r_0, t_0 = start.rates / rate, start.times / seconds
+    dq, ddq = course.along.dq / axes.acceleration * slope, course.along.ddq / axes.acceleration * bend
+    squared = np.column_stack([np.sum(x * y, axis=1) for x, y in ((dq, dq), (dq, ddq), (ddq, ddq))])
+    squared_0, squared_1 = squared[course.first], squared[course.first + 1]
+    x, u = r_0**2, np.diff(r_0**2) / (2 * steps)
+    mean = (_square(squared_0, u, x[:-1]) + _square(squared_1, u, x[1:])) / 2
+    effort = np.diff(t_0) * mean
+    whole = float(effort.sum())
+    if not whole:
+        return None
+    nlp = BlockNlp()
+    most = top / rate * np.r_[0.0, np.ones(N - 1), 0.0]
+    r = nlp.variables(np.minimum(r_0, most), 0.0, most)
+    t = nlp.variables(t_0, np.r_[np.zeros(N), 1.0], np.r_[0.0, np.ones(N)])
+    e = nlp.variables(effort / whole, 0.0, np.inf)
+    for one in e:
+        nlp.minimise(int(one))
+    p = {"step": steps, "squared_0": squared_0 / whole, "squared_1": squared_1 / whole}
+    for end, (slopes, bends, rest) in enumerate((begins, ends)):
+        room = 1 - np.abs(rest)  # of both signs of a torque the less, as these rows are symmetric
+        p |= {f"slope_{end}": slopes * slope / room, f"bend_{end}": bends * bend / room}
+    z = {"r_0": r[:-1], "r_1": r[1:], "t_0": t[:-1], "t_1": t[1:], "e": e}
+    formulation.law_interval(begins[0].shape[1]).holds(nlp, z, p)
+    result = nlp.solve(mu=BARRIER_REFINED, tolerance=SHARP, most=MOST_ITERATIONS)
+    if not result.converged:
+        return None
+    law = TimeLaw(course.sigma, result.x[r] * rate)
+    return law.slowed(seconds / law.duration)
+
+
+def _square(squared: Array, u: Array, x: Array) -> Array:
+    return squared[:, 0] * u**2 + 2 * squared[:, 1] * u * x + squared[:, 2] * x**2

@@ -1,0 +1,560 @@
+"""A plan solved again where a limit, a speed, a wait or a pose is a little different: from its own motion, and to first
+order by the multipliers of its nonlinear program.
+
+What the plan chose stays: configurations, the order of stops, which fly-bys are passed. The windows of the nonlinear
+program are solved once more from the plan's motion, with what is different in force; runs with one progress for all
+axes are timed once more, their rail positions shifted where no corner binds them. Both sides of a comparison are solved
+in this way, so that what it loses against the plan itself cancels out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from trajopt_cli.collision.collision_scene import collision_scene_of
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.motion import Program
+from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.interior_point import NlpResult
+from trajopt_cli.nlp.transcription import Transcription
+from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import Segment
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
+from trajopt_cli.plan.local_refinement import frozen, may_gain
+from trajopt_cli.plan.rail_refinement import refined
+from trajopt_cli.plan.subproblems import Span, Window, colours
+from trajopt_cli.problem.corners import passed_in
+from trajopt_cli.problem.decision_scope import EVERYTHING
+from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.plan import Infeasible, Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import LegKind, Problem, build_problem
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.settings import AT_END, FELT, FIRST, JUMPED, LATER, LEAST_GAIN, OVER, PROJECTIONS, SHIFTS, SMALL
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import Ratios, check_leg, check_legs
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.profiles import hold, profiles
+from trajopt_cli.trajectories.route import IkBranch, Route
+from trajopt_cli.trajectory import hermite
+
+Changed = Callable[[float], tuple[Program, Plant]]
+"""The program and its plant with a share of a change made, 1 for all of it."""
+_SAME = 1e-9  # m, rad: rounding of a position at the end of its range
+
+
+class NotAgain(Exception):
+    """Why a plan cannot be solved again with a change, one line."""
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """What a change makes of a plan's cycle time [s].
+
+    gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
+    where it does besides. first_order: the same by multipliers, or, of runs with one progress for all axes, by timing
+    the same course; None where there is none. felt: whether the change meets anything that binds.
+    """
+
+    gain: float | None
+    first_order: float | None
+    felt: bool = True
+    why: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class _Motion:
+    """A plan as the optimiser solves it, or the same with a change: times (M-1,) [s] of the legs."""
+
+    axes: Axes
+    problem: Problem
+    chain: Route
+    draft: Iterate
+
+    def part(self, span: Span) -> tuple[Window, Route]:
+        """The legs of a span as a problem of their own, and their part of the chain."""
+        at = slice(span[0], span[1] + 1)
+        chain = replace(
+            self.chain, q=self.chain.q[at], w=self.chain.w[at], labels=self.chain.labels[at],
+            times=self.chain.times[span[0] : span[1]],
+        )  # fmt: skip
+        return Window.of(self.problem, self.draft, span), chain
+
+
+class Again:
+    """A plan, to be solved again with changes. duration: its cycle time [s] solved again with nothing changed.
+
+    changes: what could change in it when it was planned.
+
+    Raises NotAgain where the plan itself cannot be solved again.
+    """
+
+    def __init__(self, program: Program, plant: Plant, plan: Plan, changes: Changes):
+        self._changes, self._plan, self._passed = changes, plan, passed_in(program, plant, plan)
+        self._dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
+        self._program = program
+        axes = Axes.of(plant)
+        problem = self._problem(program, plant)
+        chain, qd, times = _chain(axes, problem, plan)
+
+        def begun(N: int) -> Iterate:
+            legs = tuple(_leg(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
+            return Iterate(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
+
+        draft = begun(FIRST)
+        if not problem.coordinated and self._passed:
+            problem = frozen(problem, chain)
+        self.motion = _Motion(axes, problem, chain, draft)
+        self._formulation = Formulation(axes)
+        self._parts: list[_Program | _Laws] = []
+        known: dict[bytes, _Program | None] = {}
+        whole = 0, len(problem.legs)
+        for span in [whole] if problem.coordinated else colours(problem)[0]:
+            window, part = self.motion.part(span)
+            nlp = None
+            if _free(axes, window):
+                key = window.key()
+                if key not in known:
+                    grids = Grids.of(problem)
+                    found = _Program.of(axes, self._formulation, grids, window)
+                    if found is None or found.duration > (1 + LATER) * duration(window.draft):
+                        # the coarse grid led away from the plan; one of its own does not
+                        nearer = Window.of(problem, begun(grids.path), span)
+                        other = _Program.of(axes, self._formulation, grids, nearer)
+                        found = min(filter(None, (found, other)), key=lambda one: one.duration, default=None)
+                    known[key] = found
+                nlp = known[key]
+            if nlp is not None:
+                self._parts.append(replace(nlp, span=span))
+            elif _shifts(axes, window.problem):
+                self._parts.append(_Laws(axes, span, window.problem, part))
+            else:
+                for run in window.problem.runs:
+                    first, last = (span[0] + k for k in run)
+                    inner, chain_of_run = self.motion.part((first, last))
+                    self._parts.append(_Laws(axes, (first, last), inner.problem, chain_of_run))
+        try:
+            self.duration = sum(part.duration for part in self._parts)
+        except NotDriven as no:
+            where = problem.motion(problem.legs[no.run[0]].motion).source
+            raise NotAgain(f"{where}: neither the nonlinear program nor one progress for all axes leads there") from no
+
+    def answer(self, changed: Changed, loosens: bool) -> Answer:
+        """What a change makes of the plan. loosens: whether every legal motion stays legal, so that nothing can be
+        lost. What cannot be solved again is an answer, too."""
+        try:
+            whole, small = (self._changed(*changed(share)) for share in (1.0, SMALL))
+            felt = [part for part in self._parts if part.feels(self.motion, whole)]
+            slopes = [part.first_order(self.motion, small) for part in felt]
+            found: dict[bytes, float] = {}
+            gain, why = 0.0, ""
+            for part, slope in zip(felt, slopes, strict=True):
+                if not part.shifts and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
+                    continue  # it stays optimal where no multiplier says otherwise, and a law on its course
+                try:
+                    gain += part.duration - part.again(self.motion, whole, found)
+                except (NotConverged, NotDriven) as no:
+                    why = why or part.why(no)
+            predicted = _foretold(slopes, SMALL)
+            if predicted is not None and abs(predicted - gain) > JUMPED * max(abs(predicted), abs(gain)) and not why:
+                nearer = self._changed(*changed(SMALL / 2))  # a law may jump where a corner takes another size
+                predicted = _foretold([part.first_order(self.motion, nearer) for part in felt], SMALL / 2)
+        except NotAgain as no:
+            return Answer(None, None, why=str(no))
+        if why and not (loosens and gain > 0):
+            return Answer(None, predicted, why=why)
+        gain = max(gain, 0.0) if loosens else gain
+        slept = not felt or (predicted is not None and max(abs(predicted), abs(gain)) < LEAST_GAIN)
+        return Answer(0.0 if slept else gain, predicted, not slept, why)
+
+    def _problem(self, program: Program, plant: Plant) -> Problem:
+        """The problem with stops where the plan stops. Raises NotAgain."""
+        problem = build_problem(program, plant, EVERYTHING, self._plan.target, self._changes, self._dropped)
+        if isinstance(problem, Infeasible):
+            raise NotAgain(problem.message)
+        points = (one if one.motion in self._passed else replace(one, fly_by=None) for one in problem.waypoints)
+        return replace(problem, waypoints=tuple(points))
+
+    def _changed(self, program: Program, plant: Plant) -> _Motion:
+        """The plan's motion with a change: what has a pose stands and leads where the pose is now. Raises NotAgain."""
+        before = self.motion
+        axes, problem = Axes.of(plant), self._problem(program, plant)
+        if len(problem.legs) != len(before.problem.legs):
+            raise NotAgain("a wait of the plan would be cut in other parts; plan it anew with the change")
+        legs = [  # a long wait is cut by what limits allow: by those of the plan, unless it is the wait that changes
+            replace(new, duration=old.duration) if _waits_alike(self._program, program, new.motion) else new
+            for old, new in zip(before.problem.legs, problem.legs, strict=True)
+        ]
+        problem = replace(problem, legs=tuple(legs))
+        moved = [
+            k
+            for k, (old, new) in enumerate(zip(before.problem.waypoints, problem.waypoints, strict=True))
+            if new.q is None and not np.array_equal(old.X_WF, new.X_WF)
+        ]
+        for shift in SHIFTS if moved and axes.layout.has_rail else SHIFTS[:1]:
+            q, qd = _placed(axes, problem, before, moved, shift)
+            legs_there = tuple(
+                None if motion is None else _carried(problem, k, motion, q)
+                for k, motion in enumerate(before.draft.legs)
+            )
+            ways = (motion.node_arm(axes) for motion in legs_there if isinstance(motion, PathLeg))
+            inside = axes.within(q[moved], _SAME).all()
+            if inside and all(np.isfinite(arm).all() for arm in ways):
+                chain = replace(before.chain, q=q)
+                if not problem.coordinated and self._passed:
+                    problem = frozen(problem, chain)
+                return _Motion(axes, problem, chain, Iterate(q, qd, before.draft.cfx, legs_there))
+        raise NotAgain("the arm does not reach there in the plan's configuration; --search plans anew")
+
+
+@dataclass(frozen=True, eq=False)
+class _Program:
+    """A window of the plan solved by the nonlinear program: its clean draft, program, answer and multipliers."""
+
+    formulation: Formulation
+    grids: Grids
+    span: Span
+    duration: float
+    draft: Iterate
+    program: Transcription
+    answer: NlpResult
+
+    @classmethod
+    def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _Program | None:
+        """The window solved from the motion at hand; None where that does not converge."""
+        refiner = Refiner(axes, formulation, window.problem, Patience(), grids, collision_scene_of(window.problem))
+        try:
+            draft = refiner.run(window.draft)
+        except NotConverged:
+            return None
+        assert refiner.solved is not None
+        program, result = refiner.solved
+        if result is None:
+            return None
+        span = window.first, window.last
+        return cls(formulation, grids, span, duration(draft), draft, program, result)
+
+    @property
+    def shifts(self) -> bool:
+        """Whether first order says too little of it."""
+        return False
+
+    def feels(self, before: _Motion, after: _Motion) -> bool:
+        """Whether anything in the window is different."""
+        return bool(_differs(before, after, self.span).any())
+
+    def why(self, no: NotConverged | NotDriven) -> str:
+        """In words."""
+        return f"the nonlinear program did not converge: {no}"
+
+    def _moved(self, after: _Motion) -> tuple[Problem, Iterate]:
+        """The window's problem and clean motion with the change."""
+        window, _ = after.part(self.span)
+        q, qd = self.draft.q.copy(), self.draft.qd.copy()
+        for k, point in enumerate(window.problem.waypoints):
+            if point.q is not None:
+                q[k], qd[k] = point.q, window.draft.qd[k]
+        legs = tuple(
+            None if motion is None else _carried(window.problem, k, motion, q)
+            for k, motion in enumerate(self.draft.legs)
+        )
+        return window.problem, Iterate(q, qd, self.draft.cfx, legs)
+
+    def first_order(self, before: _Motion, after: _Motion) -> float | None:
+        """By how much the time changes [s] where the answer stays optimal: what the Lagrangian changes by at the
+        answer, with its multipliers."""
+        problem, draft = self._moved(after)
+        other = Transcription(after.axes, self.formulation, problem, draft, self.program.margins, self.program.tangents)
+        change = self.program.nlp.lagrangian_change(other.nlp, self.answer)
+        if not np.isfinite(change):  # it leads where the arm does not reach
+            return None
+        # waits in which nothing moves are no variables
+        held = [(a.duration or 0.0, b.duration or 0.0) for a, b, v in
+                zip(problem.legs, self.program.problem.legs, self.program.legs, strict=True) if v is None]  # fmt: skip
+        return change + sum(a - b for a, b in held)
+
+    def again(self, before: _Motion, after: _Motion, found: dict[bytes, float]) -> float:
+        """The window's time [s] solved again. found: of windows that ask for the same. Raises NotConverged."""
+        problem, draft = self._moved(after)
+        key = replace(after.part(self.span)[0], draft=draft).key()
+        if key not in found:
+            refiner = Refiner(
+                after.axes, self.formulation, problem, Patience(), self.grids, collision_scene_of(problem)
+            )
+            try:
+                draft = refiner.again(draft, self.program, self.answer)
+            except NotConverged:  # from farther away, as the plan itself
+                draft = refiner.run(after.part(self.span)[0].draft)
+            found[key] = duration(draft)
+        return found[key]
+
+
+@dataclass(frozen=True, eq=False)
+class _Laws:
+    """Runs of the plan in which all axes have one progress: their chain."""
+
+    axes: Axes
+    span: Span
+    problem: Problem
+    chain: Route
+
+    @property
+    def shifts(self) -> bool:
+        """Whether its rail is shifted, which the same course says nothing of."""
+        return _shifts(self.axes, self.problem)
+
+    @cached_property
+    def _timed(self) -> Iterate:
+        return timed(self.axes, self.problem, self.chain)
+
+    @cached_property
+    def duration(self) -> float:
+        """With the rail shifted as again does it [s]."""
+        return min(duration(self._timed), self._shifted(self.axes, self.problem, self.chain))
+
+    @cached_property
+    def _near(self) -> BoolArray:
+        """What each leg comes near to, in the columns of _caps."""
+        ratios = check_legs(self.axes, self.problem.legs, [leg for leg in self._timed.legs if leg is not None])
+        return np.array([_near(one, self.axes) for one in ratios])
+
+    def _felt(self, before: _Motion, after: _Motion) -> BoolArray:
+        """The legs on which anything is different that is near its limit."""
+        return np.asarray((_differs(before, after, self.span) & self._near).any(axis=1))
+
+    def feels(self, before: _Motion, after: _Motion) -> bool:
+        """Whether that is so anywhere."""
+        return bool(self._felt(before, after).any())
+
+    def why(self, no: NotConverged | NotDriven) -> str:
+        """In words."""
+        if isinstance(no, NotDriven) and no.least is not None:
+            return "what the plan does in a wait or in a programmed time takes longer than it would have"
+        return "a run of the plan cannot be driven so"
+
+    def _on_course(self, before: _Motion, after: _Motion) -> float:
+        """The time on the same course [s]: of what feels the change, timed anew. Raises NotDriven."""
+        felt, total = self._felt(before, after), 0.0
+        for first, last in self.problem.runs:
+            at = slice(first, last)
+            if felt[at].any():
+                window, chain = after.part((self.span[0] + first, self.span[0] + last))
+                total += duration(timed(after.axes, window.problem, chain))
+            else:
+                total += sum(leg.T for leg in self._timed.legs[at] if leg is not None)
+        return total
+
+    def first_order(self, before: _Motion, after: _Motion) -> float | None:
+        """By how much the time changes on the same course [s]; None where it cannot be driven so."""
+        try:
+            return self._on_course(before, after) - duration(self._timed)
+        except NotDriven:
+            return None
+
+    def again(self, before: _Motion, after: _Motion, found: dict[bytes, float]) -> float:
+        """The time [s] with the change. found: of runs that ask for the same. Raises NotDriven."""
+        window, chain = after.part(self.span)
+        key = window.key()
+        if key not in found:
+            shifted = self._shifted(after.axes, window.problem, chain)
+            try:
+                found[key] = min(shifted, self._on_course(before, after))
+            except NotDriven:
+                if not np.isfinite(shifted):
+                    raise
+                found[key] = shifted
+        return found[key]
+
+    def _shifted(self, axes: Axes, problem: Problem, chain: Route) -> float:
+        """The time with the rail refined [s]; infinite where corners bind it, or where nothing is driven so."""
+        if not _shifts(axes, problem):
+            return np.inf
+        try:
+            return duration(timed(axes, problem, refined(axes, problem, chain)))
+        except NotDriven:
+            return np.inf
+
+
+def _foretold(slopes: Sequence[float | None], share: float) -> float | None:
+    """What all parts save by first order [s], of what they change by with a share of the change."""
+    known = [one for one in slopes if one is not None]
+    return -sum(known) / share if len(known) == len(slopes) else None
+
+
+def _free(axes: Axes, window: Window) -> bool:
+    """Whether a window is one of the nonlinear program's: the search would try it, or its joint moves have nodes."""
+    problem = window.problem
+    if problem.coordinated or any(problem.passes(k) for k in range(len(problem.waypoints))):
+        return False
+    nodes = any(isinstance(motion, JointNodes) for motion in window.draft.legs)
+    return nodes or may_gain(axes, problem, window.draft)
+
+
+def _shifts(axes: Axes, problem: Problem) -> bool:
+    """Whether a rail is shifted when runs are timed again: not where corners bind it."""
+    free = any(point.q is None and point.rail[0] < point.rail[1] for point in problem.waypoints)
+    return axes.layout.has_rail and free and not any(problem.passes(k) for k in range(len(problem.waypoints)))
+
+
+# ------------------------------------------------------------------------------------------------- what is different
+
+
+def _caps(axes: Axes, problem: Problem) -> Array:
+    """What limits each leg (M, k): velocities and accelerations of the axes, the tool's caps, both ends of the rail,
+    its duration."""
+    caps = axes.caps(problem.legs)
+    rail = np.tile(np.r_[axes.lower[axes.layout.rail], axes.upper[axes.layout.rail]], (len(problem.legs), 1))
+    times = [[np.inf if leg.duration is None else leg.duration] for leg in problem.legs]
+    tool = np.column_stack([caps.v_tcp, caps.a_tcp, caps.v_ori])
+    return np.hstack([caps.velocity, caps.acceleration, tool, rail, times])
+
+
+def _differs(before: _Motion, after: _Motion, span: Span) -> BoolArray:
+    """What is different on each leg of a span, in the columns of _caps; all of them where its poses are."""
+    out = _caps(before.axes, before.problem) != _caps(after.axes, after.problem)
+    for k in range(*span):
+        pairs = zip(before.problem.waypoints[k : k + 2], after.problem.waypoints[k : k + 2], strict=True)
+        out[k] |= any(not np.array_equal(a.X_WF, b.X_WF) for a, b in pairs)
+        out[k] |= before.problem.legs[k].units != after.problem.legs[k].units
+    return out[span[0] : span[1]]
+
+
+def _near(ratios: Ratios, axes: Axes) -> BoolArray:
+    """What a leg comes near to, in the columns of _caps. Where it stays away from a limit it does so after a small
+    shift of the rail, too."""
+    reached = [one.max(axis=0) >= FELT for one in (ratios.velocity, ratios.acceleration, ratios.tool)]
+    rail = ratios.position[:, axes.layout.rail].max(axis=0) >= AT_END
+    return np.concatenate([*reached, rail, rail, [True]])
+
+
+def _placed(axes: Axes, problem: Problem, before: _Motion, moved: list[int], shift: float) -> tuple[Array, Array]:
+    """Axes and velocities (M, n) at all waypoints where some of them were moved, their rail by a shift [m]; NaN where
+    the arm does not reach."""
+    q, qd, layout = before.chain.q.copy(), before.draft.qd.copy(), axes.layout
+    for k in moved:
+        d = np.asarray(layout.place(q[k]) + shift)
+        arm = axes.inverse(problem.waypoints[k].X_WF[None], np.atleast_1d(d))[0, before.draft.cfx[k]]
+        q[k] = layout.join(d, arm + 2 * np.pi * np.round((q[k, layout.arm] - arm) / (2 * np.pi)))
+        if np.isfinite(arm).all():
+            qd[k, layout.arm] = axes.self_motion(q[k]) @ qd[k, layout.rail]
+    return q, qd
+
+
+def _waits_alike(before: Program, after: Program, index: int) -> bool:
+    return before.motions[index] is after.motions[index]
+
+
+# ---------------------------------------------------------------------------------------------- from a plan to a draft
+
+
+def _chain(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array, Array]:
+    """Axes and configurations of the plan at the waypoints, velocities (M, n) there, times (M-1,) of the legs."""
+    motions = {motion.index: motion for motion in plan.motions}
+    ends = np.empty(len(problem.legs))
+    last = {leg.motion: k for k, leg in enumerate(problem.legs)}
+    for k, leg in enumerate(problem.legs):
+        ends[k] = motions[leg.motion].t_1 if last[leg.motion] == k else ends[k - 1] if k else 0.0
+        if last[leg.motion] != k:
+            ends[k] = (ends[k - 1] if k else 0.0) + (leg.duration or 0.0)
+    start = float(plan.trajectory.t[0])
+    q, qd, _ = hermite(plan.trajectory, np.concatenate([[start], start + ends]))
+    for k, leg in enumerate(problem.legs):
+        if last[leg.motion] == k:
+            q[k + 1] = motions[leg.motion].q_1
+    labels = []
+    for k, point in enumerate(problem.waypoints):
+        if point.q is not None:
+            q[k] = point.q
+        if problem.rests(k) or problem.passes(k):
+            qd[k] = 0.0
+        cfx = -1
+        if point.q is None:
+            branches = axes.inverse(point.X_WF[None], axes.layout.place(q[k : k + 1]))[0]
+            off = branches - q[k, axes.layout.arm]
+            off = np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1)
+            cfx = int(np.argmin(np.where(np.isfinite(off), off, np.inf)))
+        labels.append(IkBranch(cfx, np.zeros(axes.n - axes.layout.r)))
+    times = np.diff(ends, prepend=0.0)
+    rail = np.zeros_like(q)
+    return Route(q, rail, tuple(labels), times, float(times.sum())), qd, times
+
+
+def _leg(
+    axes: Axes, problem: Problem, plan: Plan, k: int, chain: Route, qd: Array, times: Array, paths: int
+) -> LegMotion:
+    """The plan's motion on a leg as the nonlinear program may begin with it, on so many intervals of a path."""
+    leg, T, begin = problem.legs[k], float(times[k]), float(times[:k].sum())
+    if leg.kind is LegKind.DWELL and not leg.rail_moves:
+        return hold(leg.duration or 0.0, chain.q[k])
+    if leg.kind is LegKind.JOINT:
+        with suppress(ValueError):  # switches that a file could not tell apart
+            V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
+            ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
+            closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated)
+            ratios = check_leg(axes, leg, closed)
+            if closed.T > T - LEAST_GAIN and max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
+                return closed
+    N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else paths
+    grid = np.linspace(0.0, 1.0, N + 1)
+    q, rate, _ = hermite(plan.trajectory, float(plan.trajectory.t[0]) + begin + T * grid)
+    if leg.kind is LegKind.JOINT:
+        q[0], q[-1] = chain.q[k], chain.q[k + 1]
+        return JointNodes(T, grid, q, rate * T, np.diff(rate * T, axis=0) * N)
+    segment = _segment(problem, k)
+    s, v = np.zeros(N + 1), np.zeros(N + 1)
+    if leg.kind is LegKind.LINE:
+        s, v = _shares(axes, segment, leg.X_FT, q, rate)
+    rail = axes.layout.rail
+    w = rate[:, rail] * T
+    cfx = max(chain.labels[k].cfx, chain.labels[k + 1].cfx)
+    return PathLeg(
+        T, segment, leg.X_FT, cfx, chain.q[k, axes.layout.arm], grid, s, v * T, np.diff(v * T) * N, q[:, rail], w,
+        np.diff(w, axis=0) * N,
+    )  # fmt: skip
+
+
+def _segment(problem: Problem, k: int) -> Segment:
+    leg = problem.legs[k]
+    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
+    return leg.segment or Line(X_WT, X_WT)
+
+
+def _shares(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> tuple[Array, Array]:
+    """Shares of a way (m,) and their rates where the axes (m, n) have the tool on it."""
+    X_WT = axes.forward(q) @ X_FT
+    s = np.linspace(0.0, 1.0, len(q))
+    for _ in range(PROJECTIONS):
+        X, twist = segment.pose(s), segment.twist(s)
+        turn = X_WT[:, :3, :3] @ np.swapaxes(X[:, :3, :3], 1, 2)
+        skew = np.stack(
+            [turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0], turn[:, 1, 0] - turn[:, 0, 1]], 1
+        )
+        off = np.hstack([X_WT[:, :3, 3] - X[:, :3, 3], skew / 2])
+        s = np.clip(s + np.sum(twist * off, axis=1) / np.sum(twist * twist, axis=1), 0.0, 1.0)
+    s[0], s[-1] = 0.0, 1.0
+    twist = segment.twist(s)
+    tool = axes.differential(q, X_FT).velocity(qd)
+    v = np.maximum(np.sum(twist * tool, axis=1) / np.sum(twist * twist, axis=1), 0.0)
+    v[0] = v[-1] = 0.0
+    return s, v
+
+
+def _carried(problem: Problem, k: int, motion: LegMotion, q: Array) -> LegMotion:
+    """A leg's motion where its poses and its duration are the problem's now, between axes q (M, n)."""
+    leg = problem.legs[k]
+    if leg.kind is LegKind.DWELL and isinstance(motion, JointProfiles):
+        return hold(leg.duration or 0.0, q[k])
+    if isinstance(motion, PathLeg):
+        rail, tau = problem.plant.layout.rail, motion.grid[:, None]
+        moved = (1 - tau) * (q[k, rail] - motion.d[0]) + tau * (q[k + 1, rail] - motion.d[-1])
+        motion = replace(motion, segment=_segment(problem, k), d=motion.d + moved)
+    if leg.duration is None or not isinstance(motion, PathLeg | JointNodes):
+        return motion
+    return replace(motion, T=leg.duration)

@@ -1,0 +1,390 @@
+"""Where the rail stands at the waypoints of a chain: positions near those at hand that the least time is found at.
+
+Between two stops they decide everything else. They are refined by dynamic programming over a few positions beside
+those at hand, with every leg timed along its way, in steps that shrink until nothing is gained; at corners, where a leg
+alone does not say how fast it is passed, they are shifted with whole runs timed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby, pairwise
+
+import numpy as np
+
+from trajopt_cli.collision.collision_scene import CollisionScene
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.graph_search.search import best_chain
+from trajopt_cli.path.hermite import natural_spline
+from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times, short
+from trajopt_cli.path_timing.path_parameterized_plan import about
+from trajopt_cli.problem.decision_scope import RailFreedom
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.settings import (
+    CALM,
+    CARRY,
+    CARRY_LAST,
+    CARRY_LOOKS,
+    LEAST_POLISH,
+    POLISH,
+    POLISH_LAST,
+    POLISH_STEP,
+    REFINE_APART,
+    REFINE_GAIN,
+    REFINE_LAST,
+    REFINE_NARROW,
+    REFINE_OFFSETS,
+    REFINE_ROUNDS,
+    REFINE_STEP,
+    RUSH,
+)
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.route import Route
+
+_SAME = 1e-9  # m between rail positions that are one
+
+
+def refined(
+    axes: Axes, problem: Problem, chain: Route, known: Times | None = None, around: CollisionScene | None = None
+) -> Route:
+    """The chain with the rail positions that the least time is found at, beside those it has. known: as in leg_times.
+    around: what is not touched at them, nor by straight joint moves between them."""
+    free = [k for k, point in enumerate(problem.waypoints) if point.q is None and point.rail[0] < point.rail[1]]
+    still = replace(chain, w=np.zeros_like(chain.w))
+    if not free or not axes.layout.has_rail:
+        return still
+    marks, best = _smoothed(axes, problem, still)
+    index = {k: i for i, k in enumerate(marks.tolist())}
+    ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
+    reached, cost = np.inf, np.inf
+    changed = np.ones(len(marks), dtype=bool)
+    step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
+    near: list[Array] = []
+    edges: list[Array] = []
+    known = Times() if known is None else known
+    for _ in range(REFINE_ROUNDS):
+        before = near
+        found = iter(_near(axes, problem, best, marks[changed], step, around))
+        near = [next(found) if new else before[i] for i, new in enumerate(changed)]
+        edges = _edges(axes, problem, marks, near, best, before, edges, step, known, around)
+        cost, path = best_chain(near, edges, ties)
+        if not np.isfinite(cost):
+            break
+        q = np.array([near[k][i] for k, i in enumerate(path)])
+        times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
+        stays = np.abs(q - best.q[marks]).max(axis=1) < _SAME
+        there = stays | (cost > reached * (1 - REFINE_GAIN))
+        best, reached = _through(axes, problem, best, marks, q, times), cost
+        last = np.where(_carrying(marks), CARRY_LAST, REFINE_LAST)
+        if np.all(there & (step[marks] <= last)):
+            break
+        shorter = np.where(there & (step[marks] > last), np.maximum(step[marks] / 2, last), step[marks])
+        changed, step[marks] = ~stays | (shorter != step[marks]), shorter
+    return _rounded(axes, problem, best, marks)
+
+
+def _rounded(axes: Axes, problem: Problem, chain: Route, marks: IndexArray) -> Route:
+    """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
+    there is no room for the rail to change its speed. As it is where the arm cannot follow."""
+    q = chain.q.copy()
+    for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
+        ends = [*group]
+        if not far or len(ends) < 2:
+            continue
+        first, last = ends[0][0], ends[-1][1]
+        knots = np.array([first, *(b for _, b in ends)])
+        if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
+            continue
+        way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
+        d = natural_spline(way[knots - first], axes.layout.place(q[knots]), way)
+        found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
+        if np.isfinite(found).all():
+            q[first + 1 : last] = found
+    return replace(chain, q=q)
+
+
+def _carrying(marks: IndexArray) -> BoolArray:
+    """Which of the marks have points beside them that are carried along."""
+    far = np.diff(marks) > 1
+    return np.r_[False, far] | np.r_[far, False]
+
+
+def _smoothed(axes: Axes, problem: Problem, chain: Route) -> tuple[IndexArray, Route]:
+    """The waypoints between which the rail is in proportion to the tool's way, and a chain in which it is: those that
+    lie between short lines are carried along, but for one every CARRY of the way."""
+    tied = {k for group in problem.ties for k in group}
+    marks, way = [0], 0.0
+    for k in range(1, len(problem.waypoints) - 1):
+        point, (before, after) = problem.waypoints[k], problem.legs[k - 1 : k + 1]
+        way += before.chord
+        free = point.q is None and point.rail[0] < point.rail[1] and k not in tied
+        alike = before.rail_moves == after.rail_moves and chain.labels[k - 1].cfx == chain.labels[k + 1].cfx
+        if not (free and alike and short(problem, k - 1) and short(problem, k)) or way >= CARRY:
+            marks.append(k)
+            way = 0.0
+    marks.append(len(problem.waypoints) - 1)
+    q = chain.q.copy()
+    left = list(pairwise(marks))
+    while left:  # where the arm cannot follow a straight rail, the chain's own places
+        a, b = left.pop()
+        inner = _between(axes, problem, chain, a, b, chain.q[a][None], chain.q[b][None])[0]
+        if np.isfinite(inner).all():
+            q[a : b + 1] = inner
+        else:
+            middle = (a + b) // 2
+            marks.append(middle)
+            left += [(a, middle), (middle, b)]
+    return np.array(sorted(marks)), replace(chain, q=q)
+
+
+def _between(axes: Axes, problem: Problem, chain: Route, a: int, b: int, q_0: Array, q_1: Array) -> Array:
+    """Axes (m, b - a + 1, n) at the waypoints a to b, near those of a chain, between pairs of them at both ends, with
+    the rail in proportion to the tool's way; NaN where the arm does not reach."""
+    if b == a + 1:
+        return np.stack([q_0, q_1], axis=1)
+    way = np.cumsum([leg.chord for leg in problem.legs[a:b]])
+    d_0, d_1 = (axes.layout.place(q)[:, None] for q in (q_0, q_1))
+    inner = _along_rail(axes, problem, chain, a, d_0 + (way[:-1] / way[-1]) * (d_1 - d_0))
+    return np.concatenate([q_0[:, None], inner, q_1[:, None]], axis=1)
+
+
+def _along_rail(axes: Axes, problem: Problem, chain: Route, a: int, d: Array) -> Array:
+    """Axes (m, k, n) at the k waypoints behind number a at rail positions d (m, k), near those of a chain; NaN where
+    they are not to be had."""
+    layout, behind = axes.layout, slice(a + 1, a + 1 + d.shape[1])
+    points = problem.waypoints[behind]
+    low, high = np.array([point.rail for point in points]).T
+    X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
+    arm = axes.inverse(X_WF, d.ravel())[:, _branch(chain, a)].reshape(*d.shape, axes.n - layout.r)
+    q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
+    inside = axes.within(q) & (d >= low) & (d <= high)
+    return np.where(inside[..., None], q, np.nan)
+
+
+def _through(axes: Axes, problem: Problem, chain: Route, marks: IndexArray, q: Array, times: Array) -> Route:
+    """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
+    every, spent = chain.q.copy(), chain.times.copy()
+    stays = np.abs(q - chain.q[marks]).max(axis=1) < _SAME
+    for i, (a, b) in enumerate(pairwise(marks.tolist())):
+        if not (stays[i] and stays[i + 1]):
+            every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
+        way = np.array([leg.chord for leg in problem.legs[a:b]])
+        spent[a:b] = times[i] if b == a + 1 else times[i] * way / way.sum()
+    return replace(chain, q=every, times=spent, cost=float(times.sum()))
+
+
+def polished(axes: Axes, problem: Problem, chain: Route) -> Route:
+    """The chain with the rail shifted at the points of runs with corners, each and all of a run, until nothing is
+    gained: there a leg alone does not say how fast it is passed. Points that are carried along are not shifted, nor
+    any of a run that has more of these: what it takes is decided between short lines."""
+    if not axes.layout.has_rail or problem.freedom.rail is RailFreedom.STATION:
+        return chain
+    tied = {k for group in problem.ties for k in group}
+    cfx = tuple(label.cfx for label in chain.labels)
+    q, left = chain.q, POLISH
+
+    def open_(k: int) -> bool:
+        point = problem.waypoints[k]
+        beside = [i for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+        held = any(not problem.legs[i].rail_moves for i in beside) or all(short(problem, i) for i in beside)
+        return point.q is None and point.rail[0] < point.rail[1] and k not in tied and not held
+
+    for i, (first, last) in enumerate(problem.runs):
+        points = [k for k in range(first, last + 1) if open_(k)] if last > first + 1 else []
+        carried = sum(short(problem, k - 1) and short(problem, k) for k in range(first + 1, last))
+        if len(points) <= carried or 10 * (last - first) > left:
+            continue
+        near = problem.runs[max(i - 1, 0) : i + 2]  # and those that end where it begins, or begin where it ends
+        groups = [[k] for k in points] if len(points) < 2 else [points, *([k] for k in points)]
+        shifts = _Shifts(axes, problem, cfx, near)
+        (known,) = shifts.times([q])
+        step = POLISH_STEP
+        while step >= POLISH_LAST and left > 0:
+            tries = [(group, way) for group in groups for way in (step, -step)]
+            left -= len(tries) * (last - first)
+            gained = shifts.best(q, known, tries)
+            if gained is None:
+                step /= 3
+            else:
+                q, known = gained
+    return replace(chain, q=q)
+
+
+@dataclass(frozen=True, eq=False)
+class _Shifts:
+    """Shifts of the rail at some points that runs beside each other are timed with."""
+
+    axes: Axes
+    problem: Problem
+    cfx: tuple[int, ...]
+    runs: Sequence[tuple[int, int]]
+
+    def times(self, q: Sequence[Array]) -> Array:
+        """How long the runs take together with each of some axes (M, n) at all waypoints."""
+        runs, every = [*self.runs] * len(q), [one for one in q for _ in self.runs]
+        return about(self.axes, self.problem, runs, every, self.cfx).reshape(len(q), -1).sum(axis=1)
+
+    def best(self, q: Array, known: float, tries: Sequence[tuple[Sequence[int], float]]) -> tuple[Array, float] | None:
+        """Axes with the shift of a group of points that gains most, or with what gains besides, if that is better
+        still, and what the runs take then; None where none gains."""
+        moved = [_moved(self.axes, self.problem, q, self.cfx, group, way) for group, way in tries]
+        can = [i for i, one in enumerate(moved) if one is not None]
+        if not can:
+            return None
+        found = dict(zip(can, self.times([one for one in moved if one is not None]), strict=True))
+        order = sorted((float(T), i) for i, T in found.items() if known - LEAST_POLISH > T)
+        if not order:
+            return None
+        together, taken = q.copy(), set[int]()
+        for _, i in order:
+            group, shifted = [*tries[i][0]], moved[i]
+            if shifted is not None and taken.isdisjoint(group):
+                together[group] = shifted[group]
+                taken |= {*group}
+        T, i = order[0]
+        best = moved[i]
+        assert best is not None
+        (all_,) = self.times([together])
+        return (together, float(all_)) if all_ < T else (best, T)
+
+
+def _moved(axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Sequence[int], way: float) -> Array | None:
+    """Axes (M, n) with the rail elsewhere [m] at some points, on their branches; None where that cannot be."""
+    out = q.copy()
+    for k in at:
+        point, d = problem.waypoints[k], float(axes.layout.place(q[k])) + way
+        arm = axes.inverse(point.X_WF[None], np.array([d]))[0, cfx[k]]
+        turned = arm + 2 * np.pi * np.round((q[k, axes.layout.arm] - arm) / (2 * np.pi))
+        out[k] = axes.layout.join(np.array(d), turned)
+        if not (point.rail[0] <= d <= point.rail[1] and axes.within(out[k], 0.0)):
+            return None
+    return out
+
+
+def _branch(chain: Route, k: int) -> int:
+    return chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
+
+
+def _near(
+    axes: Axes, problem: Problem, chain: Route, at: IndexArray, step: Array, around: CollisionScene | None
+) -> list[Array]:
+    """Axes (m, n) to try at each of some waypoints, those of the chain among them; step [m] at every waypoint."""
+    points = [problem.waypoints[k] for k in at]
+    free = [i for i, point in enumerate(points) if point.q is None and point.rail[0] < point.rail[1]]
+    out = [chain.q[k][None] for k in at]
+    if not free:
+        return out
+    k, low, high = at[free], *np.array([points[i].rail for i in free]).T
+    d = axes.layout.place(chain.q[k])[:, None] + step[k][:, None] * np.array(REFINE_OFFSETS)
+    far = np.abs(REFINE_OFFSETS) > 1
+    d[:, far] = np.where(step[k][:, None] < REFINE_NARROW, d[:, ~far][:, :1], d[:, far])  # once is enough
+    d = np.sort(np.clip(d, low[:, None], high[:, None]), axis=1)
+    tries = d.shape[1]
+    X_WF = np.repeat([points[i].X_WF for i in free], tries, axis=0)
+    cfx = np.repeat([chain.labels[i].cfx for i in k], tries)
+    arm = axes.inverse(X_WF, d.ravel())[np.arange(d.size), cfx]
+    turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
+    q = axes.layout.join(d.ravel(), turned)
+    ok = axes.within(q).reshape(d.shape)
+    ok[:, 1:] &= np.diff(d, axis=1) > 0
+    if around is not None:
+        for side in (-1, 0):  # with what is carried before a waypoint and behind it
+            motions = [problem.legs[min(max(i + side, 0), len(problem.legs) - 1)].motion for i in k]
+            ok &= around.free(q, np.repeat(motions, tries)).reshape(d.shape)
+    for i, every, these in zip(free, q.reshape(*d.shape, -1), ok, strict=True):
+        if these.any():
+            out[i] = every[these]
+    return out
+
+
+def _edges(
+    axes: Axes,
+    problem: Problem,
+    marks: IndexArray,
+    near: Sequence[Array],
+    chain: Route,
+    before: Sequence[Array],
+    edges: Sequence[Array],
+    step: Array,
+    known: Times,
+    around: CollisionScene | None,
+) -> list[Array]:
+    """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
+    fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
+    before. known: as in leg_times."""
+    timed, opens, out = [], [], []
+    same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    for i, (first, last) in enumerate(pairwise(marks.tolist())):
+        a, b = near[i], near[i + 1]
+        if before and a is before[i] and b is before[i + 1]:
+            out.append(edges[i])
+            continue
+        edge = np.full((len(a), len(b)), np.nan)
+        if before:
+            (at, at_before), (to, to_before) = (
+                (np.arange(len(x)), np.arange(len(x))) if rows is None else rows
+                for x, rows in zip((a, b), same[i : i + 2], strict=True)
+            )
+            found = edges[i][np.ix_(at_before, to_before)]
+            edge[np.ix_(at, to)] = np.where(np.isfinite(found), found, np.nan)
+        ia, ib = np.nonzero(np.isnan(edge))
+        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain, max(step[first], step[last]))
+        edge[ia, ib] = np.inf
+        ia, ib = ia[worth], ib[worth]
+        if around is not None and problem.legs[first].kind is LegKind.JOINT:
+            clear = around.free_between(a[ia], b[ib], problem.legs[first].motion)
+            ia, ib = ia[clear], ib[clear]
+        q = _between(axes, problem, chain, first, last, a[ia], b[ib])
+        can = np.isfinite(q).all(axis=(1, 2))
+        q, cfx = q[can], _branch(chain, first)
+        ia, ib = ia[can], ib[can]
+        looked_at = _looked_at(problem, first, last)
+        opens.append((edge, ia, ib, [*looked_at.values()]))
+        timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], cfx) for k in looked_at]
+        out.append(edge)
+        if last > first + 1:  # of many that take the same time the calmest
+            way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
+            edge[ia, ib] = CALM * way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9)
+        else:
+            edge[ia, ib] = 0.0
+    times = iter(leg_times(axes, problem, timed, known))
+    for edge, ia, ib, shares in opens:
+        edge[ia, ib] += sum(share * next(times) for share in shares)
+    return out
+
+
+def _looked_at(problem: Problem, first: int, last: int) -> dict[int, float]:
+    """The legs between two marks that are timed, and how many times as long the ones around each take as itself."""
+    groups = np.array_split(np.arange(first, last), min(last - first, CARRY_LOOKS))
+    legs = {int(group[len(group) // 2]): group for group in groups}
+    chords = {k: [problem.legs[i].chord for i in group] for k, group in legs.items()}
+    return {
+        k: sum(ways) / problem.legs[k].chord if problem.legs[k].chord > _SAME else float(len(ways))
+        for k, ways in chords.items()
+    }
+
+
+def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
+    """Which rows of a (m, n) are rows of b, and which."""
+    i, j = np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
+    return i, j
+
+
+def _worth(
+    axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Route, step: float
+) -> BoolArray:
+    """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, else both are shifted alike but
+    for a step or two [m]; where the tool passes both the rail goes at most as far as it can in a few times what the way
+    takes, or as it goes now."""
+    leg, place = problem.legs[first], axes.layout.place
+    way = np.abs(place(q_1) - place(q_0))
+    if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
+        return np.asarray(way <= _SAME)
+    now = float(place(chain.q[last]) - place(chain.q[first]))
+    steps = REFINE_APART if step < REFINE_NARROW else 2 * REFINE_APART
+    near = np.abs(place(q_1) - place(q_0) - now) <= steps * step + _SAME
+    if not short(problem, first):
+        return np.asarray(near)
+    farthest = RUSH * float(place(axes.velocity_on(leg)) * chain.times[first:last].sum())
+    return np.asarray(way <= max(abs(now), farthest) + _SAME)

@@ -1,0 +1,349 @@
+"""The optimiser's door: a program, a plant and a target in; a plan with its bound, or the reason why there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from time import perf_counter
+
+import numpy as np
+
+from trajopt_cli.bound.lower_bound import lower_bound
+from trajopt_cli.collision.merge_via_points import driven_by
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.graph_search.search import search
+from trajopt_cli.motion import Hold, Program, motion_name
+from trajopt_cli.nlp.assemble import rows_of
+from trajopt_cli.nlp.driver import slowed
+from trajopt_cli.path_timing.path_parameterized_plan import duration
+from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
+from trajopt_cli.plan.fallback_plan import plain_motion
+from trajopt_cli.plan.initial_plan import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
+from trajopt_cli.plan.local_refinement import improved, sharpened
+from trajopt_cli.plan.min_effort import gentlest
+from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
+from trajopt_cli.problem.detours import Detour, folded, quoted
+from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
+from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Strain, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.progress import Progress, Report, never_worse
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.settings import DENSER, HARDLY, LONGEST_MOTION, RESIDUAL, ROW_APART, ROWS_AT_ONCE, SLOWER
+from trajopt_cli.trajectories.active_limits import binding_limits
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.effort import efforts, rail_way
+from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.leg_trajectories import JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectory import Trajectory
+
+_SLOW = (
+    "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
+)
+_SLOWED = "the whole plan is slowed down: between rows of the file a limit would have been passed"
+_HOLD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
+_UNIT = "the rail's unit is not active there: ActUnit before it, or DeactUnit where the rail stands in reach"
+_HELD = {Hold.CELL: _HOLD, Hold.PROGRAM: _HOLD, Hold.UNIT: _UNIT}
+
+
+def check_feasible(
+    program: Program,
+    plant: Plant,
+    target: Target = Target.STREAM,
+    freedom: Freedom = EVERYTHING,
+    changes: Changes | None = None,
+) -> Infeasible | None:
+    """The first motion that cannot be done, by name, or None. Takes seconds at most; optimises nothing.
+
+    changes: as in optimize. Motions that the user lets go are left out where that helps.
+    """
+    problems = Question(program, plant, target, freedom, changes).problems(Axes.of(plant))
+    first = problems[0]
+    if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
+        return None
+    held = getattr(program.motions[first.index], "hold", None)
+    hint = _HELD.get(held) if held is not None and plant.robot.has_rail else None
+    return first if hint is None else replace(first, message=f"{first.message}; {hint}")
+
+
+def optimize(
+    program: Program,
+    plant: Plant,
+    target: Target,
+    freedom: Freedom = EVERYTHING,
+    progress: Report | None = None,
+    bounded: bool = True,
+    changes: Changes | None = None,
+    memory: Memory | None = None,
+    patience: Patience | None = None,
+    hands: Callable[[], int] = lambda: 1,
+    objective: Objective = LEAST_TIME,
+) -> Plan | Infeasible:
+    """The fastest motion found for a program on one target, with a lower bound of the same model if bounded; or the
+    gentlest within a time, where that is the objective. The bound is that of the fastest one.
+
+    freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
+    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
+    motions of other questions about this program, plant and changes; those found here are added.
+    patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
+    hands: how many processes may work, asked whenever there is work for several; the plan is the same for any number.
+    Raises NoCleanPlan when the solver fails from every start.
+    """
+    patience = patience or Patience()
+    tell = never_worse(progress or (lambda _: None))
+    seconds: dict[str, float] = {}
+    axes = Axes.of(plant)
+    question = Question(program, plant, target, freedom, changes)
+    memory = memory or Memory()
+    legal = legal_motion(axes, question, memory, patience, tell, seconds)
+    if isinstance(legal, Infeasible):
+        return legal
+    problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
+    tell(Progress("timing", incumbent=legal.duration))
+    if not problem.coordinated:
+        problem, draft, notes = improved(axes, legal, patience, tell, seconds, hands)
+    elif axes.jerk is not None:
+        draft = sharpened(axes, legal, patience, seconds, hands)
+    least, eased = duration(draft), None
+    if isinstance(objective, LeastEffort):
+        tell(Progress("ease", incumbent=least))
+        calmer = calmer_motions(axes, question, legal, memory, seconds)
+        found = gentlest(axes, [legal, *calmer], problem, draft, objective, patience, seconds, hands)
+        if found is None:
+            return _too_short(program, target, objective.seconds, least)
+        gentle, more = found
+        eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
+        draft, notes = gentle, (*notes, *more)
+    _check_lengths(program, problem, draft)
+    rows = _rows(axes, problem, draft)
+    if rows is None and eased is None:  # a limit is passed by less than is looked for between nodes
+        draft = slowed(problem, draft, HARDLY)
+        rows = _rows(axes, problem, draft)
+    for times in SLOWER if rows is None else ():
+        problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
+        rows = _rows(axes, problem, draft)
+        if rows is not None:
+            notes = (_SLOWED,)
+            break
+    if rows is None:
+        raise NoCleanPlan("between two rows of the file the motion would pass a limit")
+    trajectory = rows[0]
+    bound: float | None = None
+    if bounded and not patience.interrupted:
+        start = perf_counter()
+        tell(Progress("bound", incumbent=trajectory.duration))
+        known = least if eased else trajectory.duration
+        asked = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped)
+        least_possible = _bound(axes, asked if legal.detours else problem, known)
+        if _refutes(least_possible, known):
+            notes = (*notes, _refuted(least_possible, known))
+        else:
+            bound = min(least_possible, known)  # equal up to rounding where the bound is exact
+        seconds["bound"] = perf_counter() - start
+    tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
+    driven = driven_by(problem, legal.detours)
+    ways = _ways(program, legal.detours, driven)
+    estimate = memory.estimates.get((target, freedom))
+    plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
+    plan = replace(plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate)
+    return _without_others(folded(plan, program, legal.detours), driven)
+
+
+def _plan(
+    axes: Axes, problem: Problem, draft: Iterate, target: Target, rows: tuple[Trajectory, Array], notes: tuple[str, ...]
+) -> Plan:
+    legs, (trajectory, bounds) = _motions(draft), rows
+    motions = _planned(axes, problem, draft, legs, bounds)
+    return Plan(target, trajectory, motions, None, _grid(legs, problem), notes=notes)
+
+
+def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes | None, why: str) -> Plan | None:
+    """A slow plan that stops at every point, by none of the means of optimize: for where that has no legal one. why: in
+    words, for its note. None where there is none either."""
+    axes = Axes.of(plant)
+    problems = Question(program, plant, target, EVERYTHING, changes).problems(axes)
+    for problem in problems:
+        draft = plain_motion(axes, problem) if isinstance(problem, Problem) else None
+        if isinstance(problem, Infeasible) or draft is None:
+            continue
+        _check_lengths(program, problem, draft)
+        rows = _rows(axes, problem, draft)
+        if rows is not None:
+            return _plan(axes, problem, draft, target, rows, (_SLOW.format(why=why),))
+    return None
+
+
+def _strain(axes: Axes, draft: Iterate) -> Strain:
+    return Strain(float(efforts(axes, draft.legs).sum()), rail_way(axes, draft.legs))
+
+
+def _too_short(program: Program, target: Target, asked: float, least: float) -> Infeasible:
+    index = len(program.motions) - 1
+    text = f"the {target} plan shall end here after {asked:g} s; the least time found is {least:.3f} s"
+    return Infeasible(index, program.motions[index].source, text)
+
+
+def lower_bound_of(
+    program: Program, plant: Plant, plan: Plan, freedom: Freedom = EVERYTHING, changes: Changes | None = None
+) -> float:
+    """The lower bound [s] of a plan that optimize found without one for the same question: for another process."""
+    axes = Axes.of(plant)
+    dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
+    problems = Question(program, plant, plan.target, freedom, changes).unchecked()
+    problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
+    return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time)
+
+
+def bounded(plan: Plan, bound: float, spent: float) -> Plan:
+    """The plan with its lower bound [s], and the seconds spent for that; where the plan refutes it, with a note."""
+    seconds = {**plan.seconds, "bound": spent}
+    if _refutes(bound, plan.duration):
+        return replace(plan, notes=(*plan.notes, _refuted(bound, plan.duration)), seconds=seconds)
+    return replace(plan, lower_bound=min(bound, plan.duration), seconds=seconds)
+
+
+def _bound(axes: Axes, problem: Problem, duration: float) -> float:
+    """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
+    return lower_bound(axes, problem, duration * 1.001)
+
+
+def _refutes(bound: float, duration: float) -> bool:
+    return bound > duration * (1 + 1e-6)
+
+
+def _refuted(bound: float, duration: float) -> str:
+    return (
+        f"no lower bound is told: the one found, {bound:.6f} s, lies above the plan, {duration:.6f} s: an error in "
+        "trajopt; please report it"
+    )
+
+
+def search_estimate(program: Program, plant: Plant, target: Target, changes: Changes) -> float | None:
+    """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
+    answer. None where there is no chain."""
+    axes = Axes.of(plant)
+    open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
+    found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
+    return min(found, default=None)
+
+
+def _check_lengths(program: Program, problem: Problem, draft: Iterate) -> None:
+    """Raise InputError for a motion on which something moves for longer than LONGEST_MOTION: its rows fill a disk."""
+    for leg, motion, busy in zip(problem.legs, draft.legs, turning(problem), strict=True):
+        under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting() | busy].sum())
+        if under_way > LONGEST_MOTION:
+            one = program.motions[leg.motion]
+            text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to {LONGEST_MOTION:g} s: give"
+            text += " it another speed or time, or a part of its way"
+            raise InputError(text, file=one.source.file, line=one.source.line, column=one.source.column)
+
+
+def _rows(axes: Axes, problem: Problem, draft: Iterate) -> tuple[Trajectory, Array] | None:
+    """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
+    where that does not help."""
+    legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
+    more = switches(problem, legs)
+    for _ in range(DENSER + 1):
+        trajectory, bounds = rows_of(axes, legs, end, more, busy)
+        over = _passing(axes, trajectory)
+        if not len(over):
+            return with_tables(problem, legs, trajectory, bounds), bounds
+        gaps = np.diff(trajectory.t)[over]
+        if gaps.min() < 2 * ROW_APART:
+            return None
+        more += list(trajectory.t[over] + gaps / 2)
+    return None
+
+
+def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
+    """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
+    rounding does to rows that stand near each other: less than the judge grants for it, also late in a cycle."""
+    assert trajectory.qd is not None
+    eps, over = float(np.finfo(np.float64).eps), np.zeros(len(trajectory.t) - 1, dtype=bool)
+    for first in range(0, len(over), ROWS_AT_ONCE):
+        rows = slice(first, first + ROWS_AT_ONCE + 1)
+        t, q, qd = trajectory.t[rows], trajectory.q[rows], trajectory.qd[rows]
+        h = np.diff(t)[:, None]
+        c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
+        # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have
+        # fewer digits, which matters as much as an axis moves meanwhile
+        off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
+        noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
+        most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
+        # the mean acceleration between two speeds is judged by itself, too, and rounding does less to it
+        speeds = (np.abs(change) * late + 8 * eps * top) / h
+        passed = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
+        passed |= np.abs(change) > axes.acceleration * (1 + 1e-6) + speeds
+        over[first : first + len(h)] = passed.any(axis=1)
+    return np.flatnonzero(over)
+
+
+def _end(problem: Problem, draft: Iterate) -> Array:
+    stop = problem.waypoints[-1]
+    return stop.q if stop.q is not None else draft.q[-1]
+
+
+def _motions(draft: Iterate) -> list[LegMotion]:
+    return [motion for motion in draft.legs if motion is not None]
+
+
+def _grid(legs: list[LegMotion], problem: Problem) -> str:
+    sizes = {
+        name: sorted({m.N for leg, m in zip(problem.legs, legs, strict=True) if pick(leg.kind, m)})
+        for name, pick in {
+            "lines": lambda kind, m: kind is LegKind.LINE,
+            "dwells": lambda kind, m: kind is LegKind.DWELL and isinstance(m, PathLeg),
+            "joint moves": lambda kind, m: kind is LegKind.JOINT and not isinstance(m, JointProfiles),
+        }.items()
+    }
+    parts = [
+        f"{' to '.join(map(str, sorted({n[0], n[-1]})))} intervals per {name[:-1]}" for name, n in sizes.items() if n
+    ]
+    closed = sum(
+        isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(problem.legs, legs, strict=True)
+    )
+    if closed:
+        parts.append(f"{closed} joint move{'s' if closed > 1 else ''} in closed form")
+    return ", ".join(parts) or "none, as all is in closed form"
+
+
+def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
+    """What a reader should know of ways around, a line each: one for all passes of a text that go around the same.
+    driven: those that lead by their points."""
+    lines = []
+    for detour in detours:
+        motion, count = program.motions[detour.motion], len(detour.points)
+        by = f" by {count} point{'s' if count > 1 else ''}" if detour in driven else ""
+        lines.append(f"{motion.source}: {motion_name(motion)} goes around {quoted(detour.around)}{by}")
+    yield from dict.fromkeys(lines)
+
+
+def _without_others(plan: Plan, driven: tuple[Detour, ...]) -> Plan:
+    """The plan with the points alone that it is driven by."""
+    by = {detour.motion for detour in driven}
+    motions = tuple(one if one.index in by else replace(one, via=()) for one in plan.motions)
+    return replace(plan, motions=motions, detours=driven)
+
+
+def _planned(
+    axes: Axes, problem: Problem, draft: Iterate, legs: list[LegMotion], bounds: Array
+) -> tuple[PlannedMotion, ...]:
+    first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
+    last = {leg.motion: k for k, leg in enumerate(problem.legs)}
+    moved = sorted(last.values())
+    limits = binding_limits(axes, problem.plant.tcp, [problem.legs[k] for k in moved], [legs[k] for k in moved])
+    binding = dict(zip(moved, limits, strict=True))
+    out = []
+    now, q_now = 0.0, draft.q[0]
+    for i, motion in enumerate(problem.program.motions):
+        k = last.get(i)
+        if k is None:
+            out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
+            continue
+        q_1 = draft.q[k + 1]
+        begin = float(bounds[first[i]])
+        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, binding[k]))
+        now, q_now = float(bounds[k + 1]), q_1
+    return tuple(out)

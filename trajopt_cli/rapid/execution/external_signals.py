@@ -1,0 +1,271 @@
+"""What a running program finds out about its world: signals and answers as the scenario gives them.
+
+A reading of a signal gives, in this order: what the program set it to, or a wait made sure of; the scenario's value, of
+a sequence the next one, the last one staying; else it lacks, is noted once per name, and 0 stands in, so that one run
+finds everything that is missing. Outputs begin at 0 where the scenario says nothing.
+
+A wait always comes true unless the scenario lets it time out. Of a sequence it drops the values before the first that
+fits; that one is what the next reading gives. A plain value that contradicts the wait gives way to what it waited for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.language.syntax import Name
+from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, condition_key, yaml_answer
+from trajopt_cli.warnings import WarningKind
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Execution
+    from trajopt_cli.rapid.language.syntax import Node
+
+_SHOWN = 7  # names in a warning
+_OUTPUTS = frozenset({"signaldo", "signalgo", "signalao"})
+
+
+class ExternalSignals:
+    """Signal values and answers as they stand now; names in lower case."""
+
+    def __init__(self, scenario: Scenario):
+        self.scenario = scenario
+        self.lacks: dict[tuple[str, str], Lack] = {}
+        self._signals = {name.lower(): values for name, values in scenario.signals.items()}
+        self._answers = {name.lower(): values for name, values in scenario.answers.items()}
+        self._data = {name.lower(): given.value for name, given in scenario.data.items()}
+        self._waits = {condition_key(text): seconds for text, seconds in scenario.waits.items()}
+        self._values: dict[str, float] = {}
+        self.fitting: dict[str, Answer] = {}  # of names that nothing declares: values that let a wait come true
+        self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
+        self._trying = 0
+        self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
+        # Of a digital signal that would be a slip, which only the instruction that uses it can tell.
+        self._not_digital = {
+            name: value
+            for name, given in self._signals.items()
+            for value in (given if isinstance(given, tuple) else (given,))
+            if value not in (0, 1)
+        }
+
+    def lack(
+        self,
+        run: Execution,
+        section: str,
+        name: str,
+        node: Node,
+        reason: str,
+        value: str,
+        declared: bool = False,
+        again: bool = False,
+        close: Callable[[], str | None] | None = None,
+    ) -> None:
+        """Note that the scenario lacks something, once per name; see Lack for what the parts mean.
+
+        close: finds the name that may be meant; asked once, for a loop may lack it on every pass. again: put it in the
+        place of what was noted under the name before.
+        """
+        key = (section, name.lower())
+        if (again or key not in self.lacks) and not self._trying:
+            excerpt = run.places().excerpt(node.start)
+            meant = close() if close else None
+            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, meant)
+
+    @property
+    def trying_now(self) -> bool:
+        """Whether what is unknown stands in unsaid."""
+        return self._trying > 0
+
+    @contextmanager
+    def trying(self) -> Iterator[None]:
+        """Nothing lacks inside: what is unknown stands in as 0 unsaid."""
+        self._trying += 1
+        try:
+            yield
+        finally:
+            self._trying -= 1
+
+    # --------------------------------------------------------------------------------------------------- signals
+
+    def set(self, signal: str, value: float) -> None:
+        """The program sets a signal, or a wait has made sure of its value."""
+        self._values[signal] = value
+        self._asked.add(("signals", signal))
+
+    def digital(self, run: Execution, node: Node, signal: str) -> None:
+        """A digital signal is used, name in lower case: warn where the scenario's values are not 0 or 1."""
+        if signal in self._not_digital:
+            value = self._not_digital[signal]
+            message = f"{signal} is {value:.15g} in the cell file, and a digital signal is 0 or 1"
+            run.note(f"digital {signal}", WarningKind.UNUSUAL, message, node)
+
+    def unused(self) -> list[str]:
+        """A sentence for each section of the scenario with names that the program never asked for."""
+        given: dict[str, Iterable[str]] = {
+            "signals": self.scenario.signals,
+            "answers": self.scenario.answers,
+            "data": self.scenario.data,
+            "waits": self.scenario.waits,
+            "searches": self.scenario.searches,
+            "partner": map(str, self.scenario.partner),
+            "stubs": self.scenario.stubs,
+        }
+        sentences = []
+        for section, names in given.items():
+            key = condition_key if section == "waits" else str.lower
+            left = sorted(name for name in names if (section, key(name)) not in self._asked)
+            if left:
+                shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
+                sentences.append(f"the program never uses {shown} ({section} in the cell file)")
+        for name in sorted(self.scenario.assume_identity):
+            if ("assume_identity", name.lower()) not in self._asked:
+                sentences.append(f"--assume-identity {name}: the program uses no such tool, work object or unit")
+        return sentences
+
+    def asked(self, section: str, name: str) -> None:
+        """The program asks for something of the scenario; name in lower case."""
+        self._asked.add((section, name))
+
+    def signal(self, run: Execution, node: Node, name: str) -> float:
+        """The value that a reading of a signal gives; name as the program spells it."""
+        key = name.lower()
+        value = self._values.get(key)
+        if value is None:
+            value = self._given(run, node, name, key)
+        if abs(value) > NUM_LIMIT:
+            raise run.fault(node, "ERR_NUM_LIMIT", f"the value {value:g} of signal '{name}' is too large for a num")
+        return value
+
+    def _given(self, run: Execution, node: Node, name: str, key: str) -> float:
+        self._asked.add(("signals", key))
+        given = self._signals.get(key)
+        if given is None:
+            if _is_output(run, node):
+                return 0.0
+            reason = f"'{name}' is not declared in the program and has no value as a signal"
+            fitting = self.fitting.get(key, 0.0)
+            value = fitting if isinstance(fitting, float) else 0.0
+            self.lack(run, "signals", name, node, reason, f"{value:.15g}")
+            return value
+        return float(self._next("signals", key, given))
+
+    def output(self, signal: str) -> float:
+        """The value that a reading of an output gives; nothing lacks."""
+        self._asked.add(("signals", signal))
+        if signal in self._values:
+            return self._values[signal]
+        return float(self._next("signals", signal, self._signals.get(signal, 0.0)))
+
+    def now(self, signal: str) -> float:
+        """An output's value without reading it: its sequence stays where it is."""
+        self._asked.add(("signals", signal))
+        return self._values.get(signal, float(self.left("signals", signal)[0]))
+
+    def awaited(self, signal: str, fits: Callable[[float], bool], value: float | None) -> tuple[float, ...]:
+        """A wait for a signal came true; from here on it reads as the module says.
+
+        value: the only one that fits, None where there are several; then a plain value that does not fit stays. Returns
+        what is left of a sequence of which no value fits, else nothing.
+        """
+        self._asked.add(("signals", signal))
+        given = self._signals.get(signal)
+        if signal not in self._values and isinstance(given, tuple):
+            left = tuple(float(one) for one in self.left("signals", signal))
+            for count, one in enumerate(left):
+                if fits(one):
+                    self._taken["signals", signal] = self._taken.get(("signals", signal), 0) + count
+                    return ()
+            return left
+        if value is not None:
+            self._values[signal] = value
+        return ()
+
+    def poll(self, holds: Callable[[], bool]) -> bool:
+        """Whether a condition comes true on the way through the sequences that it reads.
+
+        If it does, the readings that made it true are the next ones; if not, the sequences stand where they stood.
+        """
+        first = dict(self._taken)
+        with self.trying():
+            while True:
+                before = dict(self._taken)
+                true = holds()
+                if true or not self._went_on(before):
+                    self._taken = before if true else first
+                    return true
+
+    def _went_on(self, before: dict[tuple[str, str], int]) -> bool:
+        """Whether a later reading can differ: some sequence has gone on to another of its values."""
+        for key, taken in self._taken.items():
+            section, name = key
+            given: Answer | tuple[Answer, ...]
+            if section == "data":
+                given = self._data[name]
+            else:
+                given = self._signals[name] if section == "signals" else self._answers[name]
+            if isinstance(given, tuple) and min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
+                return True
+        return False
+
+    # --------------------------------------------------------------------------------------------------- the rest
+
+    def least(self, *texts: str) -> float | None:
+        """The least duration [s] of a wait: the first of texts that the scenario knows decides. None: it times out."""
+        if not self._waits:
+            return 0.0
+        keys = [condition_key(text) for text in texts]
+        self._asked.update(("waits", key) for key in keys)
+        return next((self._waits[key] for key in keys if key in self._waits), 0.0)
+
+    def known(self, name: str) -> bool:
+        """Whether the scenario has an answer under name."""
+        self._asked.add(("answers", name.lower()))
+        return name.lower() in self._answers
+
+    def answer(
+        self,
+        run: Execution,
+        node: Node,
+        name: str,
+        reason: str,
+        default: Answer,
+        close: Callable[[], str | None] | None = None,
+    ) -> Answer:
+        """The answer that is asked for under name; default stands in where the scenario has none."""
+        self._asked.add(("answers", name.lower()))
+        given = self._answers.get(name.lower())
+        if given is None:
+            self.lack(run, "answers", name, node, reason, yaml_answer(default), close=close)
+            return default
+        return self._next("answers", name.lower(), given)
+
+    def _next(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> Answer:
+        if not isinstance(given, tuple):
+            return given
+        count = self._taken.get((section, key), 0)
+        self._taken[section, key] = count + 1
+        return given[min(count, len(given) - 1)]
+
+    def datum(self, name: str) -> Answer:
+        """What the next reading of data gives, name in lower case."""
+        self._asked.add(("data", name))
+        return self._next("data", name, self._data[name])
+
+    def left(self, section: str, key: str) -> tuple[Answer, ...]:
+        """The values that readings to come can give; 0 for a signal without any."""
+        given: Answer | tuple[Answer, ...] = self._data[key] if section == "data" else self._signals.get(key, 0.0)
+        if not isinstance(given, tuple):
+            return (given,)
+        return given[min(self._taken.get((section, key), 0), len(given) - 1) :]
+
+    def take(self, section: str, key: str, count: int) -> None:
+        """Let so many values of a sequence be behind."""
+        self._taken[section, key] = self._taken.get((section, key), 0) + count
+
+
+def _is_output(run: Execution, node: Node) -> bool:
+    """Whether a name is declared as an output of the program."""
+    place = run.find(node.name) if isinstance(node, Name) else None
+    return isinstance(place, Datum) and place.type.name in _OUTPUTS

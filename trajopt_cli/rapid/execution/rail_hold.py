@@ -1,0 +1,113 @@
+"""During which motions the rail must stand still: comments in the program, the cell file, waits after an output."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
+from trajopt_cli.rapid.execution.named import Around, Modules, named
+from trajopt_cli.warnings import WarningKind
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Execution
+
+# [s] between an output and a wait that is taken to be for what the output does; a num of 0.1 is a little more than that
+_AFTER_OUTPUT = 0.1 + 1e-6
+_SHOWN = 3  # places in a sentence
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """One mark of the program or one name or line of the cell file: where it holds, and what to say if it does not."""
+
+    hold: Hold
+    spans: tuple[Span, ...]
+    unused: str
+    place: Source | None = None
+
+
+def fill_holds(run: Execution, modules: Modules) -> None:
+    """Fill the hold of every motion of a finished run, and warn of marks and entries that hold none.
+
+    Raises InputError for a procedure or a line in the cell file that the program does not have.
+    """
+    wish = run.scenario.hold_rail
+    entries = [*_marked(run), *_named(run, modules)]
+    held = _held(run, entries) if entries else {}
+    for index, motion in enumerate(run.motions if held or wish.waits else ()):
+        hold = held.get(index, Hold.CELL if wish.waits and isinstance(motion, Wait) else None)
+        if hold is not None:
+            object.__setattr__(motion, "hold", hold)  # still the run's own, as in once.py
+    for wait in _after_outputs(run.motions) if wish.gripper else ():
+        if wait.hold is None:
+            object.__setattr__(wait, "hold", Hold.GRIPPER)
+    for first, end in run.units.stretches:
+        for motion in run.motions[first:end]:
+            if not isinstance(motion, SignalEvent):
+                object.__setattr__(motion, "hold", Hold.UNIT)
+
+
+def held_after_outputs(program: Program) -> str | None:
+    """One sentence on the waits that hold the rail unasked, because an output was set just before; None for none."""
+    waits = [one for one in program.motions if isinstance(one, Wait) and one.hold is Hold.GRIPPER]
+    if not waits:
+        return None
+    places = list(dict.fromkeys(f"{PurePath(wait.source.file).name}:{wait.source.line}" for wait in waits))
+    more = f" and {len(places) - _SHOWN} more" if len(places) > _SHOWN else ""
+    count = f"{len(waits)} waits" if len(waits) > 1 else "1 wait"
+    return (
+        f"the rail holds still in {count} after an output ({', '.join(places[:_SHOWN])}{more}); "
+        "'hold_rail: {gripper: false}' in the cell file lets it move"
+    )
+
+
+def _marked(run: Execution) -> Iterator[_Entry]:
+    for span in run.held:
+        place = run.files[span.file].source(span.start)
+        yield _Entry(Hold.PROGRAM, (span,), "marked 'hold rail', but no move and no wait ran there", place)
+
+
+def _named(run: Execution, modules: Modules) -> Iterator[_Entry]:
+    """What the cell file names by procedure or line."""
+    wish = run.scenario.hold_rail
+    for one in named(run, modules, "hold_rail", wish.procedures, wish.lines):
+        yield _Entry(Hold.CELL, one.spans, f"hold_rail in the cell file: no move and no wait ran in {one.text}")
+
+
+def _held(run: Execution, entries: Sequence[_Entry]) -> dict[int, Hold]:
+    """Why motions are held, by their index; warns of the entries that hold none."""
+    around = Around([entry.spans for entry in entries])
+    used: set[int] = set()
+    out: dict[int, Hold] = {}
+    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True)):
+        if not isinstance(motion, SignalEvent) and (found := around(link)):
+            used |= found
+            out[index] = entries[min(found)].hold  # the program's own marks come first
+    for number, entry in enumerate(entries):
+        if number not in used:
+            run.warn(WarningKind.UNUSED, entry.unused, entry.place)
+    return out
+
+
+def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:
+    """The waits that begin at most _AFTER_OUTPUT after an output was set, by an instruction or at a move's end."""
+    since: float | None = None  # [s] since the last output, None where a move has begun since
+    for motion in motions:
+        if isinstance(motion, Wait):
+            if since is not None:
+                if since <= _AFTER_OUTPUT and motion.beside is None:
+                    yield motion
+                since += motion.duration
+        elif isinstance(motion, SignalEvent):
+            since = 0.0 if motion.delay <= _AFTER_OUTPUT else since
+        else:
+            before = [event.time for event in motion.events if _near_end(event)]
+            since = min(before, default=None)
+
+
+def _near_end(event: PathEvent) -> bool:
+    at_end = event.kind is Happens.SIGNAL and not event.from_start and event.distance == 0
+    return at_end and event.time <= _AFTER_OUTPUT

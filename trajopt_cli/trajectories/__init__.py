@@ -1,0 +1,1 @@
+"""Candidate motions of the legs, and their check against every limit."""

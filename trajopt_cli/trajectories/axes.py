@@ -1,0 +1,134 @@
+"""The n axes of a plant as the optimiser needs them: limits side by side with the robot's kinematics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.limits import Couplings
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Leg
+from trajopt_cli.robot.differential import Differential
+from trajopt_cli.robot.layout import AxisLayout
+from trajopt_cli.robot.protocol import Robot
+from trajopt_cli.trajectories.torque import Torques
+
+_FREE = Couplings(np.zeros((0, 0)), np.zeros(0), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class AxisLimits:
+    """Limits in force at m places: of the axes' velocity and acceleration (m, n), of the tool's speed [m/s],
+    acceleration [m/s2] and turning [rad/s] (m,), of its speeding up and slowing down along its path [m/s2] (m, 2)."""
+
+    velocity: Array
+    acceleration: Array
+    v_tcp: Array
+    a_tcp: Array
+    v_ori: Array
+    ramps: Array
+
+    @property
+    def along(self) -> bool:
+        """Whether the acceleration along the path is limited by itself."""
+        return bool(np.any(self.ramps < np.reshape(self.a_tcp, (-1, 1))))
+
+    def at(self, places: IndexArray) -> AxisLimits:
+        """Those of some of the places, in any order."""
+        return AxisLimits(*(getattr(self, one.name)[places] for one in fields(self)))
+
+
+@dataclass(frozen=True, eq=False)
+class Axes:
+    """Limits and names (n,) of all axes in the robot's order; jerk, torque: None where they are free. X_WB0: the arm's
+    base in the world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings:
+    ranges of sums of axes."""
+
+    robot: Robot
+    layout: AxisLayout
+    names: tuple[str, ...]
+    lower: Array
+    upper: Array
+    velocity: Array
+    acceleration: Array
+    X_WB0: Array
+    rail_axis: Array
+    jerk: Array | None = None
+    couplings: Couplings = _FREE
+    torque: Torques | None = None
+
+    @classmethod
+    def of(cls, plant: Plant) -> Axes:
+        """The axes of a plant."""
+        limits = plant.limits
+        robot: Robot = plant.robot
+        X_WB0 = robot.X_WB0
+        axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
+        return cls(
+            robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
+            axis, limits.binding_jerk, limits.couplings, Torques.of(plant),
+        )  # fmt: skip
+
+    @property
+    def n(self) -> int:
+        """How many axes."""
+        return self.layout.n
+
+    def within(self, q: Array, slack: float = 1e-9) -> BoolArray:
+        """Whether axes (..., n) are in their ranges (...), those of sums too, but for a slack [rad, m]; NaN are not."""
+        with np.errstate(invalid="ignore"):
+            each = np.all((q >= self.lower - slack) & (q <= self.upper + slack), axis=-1)
+        return np.asarray(each & self.couplings.within(q, slack))
+
+    def narrowed(self, room: float) -> Axes:
+        """The same axes with a share of the room that their ranges leave on either side of the middle."""
+        middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
+        c = self.couplings
+        centre, width = (c.upper + c.lower) / 2, (c.upper - c.lower) / 2
+        narrower = Couplings(c.rows, centre - room * width, centre + room * width)
+        return replace(self, lower=middle - room * half, upper=middle + room * half, couplings=narrower)
+
+    def velocity_on(self, leg: Leg) -> Array:
+        """Velocity limits (n,) on a leg: the rail's is capped by the program as well."""
+        V = self.velocity.copy()
+        V[self.layout.rail] = np.minimum(V[self.layout.rail], leg.v_rail)
+        return V
+
+    def acceleration_on(self, leg: Leg) -> Array:
+        """Acceleration limits (n,) on a leg: the program may ask for a share of them."""
+        return self.acceleration * leg.acceleration
+
+    def caps(self, legs: Sequence[Leg]) -> AxisLimits:
+        """The limits on each leg."""
+        velocity, acceleration = ([of(leg) for leg in legs] for of in (self.velocity_on, self.acceleration_on))
+        v_tcp, a_tcp, v_ori = np.array([(leg.v_tcp, leg.a_tcp, leg.v_ori) for leg in legs]).T
+        ramps = np.array([leg.ramps for leg in legs])
+        return AxisLimits(np.array(velocity), np.array(acceleration), v_tcp, a_tcp, v_ori, ramps)
+
+    def in_base(self, X_W: Array) -> Array:
+        """A world pose seen from the arm's base with the rail at 0."""
+        return inverse_pose(self.X_WB0) @ X_W
+
+    def inverse(self, X_WF: Array, rail: Array) -> Array:
+        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,)."""
+        return self.robot.branches(X_WF, rail)
+
+    def forward(self, q: Array) -> Array:
+        """Flange poses (..., 4, 4) of axes (..., n)."""
+        return self.robot.forward(q)
+
+    def jacobian(self, q: Array, X_FT: Array) -> Array:
+        """Geometric Jacobian (..., 6, n) at the TCP, world axes."""
+        return self.robot.jacobian(q, X_FT)
+
+    def differential(self, q: Array, X_FT: Array) -> Differential:
+        """That and how the TCP's velocity and acceleration follow from those of the axes."""
+        return self.robot.differential(q, X_FT)
+
+    def self_motion(self, q: Array) -> Array:
+        """Arm rates (..., joints, r) per rail velocity with the flange at rest."""
+        J = self.jacobian(q, np.eye(4))
+        return np.asarray(-np.linalg.solve(J[..., self.layout.arm], J[..., self.layout.rail]))
