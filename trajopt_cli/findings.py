@@ -34,18 +34,14 @@ class Finding:
 
 
 @dataclass(frozen=True)
-class Promise:
-    """What one check is sure to see in a file: an excess over its limit, or a shortfall under it, of least in unit that
-    lasts so long [s]; None: whenever it is. most: where least is more, the file is too coarse to be judged by this
-    check; needs: how finely "positions", "speeds" or "times" must be printed at least for that [SI]."""
+class GridResolution:
+    """What rows on a bare grid leave open: rows in a second [Hz], lengths of waits [s], the place of a stop [m] and the
+    speed there [m/s]."""
 
-    check: str
-    subject: str
-    least: float
-    unit: str
-    lasting: float | None = None
-    most: float | None = None
-    needs: tuple[tuple[str, float], ...] = ()
+    rate: float
+    dwell: float
+    stop: float
+    rest: float
 
 
 COARSE = ("printed resolution", "row spacing")
@@ -54,14 +50,12 @@ COARSE = ("printed resolution", "row spacing")
 
 @dataclass(frozen=True)
 class Report:
-    """Legality decides (legal); advice never does. promises: what the checks are sure to see, where that was asked.
-    rate: rows in a second [Hz] of a file whose boundaries lie between its rows; None where they have rows.
-    missing: a clause on rows that an even file lost, empty for none."""
+    """Legality decides (legal); advice never does. grid: what rows leave open whose boundaries lie between them; None
+    where they have rows. missing: a clause on rows that an even file lost, empty for none."""
 
     findings: tuple[Finding, ...]
     advice: tuple[Finding, ...] = ()
-    promises: tuple[Promise, ...] = ()
-    rate: float | None = None
+    grid: GridResolution | None = None
     missing: str = ""
 
     @property
@@ -115,19 +109,6 @@ def finding_record(finding: Finding) -> dict[str, Any]:
         "time_s": finding.time,
         "source": str(finding.source) if finding.source else None,
         "message": finding.message,
-    }
-
-
-def promise_record(promise: Promise) -> dict[str, Any]:
-    """A promise as plain data for JSON; null for an excess that no row would show."""
-    return {
-        "check": promise.check,
-        "subject": promise.subject,
-        "least_seen": _finite(promise.least),
-        "unit": promise.unit,
-        "lasting_s": promise.lasting,
-        "coarsest": promise.most,
-        "needs": dict(promise.needs),
     }
 
 

@@ -11,7 +11,7 @@ from rich.table import Table
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
-from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest, promise_record
+from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest
 from trajopt_cli.judge.clearance import least_clearance
 from trajopt_cli.pipeline.optimize import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
@@ -253,9 +253,8 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
                 "checks": [finding_record(one) for one in report.findings],
                 "advice": [finding_record(one) for one in report.advice],
                 "too_coarse": report.too_coarse,
-                "rows_per_second": report.rate,
+                "rows_per_second": report.grid.rate if report.grid else None,
                 "missing_rows": report.missing or None,
-                "promises": [promise_record(one) for one in report.promises],
             }
             for name, report in reports.items()
         },
@@ -276,33 +275,7 @@ def verdict(name: str, report: Report) -> str:
 
 def _granted(report: Report) -> str:
     """What rows on a bare grid leave open, as " at 250 Hz: dwell known to 8 ms, ..."; empty for others."""
-    told = {(one.check, one.unit): one.least for one in report.promises}
-    if report.rate is None or not told:
+    if (grid := report.grid) is None:
         return ""
-    stop, rest, dwell = (told[key] for key in (("stop reached", "m"), ("stop rest", "m/s"), ("dwell length", "s")))
-    return (
-        f" at {report.rate:.4g} Hz: dwell known to {dwell * 1e3:.3g} ms, stops to {stop / MM:.2g} mm and {rest:.2g} m/s"
-    )
-
-
-def promises_table(name: str, report: Report) -> Table:
-    """What every check is sure to see in a file."""
-    table = plain_table(
-        f"{name}: the least excess that is sure to be seen", "check", "~of", ">least seen", "unit", ">of limit",
-        ">lasting [s]", ">coarsest judged", "~print in steps of (SI)",
-    )  # fmt: skip
-    limits = {(one.check, one.subject): one.limit for one in report.findings}
-    for one in report.promises:
-        limit = limits.get((one.check, one.subject.partition(",")[0]), 0.0)
-        relative = one.check.startswith(("joint", "TCP")) and one.check != "joint position" and limit > 0
-        table.add_row(
-            one.check,
-            one.subject,
-            _figure(one.least, 3),
-            one.unit,
-            f"{100 * one.least / limit:.2g} %" if relative else "",
-            "" if one.lasting is None else f"{one.lasting:.3g}",
-            "" if one.most is None else f"{one.most:.3g}",
-            ", ".join(f"{what} {step:g}" for what, step in one.needs),
-        )
-    return table
+    stops = f"stops to {grid.stop / MM:.2g} mm and {grid.rest:.2g} m/s"
+    return f" at {grid.rate:.4g} Hz: dwell known to {grid.dwell * 1e3:.3g} ms, {stops}"

@@ -42,7 +42,7 @@ def verify(
     """
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.remarks import told_first
-    from trajopt_cli.cli.tables import advice_table, findings_table, promises_table, reports_record, verdict
+    from trajopt_cli.cli.tables import advice_table, findings_table, reports_record, verdict
     from trajopt_cli.findings import failures
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
@@ -93,8 +93,6 @@ def verify(
             show(console, findings_table(name, report, everything))
             if report.advice:
                 show(console, advice_table(name, report, everything))
-            if everything and report.promises:
-                show(console, promises_table(name, report))
         tell(console, (f"not checked: {line}" for line in unchecked))
         for name, report in reports.items():
             tell(console, (f"advice: {line}" for line in failures(report.advice)))

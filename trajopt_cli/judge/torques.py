@@ -28,13 +28,12 @@ Body = tuple[float, Array, Array]
 Looks = Iterator[tuple[Array, Array]]
 
 
-def check_torques(program: Program, line: Timeline) -> tuple[list[Finding], dict[str, float]]:
-    """Worst case per axis whose torque has a limit, and the most that is granted it by name; none where no limit
-    binds."""
+def check_torques(program: Program, line: Timeline) -> list[Finding]:
+    """Worst case per axis whose torque has a limit; none where no limit binds."""
     rows = line.rows
     limit = rows.plant.limits.binding_torque
     if limit is None:
-        return [], {}
+        return []
     carried = _Carried(program, line)
     found = [Series(float(top)) for top in limit]
     look = _exact if rows.exact else _means
@@ -53,9 +52,7 @@ def check_torques(program: Program, line: Timeline) -> tuple[list[Finding], dict
                     time=worst.time, source=line.source_at(worst.time), words="torque",
                 )
             )  # fmt: skip
-    names = rows.plant.limits.names
-    return out, {name: float(most) for name, most, top in zip(names, carried.granted, limit, strict=True)
-                 if np.isfinite(top)}  # fmt: skip
+    return out
 
 
 class _Carried:
@@ -81,12 +78,6 @@ class _Carried:
             self.may[[*kinds].index(name), max(min(begin - beside, come), 0) : max(end + beside, left)] = True
             begin, come = end, next_come
         self.may[[*kinds].index(names[-1]), begin:] = True
-        self.granted = np.zeros(len(rows.plant.limits.names))
-
-    def grant(self, doubt: Array) -> Array:
-        """The same (n, k), kept as what was granted at most."""
-        self.granted = np.maximum(self.granted, doubt.max(axis=0, initial=0.0))
-        return doubt
 
     def least(self, first: IndexArray, last: IndexArray, torque: Sequence[Array]) -> Array:
         """Of torques (n, k) with each load the least that rows first to last (n,) may have."""
@@ -115,7 +106,7 @@ def _exact(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
     ]
     changes = [forces.changes(q[:-1], v[:-1], mean) for forces in carried.forces]
     off_q, off_v = (np.maximum(one[first:last], one[first + 1 : last + 1]) for one in (rows.doubt_q, rows.doubt_v))
-    doubts = [carried.grant(_doubt(change, off_q, off_v, open_a)) for change in changes]
+    doubts = [_doubt(change, off_q, off_v, open_a) for change in changes]
     for times, at, rate, change, i in looks:
         torque = [
             np.abs(forces.torques(at, rate, change)) - doubt[i - first]
@@ -155,10 +146,8 @@ def _mean(
     open_a: Array,
     first: IndexArray,
     last: IndexArray,
-    shortest: bool = True,
 ) -> Array:
-    """Least means (n, k) of torques with mean accelerations a from states at the middle, the begin and the end.
-    shortest: of the lags; what it grants is kept."""
+    """Least means (n, k) of torques with mean accelerations a from states at the middle, the begin and the end."""
     top, torque = rows.plant.limits.acceleration, []
     off_q, off_v = (np.maximum(one[first], one[last]) for one in (rows.doubt_q, rows.doubt_v))
     for forces in carried.forces:
@@ -169,7 +158,7 @@ def _mean(
             heavier = np.abs(forces.masses(q_end) - mass) @ top
             swing = np.maximum(swing, np.abs(forces.torques(q_end, v_end, a) - middle) + heavier)
         doubt = _doubt(forces.changes(q, v, a), off_q, off_v, np.broadcast_to(open_a, a.shape))
-        torque.append(np.abs(middle) - (carried.grant(doubt + swing) if shortest else doubt + swing))
+        torque.append(np.abs(middle) - doubt - swing)
     return carried.least(first, last, torque)
 
 

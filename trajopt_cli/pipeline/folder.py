@@ -54,7 +54,7 @@ def verify_results(folder: Path, advice: bool = True) -> tuple[Job, dict[str, Re
     for name, (target, text) in texts.items():
         detours, left_out = results.detours(target), results.dropped(target)
         program, dropped = held_against(job.program, job.plant, target, detours, left_out)
-        reports[name] = judge(job.plant, program, text, str(folder / name), dropped, target, advice, promises=True)
+        reports[name] = judge(job.plant, program, text, str(folder / name), dropped, target, advice)
     return job, reports
 
 
@@ -82,7 +82,7 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
 
 def verify_file(path: Path, job: Job, advice: bool = True) -> Report:
     """Judge a CSV file that anybody wrote against a program and its cell."""
-    return judge(job.plant, job.program, _text(path), str(path), advice=advice, promises=True)
+    return judge(job.plant, job.program, _text(path), str(path), advice=advice)
 
 
 @of_kind(ErrorKind.RESULTS)

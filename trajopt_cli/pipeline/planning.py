@@ -448,10 +448,8 @@ def judge(
     dropped: tuple[int, ...] | None = None,
     target: Target | None = None,
     advice: bool = True,
-    promises: bool | None = None,
 ) -> findings.Report:
-    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in verify.
-    promises None: with advice."""
+    """What the judge says of a CSV text or an open file. file: its name in messages; the rest as in verify."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
     from trajopt_cli.judge.verify import verify
 
@@ -466,9 +464,7 @@ def judge(
         limits = plant.limits
         check_reach(trajectory, limits.lower, limits.upper, limits.velocity, file, resolution.lines)
     try:
-        return verify(
-            program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises
-        )
+        return verify(program, plant, trajectory, resolution, dropped, target, advice)
     except InputError as error:
         error.file = error.file or file
         error.take(ErrorKind.RESULTS)
