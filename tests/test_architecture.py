@@ -16,7 +16,7 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
-    ("errors", "units", "geometry", "decimals", "workers", "settings"),
+    ("errors", "units", "geometry", "workers", "settings"),
     (
         "motion",
         "warnings",
@@ -64,7 +64,6 @@ STACK = {
     "print_resolution": {"geometry"},
     "errors": set[str](),
     "units": set[str](),
-    "decimals": {"geometry"},
     "geometry": set[str](),
     "scenario": {"errors", "motion"},
     "kinematics": {"geometry", "motion"},

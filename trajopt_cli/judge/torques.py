@@ -135,7 +135,7 @@ def _means(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
         v = (q[end] - q[begin]) / (before + after)
         states = [(q[middle], v), (q[begin], v - a * before), (q[end], v + a * after)]
         i = np.arange(first, first + len(a))
-        yield t[middle], _mean(rows, carried, states, a, open_a, i, i + 2 * m, count == 0)
+        yield t[middle], _mean(rows, carried, states, a, open_a, i, i + 2 * m)
 
 
 def _mean(

@@ -13,10 +13,9 @@ from typing import TextIO
 
 import numpy as np
 
-from trajopt_cli.decimals import rows_of
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.joint_csv import header
+from trajopt_cli.joint_csv import csv_parts
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.trajectory import Trajectory
 
@@ -65,7 +64,7 @@ class RowsFile:
             for array in _arrays(rows):
                 self._numbers.write(np.ascontiguousarray(array).data)
             self._numbers.flush()
-            self._text.writelines(_csv_parts(rows))
+            self._text.writelines(csv_parts(rows))
             self._text.flush()
         return self.kept(plan)
 
@@ -94,14 +93,6 @@ def without_rows(plan: Plan) -> Plan:
     rows = plan.trajectory
     t, q, *qd = (array[[0, -1]] for array in _arrays(rows))
     return replace(plan, trajectory=Trajectory(rows.whole.names, t, q, qd[0] if qd else None).apart)
-
-
-def _csv_parts(rows: Trajectory) -> Iterator[str]:
-    """What joint_csv.csv_parts writes, in half the time. Not there: the judge reads with that module, and shares
-    nothing with the planner that computes."""
-    t, *others = _arrays(rows)
-    yield ",".join(header(rows.whole.names, rows.qd is not None)) + "\n"
-    yield from (part.decode() for part in rows_of([t[:, None], *others]))
 
 
 def _arrays(rows: Trajectory) -> list[Array]:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from trajopt_cli.decimals import read_back, rows_of, texts
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
@@ -70,10 +69,15 @@ def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
 
 
 def _write(head: str, t: Array, values: Array) -> str:
-    times = texts(t, _TIME_DIGITS)
-    off = np.flatnonzero(np.abs(read_back(t, _TIME_DIGITS) - t) > 1e-15 * np.abs(t))
-    times[off] = texts(t[off])
-    return f"{head}\n" + b"".join(rows_of([values], times)).decode()
+    form = ",".join(["%s", *["%.17g"] * values.shape[1]])
+    rows = (form % (_time(at), *row) for at, row in zip(t.tolist(), values.tolist(), strict=True))
+    return "\n".join([head, *rows, ""])
+
+
+def _time(t: float) -> str:
+    """In few digits where they say the same."""
+    short = f"{t:.{_TIME_DIGITS}g}"
+    return short if abs(float(short) - t) <= 1e-15 * abs(t) else f"{t:.17g}"
 
 
 def _read(text: str, file: str, head: str) -> Array:
