@@ -76,7 +76,7 @@ def failures(findings: Iterable[Finding]) -> list[str]:
 
 
 def nearest(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:
-    """Of every check the case nearest to its limit, failed ones first, and how many cases it has; in their order."""
+    """The tightest case of each check, failed ones first, and how many cases the check has; in their order."""
     cases: dict[str, list[Finding]] = {}
     for one in findings:
         cases.setdefault(one.check, []).append(one)

@@ -181,7 +181,7 @@ def _message(lack: Lack) -> str:
     told = asked(lack.reason, lack.close)
     if lack.section == "stubs":
         line = f"the line '{lack.line}' in the cell file"
-        return f"{told} give the file that declares it, or take it as doing nothing: {line}"
+        return f"{told} give the file that declares it, or ignore it: {line}"
     if lack.section == "data" and not lack.declared:
         return f"{told} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
     return f"{told} add the line '{lack.line}' to the cell file"

@@ -179,7 +179,7 @@ def test_what_only_the_written_program_cannot_do_is_told_before_any_solving(
     assert run(["optimize", str(program)]) == 1
     last = capsys.readouterr().err.splitlines()[-1]
     assert last.startswith("tiny.mod:8:16: MoveJ Offs(")
-    assert "not with confdata [1,1,1,0]; there would be [" in last
+    assert "not with confdata [1,1,1,0]; reachable with [" in last
     assert planner.asked == []
     assert not Path("results").exists()
 
@@ -308,7 +308,7 @@ def test_export_rapid_gives_the_module_and_its_difference(
     captured = capsys.readouterr()
     changed = {line[1:] for line in captured.out.splitlines() if re.match(r"\+(?!\+\+)", line)}
     assert changed == set(Path("new.mod").read_text().splitlines()) - set(TEXT.splitlines())
-    assert "new.mod: the rapid plan" in captured.out + captured.err
+    assert "wrote new.mod (RAPID plan, " in captured.out + captured.err
 
 
 def test_parse_needs_no_cell_and_gives_places(program: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -118,12 +118,12 @@ def test_the_table_says_what_saves_what_binds_nowhere_and_what_was_not_asked(
         "%",
         "0.0500",
     ]
-    assert sum("bind nowhere, so that more of them saves nothing: joint_1 speed" in line for line in lines) == 1
+    assert sum("not limiting, raising these saves nothing: joint_1 speed" in line for line in lines) == 1
     assert "not asked: rail: there is none" in lines
     assert lines[-1].startswith("rapid: change first: wait at tiny.mod:7")
     assert "stream" not in out
     assert run(["sensitivity", "results/tiny", "--target", "rapid", "--all"]) == 0
-    every = [line for line in capsys.readouterr().out.splitlines() if line.rstrip().endswith("binds nowhere")]
+    every = [line for line in capsys.readouterr().out.splitlines() if line.rstrip().endswith("not limiting")]
     assert len(every) == 15  # 12 limits of axes but one, two caps of the tool, two programmed speeds
 
 

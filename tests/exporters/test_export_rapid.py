@@ -205,7 +205,7 @@ def test_a_target_wanted_twice_gets_a_second_declaration(plant: Plant) -> None:
     assert "CONST robtarget p1:=" not in "".join(changes)
     assert any(line.startswith("+    CONST robtarget p1_2:=[[500,200,450],[0,0,1,0],") for line in changes)
     assert "+        MoveL p1_2,v100,fine,tool0;" in changes
-    assert tuple(map(str, export.notes)) == ("m.mod:8:9: p1 gets other values here; p1_2 is declared beside it",)
+    assert tuple(map(str, export.notes)) == ("m.mod:8:9: p1 needs another rail position and configuration here: p1_2",)
 
 
 def test_a_new_name_is_nobodys_and_at_most_32_characters(plant: Plant) -> None:

@@ -237,7 +237,7 @@ def test_another_configuration_than_the_nearest_is_switched_on(plant: Plant) -> 
         in export.texts["m.mod"]
     )
     assert [note for note in tuple(map(str, export.notes)) if "nearest" in note] == [
-        "m.mod:8:9: the nearest configuration is not the planned one, so confdata is switched on for the move"
+        "m.mod:8:9: ConfJ \\On added: the plan needs a configuration other than the nearest"
     ]
     moves = [m for m in read_back(program, export).motions if isinstance(m, MoveJ)]
     assert [m.settings.conf_j for m in moves] == [False, True, False]
@@ -289,7 +289,7 @@ def test_a_target_that_two_modules_declare_stays_in_both(plant: Plant) -> None:
     assert declared in export.texts["m.mod"]
     assert "MoveJ g_2,v100,fine,tool0;" in export.texts["m.mod"]
     assert tuple(map(str, export.notes)) == (
-        "m.mod:4:9: g gets other values here; g_2 is declared beside it, and does not follow g if it changes",
+        "m.mod:4:9: g needs another rail position here: g_2, which does not follow g if it changes",
     )
     assert [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [200]
     alone = run_program([TextFile("m.mod", main, "utf-8")])

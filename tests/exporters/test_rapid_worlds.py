@@ -106,16 +106,16 @@ def kept(body: str, plant: Plant, scenario: Scenario) -> list[str]:
 def test_what_stays_as_programmed_is_said_with_the_reason(plant: Plant) -> None:
     moves = f"        WHILE TRUE DO\n            IF di1=1 THEN\n{UP}{J1}            ENDIF\n        ENDWHILE\n"
     assert kept(moves, plant, Scenario(signals={"di1": 1.0}, endless_passes=2)) == [
-        "m.mod:9, 10 (run 2 times in one loop or routine); a statement of its own for each time would free them, for "
-        "an endless loop endless_passes: 1"
+        "m.mod:9, 10 (run 2 times with different values); one statement per pass would free them, for an endless loop "
+        "endless_passes: 1"
     ]
     loop = moves.replace("WHILE TRUE DO", "FOR i FROM 1 TO 2 DO").replace("ENDWHILE", "ENDFOR")
     assert kept(loop, plant, Scenario(signals={"di1": 1.0})) == [
-        "m.mod:9, 10 (run 2 times and hang on signal di1); a statement with a declared target, for each time it runs, "
-        "would free them"
+        "m.mod:9, 10 (run 2 times and depend on signal di1); one statement with a declared target per pass would free "
+        "them"
     ]
     many = ASK + "".join(UP.replace("50", f"{k}*n") for k in range(1, 8))
     assert [note.split(";")[0] for note in kept(many, plant, Scenario(answers={"n": 1.0}))] == [
-        "m.mod:8, 9, 10, 11, 12 and 2 more (hang on answer n)"
+        "m.mod:8, 9, 10, 11, 12 and 2 more (depend on answer n)"
     ]
     assert kept(J1, plant, Scenario()) == []

@@ -190,7 +190,7 @@ def test_confdata_that_cannot_be_had_lists_the_nearest_that_could(rail_fixed: bo
     assert len(confs) > 4
     assert str(answer) == (
         "t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; "
-        f"there would be {listed} and {len(confs) - 4} more; correct the confdata, or set ConfJ \\Off before it"
+        f"reachable with {listed} and {len(confs) - 4} more; correct the confdata, or set ConfJ \\Off before it"
     )
     assert check_feasible(program, plant) is None
 
@@ -201,7 +201,7 @@ def test_the_places_of_confdata_that_cannot_be_had_are_told_together() -> None:
     moves = ["MoveJ p_c, v500, fine, tool0;", "WaitTime 1;", "MoveJ p_d, v500, fine, tool0;"]
     program = rapid("\n".join([*moves, *["MoveJ p_c, v500, fine, tool0;"] * 6]), data=data)
     message = str(said(program, plant_without_rail(), AS_WRITTEN))
-    assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached: not with confdata [1,1,1,0]; there would be [")
+    assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached: not with confdata [1,1,1,0]; reachable with [")
     assert message.endswith("; likewise t.mod:8:1, t.mod:9:1, t.mod:10:1, t.mod:11:1 and 2 more")
     again = rapid("FOR i FROM 1 TO 3 DO\nMoveJ p_c, v500, fine, tool0;\nENDFOR", data=data)
     assert "likewise" not in str(said(again, plant_without_rail(), AS_WRITTEN))
@@ -219,7 +219,7 @@ def test_a_program_can_be_done_where_the_user_lets_the_bad_motion_go() -> None:
 def test_one_of_the_listed_confdata_passes() -> None:
     plant = plant_with_rail()
     wrong = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf="1,1,1,0", eax="500"))
-    first = str(said(wrong, plant, AS_WRITTEN)).split("there would be [")[1].split("]")[0]
+    first = str(said(wrong, plant, AS_WRITTEN)).split("reachable with [")[1].split("]")[0]
     right = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf=first, eax="500"))
     assert check_feasible(right, plant, Target.STREAM, AS_WRITTEN) is None
 

@@ -69,7 +69,7 @@ def test_an_unreachable_pose_says_why() -> None:
 
 def test_configurations_to_be_had_are_listed_the_least_turned_first() -> None:
     (found,) = findings(to([0, 0, 0, 0, 90, 0], conf=ConfData(0, 0, 1, 0)))
-    assert found.message.startswith("MoveJ p cannot be reached in confdata [0,0,1,0]; there would be [0,0,0,0], [")
+    assert found.message.startswith("MoveJ p cannot be reached in confdata [0,0,1,0]; reachable with [0,0,0,0], [")
     assert found.message.endswith(" more")
     assert found.reachable[0] == ConfData(0, 0, 0, 0)
 

@@ -29,7 +29,7 @@ def test_passed_and_stopped_by_the_index_of_the_motion() -> None:
         "2 fly-by points are passed in corners: cycle times of programs with corners are for parabolic corners",
         "2 fly-by points are stops: a wait follows (1), no move follows (1)",
     ]
-    said = "the stream plan stops at 1 of them: joint moves between stops need not be straight"
+    said = "the stream plan stops at 1 of them: joint moves between stops may bend"
     assert said in fly_bys_told(found, {Target.STREAM: {1}, Target.RAPID: {0, 1}})
 
 

@@ -331,7 +331,7 @@ def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, me
 def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
     assert error_main("Glue p,s,g;") == (
         "m.mod:3:1: Glue is neither a procedure of the files read nor a known instruction; give the file "
-        "that declares it, or take it as doing nothing: the line 'stubs: [Glue]' in the cell file"
+        "that declares it, or ignore it: the line 'stubs: [Glue]' in the cell file"
     )
     assert error_main("WaitTime Guess();") == (
         "m.mod:3:10: Guess is neither a function of the files read nor a known function; "

@@ -330,7 +330,7 @@ def test_predefined_variables_may_be_changed_and_errors_may_not() -> None:
 LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' globals and the predefined data)"
 FILE = "Else give the file that declares it"
 NEITHER = "is neither a procedure of the files read nor a known instruction"
-STUB = "give the file that declares it, or take it as doing nothing: the line 'stubs: [{}]' in the cell file"
+STUB = "give the file that declares it, or ignore it: the line 'stubs: [{}]' in the cell file"
 
 
 @pytest.mark.parametrize(

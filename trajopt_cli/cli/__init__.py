@@ -50,7 +50,7 @@ app = typer.Typer(
     rich_markup_mode=None,  # plain help: rich would double the time to the first line
     pretty_exceptions_enable=False,
 )
-app.command("optimize", short_help="PROGRAM in, faster judged motion out.")(optimize.optimize)
+app.command("optimize", short_help="Optimise a program and check the result.")(optimize.optimize)
 app.add_typer(compare.app, name="compare")
 app.command("sensitivity", short_help="What to change first: seconds per limit, speed, wait, place.")(
     sensitivity.sensitivity

@@ -273,11 +273,11 @@ def rapid(
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
-    said, written = list[str](), list[str]()
+    said, written, what = list[str](), list[str](), f"RAPID plan, {files.cycle:.3f} s"
     if output is not None:
         write_together({path: one.content for path, one in zip(places, files.modules, strict=True)})
         for path in places:
-            said.append(f"{path}: the rapid plan")
+            said.append(f"wrote {path} ({what})")
             written.append(str(path))
     if in_place:
         tidied(one.path for one in files.modules)
@@ -286,9 +286,9 @@ def rapid(
             if one.given is None:
                 said.append(f"{one.path}: a new module; load it with the program")
             elif one.path in backups:
-                said.append(f"{one.path}: the rapid plan; as it was: {backups[one.path].name}")
+                said.append(f"wrote {one.path} ({what}); original in {backups[one.path].name}")
             else:
-                said.append(f"{one.path}: stays as it is")
+                said.append(f"{one.path}: unchanged")
                 continue
             written.append(str(one.path))
         if any(one.given is None for one in files.modules):

@@ -65,7 +65,7 @@ TimeLimit = Annotated[
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the result in a line, and warnings; no progress.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="One-line result; no progress.")]
 
 
 def patience_of(time_limit: float | None) -> Patience:

@@ -39,7 +39,7 @@ def levers_table(
             "" if row.gain is None else f"{100 * row.gain / cycle:.2f} %",
             "-" if row.first_order is None else f"{row.first_order:.4f}",
             *(("" if row.searched is None else f"{row.searched:.4f}",) if search else ()),
-            row.why or (_APART if row.apart else "" if row.felt else "binds nowhere"),
+            row.why or (_APART if row.apart else "" if row.felt else "not limiting"),
         )
     return table
 
@@ -50,15 +50,14 @@ def rest_lines(rows: Sequence[Row], cycle: float, again: float, everything: bool
         yield f"solved again with nothing changed the plan takes {again:.3f} s: savings count from there"
     if any(row.apart for row in rows if everything or row.best > WORTH):
         yield (
-            f"{_APART} first order is more than {100 * APART:g} % off. It is exact for small changes only, and of runs "
-            "with one progress for all axes it keeps the course: on the way another limit takes over, the rail is "
-            "shifted, or a corner takes another size"
+            f"{_APART} linear estimate off by more than {100 * APART:g} %: along the step another limit takes "
+            "over, the rail moves, or a corner changes its size"
         )
     if everything:
         return
     asleep = [row.lever.name for row in rows if not row.felt]
     if asleep:
-        yield f"bind nowhere, so that more of them saves nothing: {', '.join(asleep)}"
+        yield f"not limiting, raising these saves nothing: {', '.join(asleep)}"
     little = [row.lever.name for row in rows if row.felt and row.gain is not None and 0 <= row.best <= WORTH]
     if little:
         yield f"save a millisecond at most: {', '.join(little)}"

@@ -209,7 +209,7 @@ def ways_told(detours: Mapping[Target, Sequence[Detour]]) -> dict[int, str]:
 
 
 def findings_table(name: str, report: Report, everything: bool) -> Table:
-    """The judge's legality checks: of every check the case nearest to its limit, or all cases."""
+    """The judge's legality checks: the tightest case of each check, or all cases."""
     return _findings(f"{name}: legality", report.findings, everything)
 
 

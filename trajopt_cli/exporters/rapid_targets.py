@@ -218,9 +218,12 @@ class Targets:
             name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
         literal.versions[key] = name
         if not suffix:
-            note = f"{move.target} gets other values here; {name} is declared beside it"
+            now = self.as_written(move)
+            others = ["rail position"] * (wish.rail != now.rail)
+            others += ["configuration"] * (wish.conf not in (None, now.conf))
+            note = f"{move.target} needs another {' and '.join(others)} here: {name}"
             variable = move.written.declaration is not None and self._storage(move.written.declaration) != "CONST"
-            note += f", and does not follow {move.target} if it changes" if variable else ""
+            note += f", which does not follow {move.target} if it changes" if variable else ""
             self.notes.append(ProgramWarning(WarningKind.CHANGED, note, move.source))
         return name
 

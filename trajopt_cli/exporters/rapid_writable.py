@@ -299,8 +299,8 @@ class _Text:
                 remedy = "declared targets of their own would free them, or --loops unroll"
                 return "cannot be edited without moving others", remedy
             if runs > 1:
-                remedy = "a statement of its own for each time would free them, or --loops unroll"
-                return f"run {runs} times in one loop or routine", remedy
+                remedy = "one statement per pass would free them, or --loops unroll"
+                return f"run {runs} times with different values", remedy
         return _why_kept(move, runs, thing, span in self.scopes.compact)
 
 
@@ -308,11 +308,11 @@ def _why_kept(move: Move, runs: int, thing: str | None, compact: bool) -> tuple[
     """Why a move stays as programmed, and what would free it."""
     often = f"run {runs} times" if runs > 1 else ""
     if thing == "endless_passes" or (runs > 1 and thing is None):
-        why = f"{often} in one loop or routine" if often else "hang on endless_passes"
-        return why, "a statement of its own for each time would free them, for an endless loop endless_passes: 1"
+        why = f"{often} with different values" if often else "depend on endless_passes"
+        return why, "one statement per pass would free them, for an endless loop endless_passes: 1"
     if thing is not None:
-        both = " and ".join(part for part in (often, f"hang on {thing}") if part)
-        return both, "a statement with a declared target, for each time it runs, would free them"
+        both = " and ".join(part for part in (often, f"depend on {thing}") if part)
+        return both, "one statement with a declared target per pass would free them"
     if compact:
         return "are part of an IF without THEN", "IF ... THEN ... ENDIF would free them"
     return "cannot be edited without moving others", "declared targets of their own would free them"

@@ -201,7 +201,7 @@ class _Attempt:
             self._notes.append(ProgramWarning(WarningKind.NEW_MODULE, "a new module; load it with the program", path))
         if self._monitored:
             more = f" and {len(self._monitored) - 1} more" if len(self._monitored) > 1 else ""
-            what = "the nearest configuration is not the planned one, so confdata is switched on for the move"
+            what = "ConfJ \\On added: the plan needs a configuration other than the nearest"
             self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{self._monitored[0]}{more}"))
         notes = dict.fromkeys((*self._notes, *self._targets.notes))  # passes of one statement say the same
         return RapidExport(self._edits.result(), (*notes,), new)

@@ -535,7 +535,7 @@ def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: fl
     nearest = sorted(confs, key=away)
     text = ", ".join(_written(conf) for conf in nearest[:_LISTED])
     more = f" and {len(nearest) - _LISTED} more" if len(nearest) > _LISTED else ""
-    return f"not{'' if asked is None else f' with confdata {_written(asked)}'}; there would be {text}{more}"
+    return f"not{'' if asked is None else f' with confdata {_written(asked)}'}; reachable with {text}{more}"
 
 
 def _written(conf: tuple[int, ...]) -> str:

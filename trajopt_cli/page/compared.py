@@ -77,10 +77,10 @@ def compared_page(
         said = "".join(
             judged(row.name, one.report, False) for row, one in zip(moving, shown, strict=True) if one.report
         )
-        sections.append(Section("judge", "Judge", said, "Of every check of each row the case nearest to its limit."))
+        sections.append(Section("judge", "Judge", said, "Tightest case of each check, row by row."))
     sure = doubts(plant.notes, plant.unchecked, notices, ()) + limits(plant)
     sections += [
-        Section("trust", "How sure", sure, f"What is estimated, what nobody looked at. {GRADES}"),
+        Section("trust", "Assumptions", sure, f"Estimated, unchecked and assumed. {GRADES}"),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
     head = _head(title, plant, moving, at_first)

@@ -75,9 +75,9 @@ def optimised_page(
         ),
         Section(
             "trust",
-            "How sure",
+            "Assumptions",
             doubts(plant.notes, plant.unchecked, warnings, notes) + limits(plant),
-            f"What is estimated, what nobody looked at, what was assumed. {GRADES}",
+            f"Estimated, unchecked and assumed. {GRADES}",
         ),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]

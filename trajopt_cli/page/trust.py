@@ -16,7 +16,7 @@ GRADES = "Grades: A several sources agree, B one good source, C a weak one or in
 
 
 def judged(name: str, report: Report, opened: bool) -> str:
-    """The verdict and, of every check, the case nearest to its limit. opened: as the page is first shown."""
+    """The verdict and the tightest case of each check. opened: as the page is first shown."""
     bad = sum(not one.passed for one in report.findings)
     word, kind = ("legal", "good") if report.legal else (f"not legal: {bad} checks failed", "bad")
     rows = []
@@ -64,7 +64,7 @@ def limits(plant: Plant) -> str:
 
 
 def doubts(lines: Sequence[str], unchecked: Sequence[str], warnings: Sequence[str], notes: Sequence[str]) -> str:
-    """What is estimated, what nobody looked at, what is assumed; what the plans changed in the program."""
+    """Estimated, unchecked and assumed; what the plans changed in the program."""
     parts = (
         ("Limits", lines),
         ("Not checked", unchecked),

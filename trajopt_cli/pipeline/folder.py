@@ -31,14 +31,15 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class RapidFiles:
     """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
-    difference: the same to read. kept: what the plan had to leave as programmed, and why. ways: which moves go around
-    what, a line each.
+    difference: the same to read. kept: what the plan had to leave as programmed, and why. cycle: of the rapid plan [s].
+    ways: which moves go around what, a line each.
     """
 
     modules: tuple[RapidModule, ...]
     patch: bytes
     difference: str
     kept: tuple[str, ...]
+    cycle: float
     ways: tuple[str, ...] = ()
 
 
@@ -106,9 +107,12 @@ def rapid_export(folder: Path) -> RapidFiles:
             except UnicodeDecodeError as error:
                 why = f"byte {error.start} of the optimised {one.place} is no {given[path].encoding}, as the program is"
                 raise InputError(f"{why}; make the folder again", file=str(folder)) from error
-    lines = (_way_line(way, results.motions[Target.RAPID]) for way in results.ways[Target.RAPID])
+    rows = results.motions[Target.RAPID]
+    cycle = max((row.start_s + row.time_s for row in rows), default=0.0)
+    lines = (_way_line(way, rows) for way in results.ways[Target.RAPID])
     ways = tuple(dict.fromkeys(lines))  # passes of one text say the same
-    return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept, ways)
+    difference = unified_diff(given, texts, new)
+    return RapidFiles(results.rapid, patch(given, texts, new), difference, results.kept, cycle, ways)
 
 
 def _way_line(way: DetourRow, motions: Sequence[MotionRow]) -> str:

@@ -414,7 +414,7 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
         yield f"{passed} {points}: {PARABOLIC}"
         for target, moving in (plans or {}).items():
             if stops := sum(index not in moving for index in corners.passed):
-                why = "joint moves between stops need not be straight"
+                why = "joint moves between stops may bend"
                 yield f"the {target.value} plan stops at {stops} of them: {why}"
         if joint := sum(zone.joint for zone in corners.passed.values()):
             yield f"joint interpolated, as tool or work object change: {joint} of {passed} corners"

@@ -336,7 +336,7 @@ class _Laws:
     def why(self, no: NotConverged | NotDriven) -> str:
         """In words."""
         if isinstance(no, NotDriven) and no.least is not None:
-            return "what the plan does in a wait or in a programmed time takes longer than it would have"
+            return "no shorter: the rail move needs this wait or programmed time"
         return "a run of the plan cannot be driven so"
 
     def _on_course(self, before: _Motion, after: _Motion) -> float:

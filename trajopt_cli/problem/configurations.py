@@ -355,7 +355,7 @@ def _not_as_written(
     listed = ", ".join(shown(conf) for conf in others[:_LISTED])
     more = f" and {len(others) - _LISTED} more" if len(others) > _LISTED else ""
     text = (
-        f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; there would be {listed}{more}"
+        f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; reachable with {listed}{more}"
     )
     if along is not None and along.whole:
         leads = confdata(plant.robot, along.end)

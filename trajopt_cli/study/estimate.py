@@ -146,8 +146,8 @@ def doubts(answer: Estimate) -> Iterator[str]:
         yield f"guesses: {names}; they hold back {share:.3f} s of {answer.driven:.3f} s of motion"
     if answer.corners:
         yield (
-            f"a guess too: how {answer.corners} fly-by{'s are' if answer.corners > 1 else ' is'} rounded; driven as "
-            "parabolas inside their zones, controllers publish no other"
+            f"also assumed: parabolic corners at {answer.corners} fly-by{'s' if answer.corners > 1 else ''}; "
+            "controllers publish no other shape"
         )
     if answer.stops:
         yield f"{answer.stops} programmed fly-by{'s are' if answer.stops > 1 else ' is'} driven as stops here"
