@@ -17,6 +17,7 @@ import argparse
 import json
 import multiprocessing
 import os
+import sys
 import tempfile
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -29,6 +30,9 @@ from time import process_time
 from typing import Any
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # timing.toppra_law
+from timing.toppra_law import fastest_law
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.graph_search.ik_tables import IkTable, station_table
@@ -43,8 +47,8 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.rows import Piece, hold, rows_of
 from trajopt_cli.study.rows import apart as apart_enough
-from trajopt_cli.timing.law import TimeLaw, fastest_law
 from trajopt_cli.timing.point_to_point import point_to_point
+from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import Trajectory, hermite
 

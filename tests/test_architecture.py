@@ -84,9 +84,9 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "platformdirs": ("native/*",),
     "pinocchio": ("robot/*", "judge/geometry.py", "judge/mechanism.py"),
     "coal": ("proximity/*",),
-    "toppra": ("timing/*",),
+    "toppra": ("judge/libraries.py",),
     "qdldl": ("nlp/interior_point.py",),
-    "ruckig": ("timing/*",),
+    "ruckig": ("timing/*", "judge/libraries.py"),
     "scipy": (
         "adopt/*",
         "bound/*",
@@ -101,6 +101,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
         "iiwa/controller/*",
         "iiwa/task/arm_plan.py",
         "report/obstacles.py",
+        "judge/libraries.py",
     ),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
@@ -288,8 +289,6 @@ APART: dict[str, tuple[str, ...]] = {
     "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
     "print_resolution": ("Digits",),
     "sheet": ("TIME", "TIMES", "Head", "Sheet", "missing_rows"),
-    "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
-    "timing.topp": ("shortest_time",),
 }
 # Meshes are read into the plant, where the judge finds them, and looked into by proximity.pair.
 MESHES = "proximity.meshes"
@@ -430,8 +429,8 @@ def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() ->
         ("motion", "from trajopt_cli.geometry import rotation_about", "geometry.rotation_about computes"),
         ("findings", "from trajopt_cli import trajectory", "trajectory. computes"),
         ("proximity.pair", "from trajopt_cli.robot.chain import pin_model", "the judge reaches robot.chain"),
-        ("timing.topp", "import casadi", "casadi is out of the judge's reach"),
-        ("plan.solve", "from trajopt_cli.timing.topp import x", "judge and optimiser both reach timing.topp"),
+        ("joint_csv", "import casadi", "casadi is out of the judge's reach"),
+        ("plan.solve", "from trajopt_cli.joint_csv import x", "judge and optimiser both reach joint_csv"),
         ("problem", "from trajopt_cli.robot.model import RobotModel", "the judge reaches robot.model"),
     ],
 )

@@ -104,7 +104,7 @@ def test_moves_at_a_tcp_cap_get_no_advice() -> None:
 
 def test_joint_move_generator_is_the_straight_time() -> None:
     """The generator itself, against ruckig: without TCP caps its profile is the straight one."""
-    from trajopt_cli.timing.point_to_point import straight_rest_to_rest
+    from trajopt_cli.judge.libraries import straight_rest_to_rest
 
     plant = replace(plant_with_rail(), tcp=TcpCaps(1e3, 1e6))
     q_1 = plant.start + np.array([0.1, 0.05, 0.02, -0.01, 0, 0.03, 0])

@@ -20,7 +20,6 @@ from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.robot.inverse import confdata_admits, inverse, solutions
 from trajopt_cli.scenario import Scenario
-from trajopt_cli.timing import point_to_point
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 RAIL = """
@@ -104,18 +103,6 @@ def test_the_rail_alone_takes_its_rest_to_rest_time_while_the_arm_stands(tmp_pat
         np.testing.assert_allclose(move.X_WT_1[:3, 3], np.add(HOME, [0, move.rail_1, 0]), atol=1e-12)
         assert move.v_tcp == 0.0
         assert not move.velocity.any()
-
-
-def rest_to_rest(way: float, v: float, a: float) -> float:
-    return point_to_point.rest_to_rest(np.zeros(1), np.array([way]), np.array([v]), np.array([a]))
-
-
-@pytest.mark.parametrize(("way", "v", "a"), [(1.5, 1.0, 2.0), (0.5, 1.0, 2.0), (0.4, 1.0, 2.0), (3.0, 0.2, 7.0)])
-def test_rest_to_rest_covers_its_way(way: float, v: float, a: float) -> None:
-    """The area under the speed, summed finely: full acceleration up, at most v, and down in time."""
-    t = (np.arange(200_000) + 0.5) / 200_000 * rest_to_rest(way, v, a)
-    speed = np.minimum(np.minimum(a * t, v), a * (rest_to_rest(way, v, a) - t))
-    assert float(speed.mean()) * rest_to_rest(way, v, a) == pytest.approx(way, rel=1e-9)
 
 
 def test_where_arm_and_rail_both_move_the_slower_decides(tmp_path: Path) -> None:

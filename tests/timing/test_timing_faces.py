@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 from ruckig import InputParameter, Ruckig, Synchronization, Trajectory
 
-from trajopt_cli.geometry import Array
-from trajopt_cli.timing.law import TimeLaw, fastest_law
-from trajopt_cli.timing.point_to_point import point_to_point, rest_to_rest, straight_rest_to_rest
-from trajopt_cli.timing.topp import shortest_time
+from trajopt_cli.judge.libraries import rest_to_rest, shortest_time, straight_rest_to_rest
+from trajopt_cli.timing.point_to_point import point_to_point
 
 
 def trapezoid_time(way: float, v: float, a: float) -> float:
@@ -106,51 +104,3 @@ def test_slowing_a_move_down_scales_its_derivatives() -> None:
     for power, (fast_x, slow_x) in enumerate(zip(move.at(t), slow.at(1.5 * t), strict=True)):
         np.testing.assert_allclose(slow_x, fast_x / 1.5**power, atol=1e-12)
     assert slow.switches == pytest.approx(move.switches * 1.5)
-
-
-def law_along(slope: Array, v: Array, a: Array, rate_0: float = 0.0, rate_1: float = 0.0) -> TimeLaw | None:
-    """The fastest law on a straight path of length 1."""
-    s = np.linspace(0, 1, 401)
-    sides = np.tile(slope / a, (400, 1)), np.zeros((400, len(slope)))
-    return fastest_law(s, np.full(401, np.min(v / np.abs(slope))), sides, sides, rate_0, rate_1)
-
-
-def test_the_time_law_on_a_straight_path_is_the_trapezoid() -> None:
-    law = law_along(np.array([1.0, -0.5]), np.array([0.8, 0.25]), np.array([2.0, 5.0]))
-    assert law is not None
-    assert law.duration == pytest.approx(trapezoid_time(1.0, 0.5, 2.0), rel=1e-4)
-    t = np.linspace(0, law.duration, 200)
-    s, rate, bend = law.at(t)
-    ramp = np.minimum(t, law.duration - t)
-    np.testing.assert_allclose(rate, np.minimum(0.5, 2.0 * ramp), atol=2e-3)
-    np.testing.assert_allclose(np.gradient(s, t)[1:-1], rate[1:-1], atol=1e-2)
-    assert s[-1] == 1.0
-    assert np.abs(bend).max() <= 2.0 * (1 + 1e-6)
-    assert law.slowed(2.0).duration == pytest.approx(2 * law.duration)
-    np.testing.assert_allclose(law.at(law.times)[0], law.s, atol=1e-12)
-
-
-def test_a_bend_that_jumps_is_kept_on_both_sides() -> None:
-    """y' = s^2/2 up to 1, (2 - s)^2/2 from there, only |y' u + y'' x| <= 1; y'' grows to 1 and jumps to -1.
-
-    On a coarse grid, so that an interval's end is not its begin: kept exactly at both ends of every interval.
-    """
-
-    def y(place: Array, after: Array) -> tuple[Array, Array]:
-        return np.where(after, (2 - place) ** 2 / 2, place**2 / 2), np.where(after, place - 2, place)
-
-    s = np.linspace(0.4, 1.6, 25)
-    after = s[:-1] > 1 - 1e-9
-    begins, ends = y(s[:-1], after), y(s[1:], after)
-    law = fastest_law(
-        s, np.full(25, 10.0), (begins[0][:, None], begins[1][:, None]), (ends[0][:, None], ends[1][:, None]), 1.0, 1.0
-    )
-    assert law is not None
-    bend = np.diff(law.rates**2) / (2 * np.diff(s))
-    used = [y_1 * bend + y_2 * law.rates[part] ** 2 for (y_1, y_2), part in ((begins, slice(24)), (ends, slice(1, 25)))]
-    assert np.abs(used).max() <= 1 + 1e-6
-    assert (np.abs(used).max(axis=0) > 1 - 1e-4).mean() > 0.9
-
-
-def test_a_law_that_cannot_be_is_none() -> None:
-    assert law_along(np.ones(1), np.ones(1), np.ones(1), rate_1=5.0) is None

@@ -15,14 +15,13 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.judge.geometry import Line, lengths
+from trajopt_cli.judge.libraries import rest_to_rest, shortest_time, straight_rest_to_rest
 from trajopt_cli.judge.program_points import obeys_programmed_speed
 from trajopt_cli.judge.samples import Rows
 from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import REST_JOINT
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL
-from trajopt_cli.timing.point_to_point import rest_to_rest, straight_rest_to_rest
-from trajopt_cli.timing.topp import shortest_time
 
 TIGHT_LINE = 0.002
 """Share of a line's time that TOPP-RA may still shave off a line called tight: its own discretisation, seen as

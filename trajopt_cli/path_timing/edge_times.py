@@ -34,7 +34,7 @@ from trajopt_cli.settings import (
     SLACK,
 )
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
-from trajopt_cli.timing.retiming import fastest_laws
+from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes
 
 _SAME = 1e-9  # m between rail positions that are one

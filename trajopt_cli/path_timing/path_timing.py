@@ -31,8 +31,7 @@ from trajopt_cli.settings import (
     TOOL_DIRECTIONS,
     WAITED,
 )
-from trajopt_cli.timing.law import TimeLaw
-from trajopt_cli.timing.retiming import fastest_laws
+from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import Ratios
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces

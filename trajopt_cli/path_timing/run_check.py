@@ -18,7 +18,7 @@ from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.settings import ALONG_LOOKS, CHECKED, CORNER_LOOKS, COURSE_LOOKS
-from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, ratios_of
 from trajopt_cli.trajectories.leg_trajectories import Sample, on_ways

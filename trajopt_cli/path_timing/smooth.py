@@ -18,7 +18,7 @@ from trajopt_cli.path_timing.path_timing import limits
 from trajopt_cli.path_timing.sampled_path import course_of
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
-from trajopt_cli.timing.soft_move import SoftMove, soft_move
+from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
@@ -58,14 +58,14 @@ def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
     V, A = axes.velocity_on(leg) * SAFE, axes.acceleration_on(leg) * SAFE
     soft = 1.0
     for _ in range(_ATTEMPTS):
-        move = soft_move(q[k], q[k + 1], V, A * soft, jerk * SAFE_JERK * soft)
+        move = point_to_point(q[k], q[k + 1], V, A * soft, jerk * SAFE_JERK * soft)
         if _apart(move):
             break
         soft *= 1 - 1e-3
     else:
         return None
     grid = _grid(move)
-    at, rates = move.at(grid * move.duration)
+    at, rates, _ = move.at(grid * move.duration)
     at[-1], rates[-1] = q[k + 1], 0.0
     v = rates * move.duration
     motion = JointNodes(move.duration, grid, at, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
@@ -92,7 +92,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
         soft = 1.0
         for _ in range(_ATTEMPTS):
             v, a, j = (caps * shares * np.array([1.0, soft, soft]))[:, None]
-            move = soft_move(np.zeros(1), np.array([L]), v, a, j)
+            move = point_to_point(np.zeros(1), np.array([L]), v, a, j)
             if _apart(move):
                 break
             soft *= 1 - 1e-3
@@ -126,11 +126,11 @@ _WAYS = [way for way in product((-1, 0, 1), repeat=3) if sum(map(abs, way)) == 1
 
 
 def _driven(
-    axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int], move: SoftMove, L: float
+    axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int], move: PointToPoint, L: float
 ) -> PathLeg | JointNodes:
     """Leg k with all axes on one profile over the way L."""
     leg, T, grid = problem.legs[k], move.duration, _grid(move)
-    at, rates = move.at(grid * T)
+    at, rates, _ = move.at(grid * T)
     s, v = at[:, 0] / L, rates[:, 0] * T / L
     s[0], s[-1], v[0], v[-1] = 0.0, 1.0, 0.0, 0.0
     a = np.diff(v) / np.diff(grid)
@@ -145,7 +145,7 @@ def _driven(
     )  # fmt: skip
 
 
-def _grid(move: SoftMove) -> Array:
+def _grid(move: PointToPoint) -> Array:
     """Its switches in scaled time."""
     times = move.switches / move.duration
     grid = times[np.concatenate([[True], np.diff(times) > SWITCHES_APART / 2 / move.duration])]
@@ -153,7 +153,7 @@ def _grid(move: SoftMove) -> Array:
     return grid
 
 
-def _apart(move: SoftMove) -> bool:
+def _apart(move: PointToPoint) -> bool:
     """Whether no two switches nearly but not quite coincide."""
     gaps = np.diff(move.switches)
     return not np.any((gaps > 1e-12) & (gaps < SWITCHES_APART))

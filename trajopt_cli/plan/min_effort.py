@@ -28,7 +28,7 @@ from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.settings import EASE_NODES, EASE_ROUNDS, SAFE, SAFE_JERK, SWEEP_GAIN
-from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_legs
 from trajopt_cli.trajectories.effort import efforts

@@ -16,7 +16,7 @@ from trajopt_cli.path_timing.path_timing import Shares, in_force, law_of
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.settings import BARRIER_REFINED, MOST_ITERATIONS, SHARP
-from trajopt_cli.timing.law import TimeLaw
+from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 
 _SPARE = 1e-4  # share of a law's time that is left before a gentler one is looked for

@@ -20,7 +20,7 @@ from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, Program, SignalE
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.timing.point_to_point import rest_to_rest
+from trajopt_cli.timing.double_integrator import trapezoid_time
 
 _STANDS = 1e-9  # m or rad: less is rounding of poses and no motion
 _GAUSS = 64  # places at which an arc's length is summed up
@@ -204,7 +204,7 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     else:
         _time(motion, way, motion.speed.v_leax, "speed of linear external axes")
         top, a_rail = plant.limits.velocity[plant.layout.rail], plant.limits.acceleration[plant.layout.rail]
-        t_rail = rest_to_rest(np.zeros(1), np.array([way]), np.minimum(motion.speed.v_leax, top), a_rail)
+        t_rail = float(np.max(trapezoid_time(way, np.minimum(motion.speed.v_leax, top), a_rail)))
     return StepMove(
         index, motion.source, X_BT_0, X_BT_1, X_WT_0, X_WT_1, *rail,
         length=length, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail, seen=seen, real=real,

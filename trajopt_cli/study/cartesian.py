@@ -20,6 +20,7 @@ kinematics of all that. Joint limits play no part in it: as a rule the result is
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, pairwise
@@ -32,10 +33,10 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.along_course import ridden
-from trajopt_cli.study.bang_bang import AxisMotion, bang_bang, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
 from trajopt_cli.study.legs import BaselineLeg, BaselineLegKind, JointsOnLine, LegLimits, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
+from trajopt_cli.timing.point_to_point import PointToPoint, bang_bang
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
 _POINT = 1e-9  # m, rad: no way at all
@@ -193,23 +194,23 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
     leg = move.leg
     if leg.kind is BaselineLegKind.HOLD:
         return hold(leg.q_0, leg.lasts)
-    task = 0.0, begin[1], move.way, end[0], move.v_max, move.a_max
-    T = common_time(*task)
+    task = move.way, begin[1], end[0], move.v_max, move.a_max
+    motion = bang_bang(*task)
     if leg.duration is not None:
-        if leg.duration * (1 + 1e-9) < T:
-            return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {T:.4f} s")
-        T = max(T, leg.duration)
-    motion = in_time(*task, T)
+        if leg.duration * (1 + 1e-9) < motion.duration:
+            return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {motion.duration:.4f} s")
+        motion = bang_bang(*task, max(motion.duration, leg.duration))
+    fastest = motion.duration
     for attempt in range(1, _ATTEMPTS):
-        if leg.duration is not None or apart(_switches(motion)):
+        if leg.duration is not None or apart(motion.switches):
             break
-        motion = in_time(*task, T + attempt * LONGER)
-    duration = float(motion.duration.max())
+        with suppress(ValueError):  # a time that an axis cannot take
+            motion = bang_bang(*task, fastest + attempt * LONGER)
     if leg.kind is BaselineLegKind.LINE:
-        return Piece(duration, _switches(motion), partial(_on_line, JointsOnLine.of(plant, leg), move, motion))
-    space = _Space(plant, move, motion, duration, _branch(plant, leg))
-    refused = space.refusal()
-    return refused or Piece(duration, _switches(motion), space.at)
+        on_line = partial(_on_line, JointsOnLine.of(plant, leg), move, motion)
+        return Piece(motion.duration, motion.switches, on_line)
+    space = _Space(plant, move, motion, _branch(plant, leg))
+    return space.refusal() or Piece(motion.duration, motion.switches, space.at)
 
 
 def _caps(plant: Plant, leg: BaselineLeg) -> LegLimits:
@@ -223,27 +224,15 @@ def _caps(plant: Plant, leg: BaselineLeg) -> LegLimits:
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, _: float | None) -> Piece:
-    motion = bang_bang(0.0, v_0, way, v_1, v, a)
-
-    def at(t: Array) -> tuple[Array, Array]:
-        s, rate, _ = motion.at(t)
-        return s, rate
-
-    return Piece(float(motion.duration), np.unique(motion.switches), at)
+    D, begin, end, V, A = (np.array([x]) for x in (way, v_0, v_1, v, a))
+    motion = bang_bang(D, begin, end, V, A)
+    return Piece(motion.duration, motion.switches, lambda t: (motion.at(t)[0][:, 0], motion.at(t)[1][:, 0]))
 
 
-def _switches(motion: AxisMotion) -> Array:
-    """All switches of axes that move; the ends are those of the move."""
-    moving = np.any(motion.accelerations * motion.phases != 0, axis=1) | (motion.v_0 != 0)
-    times = motion.switches[moving] if moving.any() else motion.switches[:1]
-    times = np.minimum(times, motion.duration.max())
-    return np.unique(np.r_[0.0, times.ravel(), motion.duration.max()])
-
-
-def _on_line(line: JointsOnLine, move: _Move, motion: AxisMotion, t: Array) -> tuple[Array, Array]:
-    s, v, _ = motion.at(t)
-    q = line.positions(np.clip(s[0] / move.way[0], 0.0, 1.0))
-    return q, line.slopes(q) * (v[0] / move.way[0])[:, None]
+def _on_line(line: JointsOnLine, move: _Move, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
+    s, v, _ = (x / move.way for x in motion.at(t))
+    q = line.positions(np.clip(s[:, 0], 0.0, 1.0))
+    return q, line.slopes(q) * v
 
 
 def _branch(plant: Plant, leg: BaselineLeg) -> int:
@@ -261,62 +250,55 @@ class _Space:
 
     plant: Plant
     move: _Move
-    motion: AxisMotion
-    duration: float
+    motion: PointToPoint
     cfx: int
+
+    def tool(self, s: Array) -> Array:
+        """TCP poses (n, 4, 4) as if the rail stood at 0, at places s (n, 5) of the axes."""
+        X_0 = self.move.X_0
+        return pose(X_0[:3, :3] @ rotation_about(self.move.turn_axis, s[:, 3]), X_0[:3, 3] + s[:, :3])
 
     def arm(self, t: Array) -> Array:
         """Arm joints (n, m) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
-        s = self.motion.at(t)[0]
-        X_0 = self.move.X_0
-        X_BT = pose(X_0[:3, :3] @ rotation_about(self.move.turn_axis, s[3]), X_0[:3, 3] + s[:3].T)
-        X_BF = X_BT @ inverse_pose(self.move.leg.X_FT)
-        robot = self.plant.robot
+        robot, leg = self.plant.robot, self.move.leg
+        X_BF = self.tool(self.motion.at(t)[0]) @ inverse_pose(leg.X_FT)
         found = robot.branches(X_BF, np.zeros(len(t)))[:, self.cfx]
-        return np.unwrap(np.vstack([self.move.leg.q_0[robot.layout.arm], found]), axis=0)[1:]
+        return np.unwrap(np.vstack([leg.q_0[robot.layout.arm], found]), axis=0)[1:]
 
     def at(self, t: Array) -> tuple[Array, Array]:
         """Axes and their speeds (n, k) at times (n,)."""
-        dense = np.union1d(t, np.arange(0.0, self.duration, _STEP))  # for the turns, should rows be few
+        dense = np.union1d(t, np.arange(0.0, self.motion.duration, _STEP))  # for the turns, should rows be few
         arm = self.arm(dense)[np.searchsorted(dense, t)]
         s, v, _ = self.motion.at(t)
         robot, leg = self.plant.robot, self.move.leg
-        q = robot.layout.join(robot.layout.place(leg.q_0) + s[4], arm)
-        axis_W = self.move.X_0[:3, :3] @ self.move.turn_axis
-        V = np.vstack([v[:3], axis_W[:, None] * v[3]]).T  # of the TCP, seen from the carriage
+        q = robot.layout.join(robot.layout.place(leg.q_0) + s[:, 4], arm)
+        V = np.hstack([v[:, :3], v[:, 3:4] * (self.move.X_0[:3, :3] @ self.move.turn_axis)])  # seen from the carriage
         # the pseudo-inverse has an answer at a singularity too
         qd = (np.linalg.pinv(robot.jacobian(q, leg.X_FT)[..., robot.layout.arm], rcond=1e-12) @ V[..., None])[..., 0]
-        return q, robot.layout.join(v[4], qd)
+        return q, robot.layout.join(v[:, 4], qd)
 
     def refusal(self) -> Infeasible | None:
         """Why the arm cannot follow, if so: the first place out of reach, or another configuration at the end."""
-        leg, robot = self.move.leg, self.plant.robot
-        t = np.r_[np.arange(0.0, self.duration, _STEP), self.duration]
+        leg, robot, T = self.move.leg, self.plant.robot, self.motion.duration
+        t = np.r_[np.arange(0.0, T, _STEP), T]
         arm = self.arm(t)
         lost = np.flatnonzero(np.isnan(arm).any(axis=1))
         if lost.size:
             i = int(lost[0])
-            s = self.motion.at(t[i : i + 1])[0][:, 0]
-            rail = float(robot.layout.place(leg.q_0) + s[4]) if robot.has_rail else None
-            X_BT = self.move.X_0 @ pose(rotation_about(self.move.turn_axis, s[3]), np.zeros(3))
-            X_BT[:3, 3] += s[:3]
-            X_WT = (
-                X_BT
-                if robot.rail_axis_W is None
-                else pose(X_BT[:3, :3], X_BT[:3, 3] + (rail or 0.0) * robot.rail_axis_W)
-            )
+            s = self.motion.at(t[i : i + 1])[0]
+            rail = float(robot.layout.place(leg.q_0) + s[0, 4]) if robot.has_rail else None
+            X_WT = self.tool(s)[0]
+            if robot.rail_axis_W is not None:
+                X_WT[:3, 3] += (rail or 0.0) * robot.rail_axis_W
             X_WF = X_WT @ inverse_pose(leg.X_FT)
             others = robot.solutions(X_WF, rail, self.plant.limits)
-            why = (
-                f"configuration {self.cfx} ends there"
-                if others
-                else robot.why_unreachable(X_WF, rail, self.plant.limits)
-            )
+            missing = robot.why_unreachable(X_WF, rail, self.plant.limits)
+            why = f"configuration {self.cfx} ends there" if others else missing
             x, y, z = X_WT[:3, 3] * 1e3
             where = "" if rail is None else f" at rail {rail * 1e3:.1f} mm"
             return leg.refusal(
-                f"leaves the workspace after {t[i]:.3f} of {self.duration:.3f} s, point [{x:.1f}, {y:.1f}, {z:.1f}]"
-                f" mm{where}: {why}"
+                f"leaves the workspace after {t[i]:.3f} of {T:.3f} s, point [{x:.1f}, {y:.1f}, {z:.1f}] mm"
+                f"{where}: {why}"
             )
         if np.abs(arm[-1] - leg.q_1[robot.layout.arm]).max() > _SAME:
             return leg.refusal(

@@ -30,7 +30,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule
 from trajopt_cli.study.practice import with_rail
-from trajopt_cli.timing.point_to_point import rest_to_rest
+from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.units import DEG
 
 _SAME = 1e-9  # m
@@ -187,10 +187,10 @@ def _arm_time(motion: MoveJ | MoveL | MoveC, X_before: Array, plant: Plant) -> f
     one axis along it."""
     speed = plant.tcp.speed if isinstance(motion, MoveJ) else min(plant.tcp.speed, motion.speed.v_tcp)
     if isinstance(motion, MoveC):
-        way = np.array([segment_of(motion, X_before).length])
-        return rest_to_rest(np.zeros(1), way, np.array([speed]), np.array([plant.tcp.acceleration]))
-    caps = np.full(3, speed), np.full(3, plant.tcp.acceleration)
-    return rest_to_rest(X_before[:3, 3], motion.X_WT[:3, 3], *caps)
+        ways: Array | float = segment_of(motion, X_before).length
+    else:
+        ways = np.abs(motion.X_WT[:3, 3] - X_before[:3, 3])
+    return float(np.max(trapezoid_time(ways, speed, plant.tcp.acceleration)))
 
 
 def _way(time: float, speed: float, acceleration: float) -> float:

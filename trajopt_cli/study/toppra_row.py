@@ -21,7 +21,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Attempt, Case
 from trajopt_cli.study.legs import BaselineLegKind, LegLimits, StopToStop, caps_in, fixed_rail, tool_rates, use_of
 from trajopt_cli.study.rows import Piece, apart, hold, lasting, rows_of
-from trajopt_cli.timing.law import TimeLaw, fastest_law
+from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectory import Trajectory, hermite
 
 STEP = 1e-3  # s of the plan between the points of TOPP-RA; every switch of the plan is one besides
@@ -186,7 +186,8 @@ def _fastest(path: _Path) -> TimeLaw | None:
         for i, (_, bend) in zip((0, -1), (begins, ends), strict=True)
     )
     for share in _RATES:
-        law = fastest_law(path.s, path.top, begins, ends, first * share, last * share)
+        rows = [(slope[None], bend[None]) for slope, bend in (begins, ends)]
+        law = fastest_laws(path.s, path.top[None], rows[0], rows[1], first * share, last * share).law(0)
         if law is not None and apart(law.times):
             return law
     return None

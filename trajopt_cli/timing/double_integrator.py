@@ -117,6 +117,23 @@ def cruise_profile(D: float, v0: float, v1: float, T: float, A: float) -> tuple[
     return breaks, np.array([np.sign(c - v0) * A, 0.0, np.sign(v1 - c) * A])
 
 
+def fastest_profile(D: float, v0: float, v1: float, V: float, A: float) -> tuple[Array, Array]:
+    """Break times (4,) and accelerations (3,) of the fastest profile over D with |v| <= V.
+
+    Full acceleration, if need be top speed, full acceleration the other way (Krotký 2014, eqs. 3.10 to 3.48).
+    """
+    ramp = (v0 + v1) / 2 * abs(v1 - v0) / A
+    squares = (v0 * v0 + v1 * v1) / 2
+    border = abs(D - ramp) <= 4 * np.finfo(float).eps * (abs(D) + squares / A)  # one ramp does it
+    sign = (1.0 if v0 <= v1 else -1.0) if border else 1.0 if ramp <= D else -1.0
+    faster = max(sign * v0, sign * v1)
+    top = faster if border else max(float(np.sqrt(max(sign * A * D + squares, 0.0))), faster)
+    peak = min(top, V)
+    cruise = max(sign * D - (peak * peak - squares) / A, 0.0) / V if top > V else 0.0
+    phases = [(peak - sign * v0) / A, cruise, (peak - sign * v1) / A]
+    return np.r_[0.0, np.cumsum(phases)], np.array([sign * A, 0.0, -sign * A])
+
+
 def gentlest_profile(D: float, v0: float, v1: float, T: float) -> tuple[Array, Array]:
     """The profile of duration T with the least acceleration: two ramps, no cruise. Breaks (4,), accelerations (3,)."""
     if T == 0.0:

@@ -1,4 +1,4 @@
-"""ruckig: the fastest motion between two points, every axis on its own."""
+"""The fastest motion between two points, every axis on its own: by Ruckig, or bang-bang in closed form."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.timing.double_integrator import cruise_profile, fastest_profile, shortest_time
 
 _BESIDE = 1 - 1e-12
+_SAME = 1e-13  # of a duration: two that differ by less are one
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,15 +93,6 @@ def point_to_point(
     return PointToPoint(float(found.duration), begins, q, qd, qdd, qddd)
 
 
-def rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> float:
-    """Least time [s] of k axes from q_0 (k,) to q_1, at rest at both, under |q'| <= speed and |q''| <= acceleration.
-
-    Jerk is free; the axes end together. Raises ValueError for limits that are not positive and finite.
-    """
-    still = np.zeros(len(q_0))
-    return float(_calculate(q_0, q_1, speed, acceleration, None, 0.0, False, still, still).duration)
-
-
 def _calculate(
     q_0: Array, q_1: Array, speed: Array, acceleration: Array, jerk: Array | None, least: float, straight: bool,
     v_0: Array, v_1: Array,
@@ -133,11 +126,21 @@ def _calculate(
     return out
 
 
-def straight_rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> float:
-    """As rest_to_rest, but all axes keep to the straight line between the points: one common profile."""
-    way = np.abs(np.asarray(q_1) - np.asarray(q_0))
-    moves = way > 0
-    if not moves.any():
-        return 0.0
-    v, a = float(np.min(speed[moves] / way[moves])), float(np.min(acceleration[moves] / way[moves]))
-    return rest_to_rest(np.zeros(1), np.ones(1), np.array([v]), np.array([a]))
+def bang_bang(D: Array, v_0: Array, v_1: Array, V: Array, A: Array, T: float | None = None) -> PointToPoint:
+    """Displacements D (k,) from velocities v_0 to v_1 (k,), each axis at full acceleration A to one cruise speed <= V.
+
+    T: duration [s]; None for the least in which all axes arrive together. An axis that T leaves time for cruises more
+    slowly. Raises ValueError for a T that an axis cannot take: with speeds at both ends not every longer time is one.
+    """
+    least = float(shortest_time(D, v_0, v_1, V, A)) if T is None else T
+    begins, rates = np.empty((len(D), 4)), np.zeros((len(D), 4))
+    for j, one in enumerate(zip(D.tolist(), v_0.tolist(), v_1.tolist(), V.tolist(), A.tolist(), strict=True)):
+        way, first, last, top, most = one
+        begins[j], rates[j, :3] = fastest_profile(way, first, last, top, most)
+        if abs(begins[j, -1] - least) > _SAME * least:
+            begins[j], rates[j, :3] = cruise_profile(way, first, last, least, most)
+    steps = np.diff(begins)
+    qd = np.column_stack([v_0, v_0[:, None] + np.cumsum(rates[:, :3] * steps, axis=1)])
+    q = np.column_stack([np.zeros(len(D)), np.cumsum((qd[:, 1:] + qd[:, :-1]) / 2 * steps, axis=1)])
+    q[:, -1], qd[:, -1] = D, v_1
+    return PointToPoint(least, begins, q, qd, rates, np.zeros_like(rates))

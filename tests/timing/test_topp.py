@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from timing.toppra_law import fastest_law
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.timing import retiming
-from trajopt_cli.timing.law import fastest_law
-from trajopt_cli.timing.retiming import TimeLaws, fastest_laws
+from trajopt_cli.timing import topp
+from trajopt_cli.timing.topp import TimeLaws, fastest_laws
 
 Rows = tuple[Array, Array]
 Paths = tuple[Array, Array, Rows, Rows]
@@ -142,7 +142,7 @@ def test_one_path_alone_has_the_same_answer(make: Callable[..., Paths]) -> None:
 def test_a_batch_beyond_one_work_array_has_the_same_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     paths = smooth(6, 25, 20, 3)
     laws = fastest_laws(*paths, 0.0, 0.0)
-    monkeypatch.setattr(retiming, "_ELEMENTS", 19 * 6 * 7)
+    monkeypatch.setattr(topp, "_ELEMENTS", 19 * 6 * 7)
     assert same(fastest_laws(*paths, 0.0, 0.0), laws)
 
 
@@ -241,11 +241,11 @@ def test_long_paths_in_lanes_are_those_in_one_go(
 ) -> None:
     """To the last bit, whatever the lanes' length; the last start is too fast for some."""
     paths = make(7, 3, 1001, 6)
-    monkeypatch.setattr(retiming, "_LANES", 1)
+    monkeypatch.setattr(topp, "_LANES", 1)
     whole = fastest_laws(*paths, *ends)
     for lanes, shortest in ((128, 32), (9, 5), (1000, 1)):
-        monkeypatch.setattr(retiming, "_LANES", lanes)
-        monkeypatch.setattr(retiming, "_SHORTEST_LANE", shortest)
+        monkeypatch.setattr(topp, "_LANES", lanes)
+        monkeypatch.setattr(topp, "_SHORTEST_LANE", shortest)
         assert same(fastest_laws(*paths, *ends), whole)
 
 
