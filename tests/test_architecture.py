@@ -79,7 +79,7 @@ INNER: dict[str, tuple[tuple[str, ...], ...]] = {
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
-    "casadi": ("robot/symbolic*.py", "path/*", "native/*", "nlp/*"),
+    "casadi": ("robot/symbolic*.py", "path/*", "native/*", "nlp/*", "trajectories/limits/*"),
     "llvmlite": ("native/*",),
     "platformdirs": ("native/*",),
     "pinocchio": ("robot/*", "judge/geometry.py", "judge/mechanism.py"),

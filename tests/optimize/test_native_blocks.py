@@ -122,7 +122,7 @@ def test_a_program_has_one_answer_whoever_evaluates_it() -> None:
     assert chain is not None
     cfx = tuple(label.cfx for label in chain.labels)
     draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
-    margins = [Margins.full(m.N, axes.n, 1.0) if hasattr(m, "N") else None for m in draft.legs]
+    margins = [Margins.full(axes.limits, m.N, on_path=True) if hasattr(m, "N") else None for m in draft.legs]
 
     def solved(library: Library) -> NlpResult:
         return Transcription(axes, Formulation(axes, library), problem, draft, margins).nlp.solve(mu=1e-2)

@@ -27,7 +27,7 @@ from trajopt_cli.report.over_time import joints
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.torque import of_room
+from trajopt_cli.trajectories.limits.joint_torque import of_room
 from trajopt_cli.trajectory import hermite
 
 pytestmark = pytest.mark.usefixtures("coarse")

@@ -44,7 +44,7 @@ def program() -> Transcription:
             grid = np.linspace(0, 1, N_JOINT + 1)
             motion = JointNodes(1.0, grid, *(np.zeros((k, n)) for k in (N_JOINT + 1, N_JOINT + 1, N_JOINT)))
         legs.append(motion)
-        m = Margins.full(motion.N, n, 1.0)
+        m = Margins.full(axes.limits, motion.N, isinstance(motion, PathLeg))
         for share in (m.velocity, m.acceleration, m.tool):
             share[:] = rng.uniform(0.5, 1.0, share.shape)
         margins.append(m)
@@ -175,7 +175,7 @@ def test_a_programmed_time_is_no_variable() -> None:
     chain = search(axes, problem)
     assert chain is not None
     draft = first_draft(axes, problem, chain.q, chain.w, tuple(label.cfx for label in chain.labels), chain.times)
-    margins = [Margins.full(m.N, axes.n, 1.0) if isinstance(m, PathLeg) else None for m in draft.legs]
+    margins = [Margins.full(axes.limits, m.N, on_path=True) if isinstance(m, PathLeg) else None for m in draft.legs]
     nlp = Transcription(axes, Formulation(axes, library()), problem, draft, margins)
     timed = nlp.legs[1]
     assert timed is not None

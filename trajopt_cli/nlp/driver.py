@@ -31,7 +31,6 @@ from trajopt_cli.settings import (
     BARRIER_REFINED,
     BARRIER_ROUGH,
     BARRIER_WARM,
-    EXACT,
     FEW_LEGS,
     FINE,
     FINE_JOINT,
@@ -49,11 +48,9 @@ from trajopt_cli.settings import (
     RATE_LOOKS,
     ROUGH,
     ROUNDS,
-    SAFE,
     SHARP,
     SHORT,
     SLOWED,
-    START,
     TOLD,
 )
 from trajopt_cli.trajectories.axes import Axes
@@ -292,7 +289,7 @@ class Refiner:
                 return found
             for k in through:
                 if isinstance(draft.legs[k], JointProfiles):
-                    margins[k] = Margins.full(self.grids.rough.joints, self.axes.n, EXACT)
+                    margins[k] = Margins.full(self.axes.limits, self.grids.rough.joints, on_path=False)
             draft, warm = self._with_grids(draft, margins), None
 
     def _answer(
@@ -335,9 +332,7 @@ class Refiner:
     def begun(self, draft: Iterate) -> Stage:
         """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
         margins: list[Margins | None] = [
-            Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
-            if isinstance(m, PathLeg | JointNodes)
-            else None
+            Margins.full(self.axes.limits, m.N, isinstance(m, PathLeg)) if isinstance(m, PathLeg | JointNodes) else None
             for m in draft.legs
         ]
         draft, warm = self._first(draft, margins)
@@ -420,7 +415,7 @@ class Refiner:
                 if m is not None:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
-                    changed |= back_off(m, ratios, motion, SAFE, rail)
+                    changed |= back_off(m, ratios, motion, rail)
             changed |= self.clearances.make_room(draft, margins)
             if not (changed or opened):
                 self.solved = warm[0], warm[1]
@@ -439,13 +434,7 @@ class Refiner:
         most = 1.0
         for r, m in zip(self._ratios(draft), margins, strict=True):
             if r is not None and m is not None:
-                shares = m.velocity.min(), m.acceleration.min(), *m.tool.min(axis=0)
-                rates = r.velocity.max(), np.sqrt(r.acceleration.max()), r.tool[:, 0].max(), np.sqrt(r.tool[:, 1].max())
-                most = max(
-                    most, *(one / share for one, share in zip((*rates, r.tool[:, 2].max()), shares, strict=True))
-                )
-                most = max(most, float(np.sqrt(r.torque.max() / m.torque.min())))
-                most = max(most, float(np.cbrt(r.jerk.max() / m.jerk.min())))
+                most = max(most, r.times_slower(m))
         if most > MOST_SLOWED or most == 1.0:
             return draft
         return slowed(self.problem, draft, most * SLOWED)
@@ -460,7 +449,7 @@ class Refiner:
                 continue
             past = max(np.max(x) for x in (ratios.tool, ratios.position, ratios.torque))
             if past > 1 + OVER or self.clearances.touches(k, motion):
-                margins[k] = Margins.full(grids.joints, self.axes.n, EXACT)
+                margins[k] = Margins.full(self.axes.limits, grids.joints, on_path=False)
                 opened = True
         return opened
 

@@ -35,7 +35,7 @@ from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import Ratios
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces
-from trajopt_cli.trajectories.torque import Columns, of_room
+from trajopt_cli.trajectories.limits.joint_torque import Columns, of_room
 
 _RANGE = 1 + 1e-6  # share of half an axis' range that a course may reach
 _ANGLES = (np.arange(TOOL_DIRECTIONS) + 0.5) * np.pi / TOOL_DIRECTIONS - np.pi / 2
@@ -286,7 +286,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
     if not left:
         return out
     every = together([*left.values()])
-    shares, seen, before = Shares.full(len(every.part)), _nothing(axes, len(every.part)), None
+    shares, seen, before = Shares.full(len(every.part)), Ratios.none(axes, len(every.part)), None
     for _ in range(PACE_ROUNDS):
         law = pace(axes, problem, every, shares)
         if law is None:
@@ -318,11 +318,6 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
             every, shares, seen = together([*left.values()]), shares.at(stay), seen.at(stay)
             before = np.append(law.rates[:-1][stay], 0.0)
     return out
-
-
-def _nothing(axes: Axes, N: int) -> Ratios:
-    """Of intervals that were not looked at."""
-    return Ratios(*(np.zeros((N, k)) for k in (axes.n, axes.n, axes.n, 3, axes.n, axes.n)))
 
 
 def _moves(law: TimeLaw, at: slice) -> bool:

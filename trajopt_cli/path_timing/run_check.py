@@ -7,7 +7,6 @@ the axes by the cubic with the rates at both nodes.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
 
 import numpy as np
 
@@ -36,7 +35,7 @@ def looked_at(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, i
         found += [_worst(axes, problem, course, law, intervals[some], many) for some in groups]
         order += groups
     back = np.argsort(np.concatenate(order))
-    return Ratios(*(np.concatenate([getattr(one, name.name) for one in found])[back] for name in fields(Ratios)))
+    return Ratios.joined(found).at(back)
 
 
 def _worst(

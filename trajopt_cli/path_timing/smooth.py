@@ -20,7 +20,7 @@ from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.dense_check import Ratios, check_leg
+from trajopt_cli.trajectories.dense_check import check_leg
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
 
 Shares = tuple[float, float, float]
@@ -70,7 +70,7 @@ def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
     v = rates * move.duration
     motion = JointNodes(move.duration, grid, at, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
     ratios = check_leg(axes, leg, motion)
-    return motion.slowed(_slower(ratios)) if ratios.position.max() <= 1 + 1e-9 else None
+    return motion.slowed(ratios.times_slower()) if ratios.position.max() <= 1 + 1e-9 else None
 
 
 def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
@@ -102,7 +102,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
         ratios = check_leg(axes, leg, motion)
         if ratios.position.max() > 1 + 1e-6:
             return None
-        times = _slower(ratios)
+        times = ratios.times_slower()
         return motion.T * times, times, motion
 
     shares: Shares = 1.0, 1.0, 1.0
@@ -157,10 +157,3 @@ def _apart(move: PointToPoint) -> bool:
     """Whether no two switches nearly but not quite coincide."""
     gaps = np.diff(move.switches)
     return not np.any((gaps > 1e-12) & (gaps < SWITCHES_APART))
-
-
-def _slower(ratios: Ratios) -> float:
-    """How many times as long a motion has to take that it is legal; less than one for time to spare."""
-    rates = max(ratios.velocity.max(), ratios.tool[:, 0].max(), ratios.tool[:, 2].max())
-    bends = max(ratios.acceleration.max(), ratios.tool[:, 1].max(), ratios.torque.max())
-    return float(max(rates, np.sqrt(bends), np.cbrt(ratios.jerk.max() / SAFE_JERK) * SAFE) / SAFE)

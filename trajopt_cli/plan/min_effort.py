@@ -27,7 +27,7 @@ from trajopt_cli.plan.min_effort_law import gentle_law
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import EASE_NODES, EASE_ROUNDS, SAFE, SAFE_JERK, SWEEP_GAIN
+from trajopt_cli.settings import EASE_NODES, EASE_ROUNDS, SWEEP_GAIN
 from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_legs
@@ -97,11 +97,8 @@ def _spans(axes: Axes, problem: Problem, draft: Iterate) -> list[_Span]:
         least = 1.0
         if there and not stiff:
             ratios = check_legs(axes, [leg for leg, _ in there], [motion for _, motion in there])
-            rates = [max(r.velocity.max(), r.tool[:, 0].max(), r.tool[:, 2].max()) for r in ratios]
-            bends = [max(r.acceleration.max(), r.tool[:, 1].max(), r.torque.max()) for r in ratios]
-            jerk = max(r.jerk.max() for r in ratios)
             waits = max(leg.least / motion.T if leg.least else 0.0 for leg, motion in there)
-            least = min(max(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, waits), 1.0)
+            least = min(max(*(r.times_slower() for r in ratios), waits), 1.0)
         rests = stiff or not time or least <= 0
         out.append(
             _Span(first, last, time, float(each[first:last].sum()), 1.0 if rests else least, 1.0 if rests else np.inf)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -14,7 +15,9 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
-from trajopt_cli.trajectories.torque import Torques
+from trajopt_cli.trajectories.limits import limits_of
+from trajopt_cli.trajectories.limits.joint_torque import Torques
+from trajopt_cli.trajectories.limits.limit import Limit
 
 _FREE = Couplings(np.zeros((0, 0)), np.zeros(0), np.zeros(0))
 
@@ -76,6 +79,11 @@ class Axes:
     def n(self) -> int:
         """How many axes."""
         return self.layout.n
+
+    @cached_property
+    def limits(self) -> tuple[Limit, ...]:
+        """What motions of these axes must keep."""
+        return limits_of(self)
 
     def within(self, q: Array, slack: float = 1e-9) -> BoolArray:
         """Whether axes (..., n) are in their ranges (...), those of sums too, but for a slack [rad, m]; NaN are not."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.settings import START, START_JERK
 from trajopt_cli.trajectories.leg_trajectories import LegMotion
+from trajopt_cli.trajectories.limits.limit import Limit
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,34 +26,33 @@ class Iterate:
 
 @dataclass
 class Margins:
-    """The back-off of one leg: limits in force at its nodes as shares of the true ones, tightened where a dense check
-    found an excess.
+    """The back-off of one leg: what of each limit is in force at its nodes, tightened where a dense check found an
+    excess: (N+1, w) by the limit's name, which is an attribute as well.
 
-    velocity, acceleration (N+1, n); position (N+1, n): of half the range, about its middle; tool (N+1, 3): speed,
-    acceleration, reorientation. push (N,): the rail's acceleration in each interval of a dwell. jerk, torque (N+1, n).
-    room (N+1,): no share, but what is asked for between bodies beyond the distance wanted [m].
+    push (N,): the same of the rail's acceleration in each interval of a dwell. room (N+1,): what is asked for between
+    bodies beyond the distance wanted [m].
     """
 
-    velocity: Array
-    acceleration: Array
-    position: Array
-    tool: Array
+    by_name: dict[str, Array]
     push: Array
-    jerk: Array
-    torque: Array
     room: Array
 
+    def __getattr__(self, name: str) -> Array:
+        if name.startswith("_") or name == "by_name" or name not in self.by_name:
+            raise AttributeError(name)
+        return self.by_name[name]
+
     @classmethod
-    def full(cls, N: int, n: int, joints: float) -> Margins:
-        """Of N intervals and n axes, nothing tightened but for rounding. joints: share of their limits."""
-        share = np.full((N + 1, n), joints)
+    def full(cls, limits: Sequence[Limit], N: int, on_path: bool) -> Margins:
+        """Of N intervals, nothing tightened but for rounding; on_path: of a line, an arc or a dwell."""
+        starts = {limit.name: limit.start if on_path else limit.start_on_grid for limit in limits}
         return cls(
-            share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.ones(N),
-            np.full((N + 1, n), START_JERK), np.full((N + 1, n), START), np.zeros(N + 1),
+            {limit.name: np.full((N + 1, len(limit.orders)), starts[limit.name]) for limit in limits},
+            np.ones(N), np.zeros(N + 1),
         )  # fmt: skip
 
     def refined(self) -> Margins:
-        """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
+        """The same margins on twice as many intervals; a new node takes the smaller neighbour's."""
 
         def double(x: Array) -> Array:
             out = np.empty((2 * len(x) - 1, x.shape[1]))
@@ -60,7 +60,5 @@ class Margins:
             out[1::2] = np.minimum(x[:-1], x[1:])
             return out
 
-        return Margins(
-            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool),
-            np.repeat(self.push, 2), double(self.jerk), double(self.torque), -double(-self.room[:, None])[:, 0],
-        )  # fmt: skip
+        finer = {name: double(one) for name, one in self.by_name.items()}
+        return Margins(finer, np.repeat(self.push, 2), -double(-self.room[:, None])[:, 0])

@@ -7,17 +7,19 @@ like an acceleration's ratio 1/k^2 times as much in k times the time. Rails with
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.settings import UNREACHED
+from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
 class Columns(NamedTuple):
@@ -98,6 +100,76 @@ class Torques:
         name = self.plant.limits.names[worst]
         unit = "N" if name == "rail" else "Nm"
         return f"{name} cannot hold the arm, {abs(tau[worst]):.4g} {unit} of {self.limit[worst]:.4g} {unit}"
+
+
+class JointTorque(Limit):
+    """|tau| <= limit, as what it has beyond gravity by what gravity leaves."""
+
+    name = "torque"
+    apart = True
+
+    @property
+    def orders(self) -> Array:
+        """See Limit."""
+        return np.full(self.axes.n, 2.0)
+
+    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+        """See Limit."""
+        return [f"{name} torque" for name in self.axes.names]
+
+    def ratios(self, motion: MotionSamples) -> Array:
+        """See Limit."""
+        sample = motion.sample
+        return self._torques.ratios(motion.legs, motion.number, sample.q, sample.qd, sample.qdd)
+
+    def used(self, motion: MotionSamples) -> Array:
+        """|tau| / limit, gravity included."""
+        sample = motion.sample
+        return self._torques.used(motion.legs, motion.number, sample.q, sample.qd, sample.qdd)
+
+    def path_rows(self, path: PathSamples) -> PathRows:
+        """See Limit."""
+        found = self._torques.columns(path.legs, path.number, path.q, path.dq, path.ddq)
+        return PathRows.of_acceleration(found.slopes, found.bends, found.rest)
+
+    def node_kind(self, leg: Leg) -> Hashable:
+        """See Limit."""
+        return self._torques.limited
+
+    def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
+        """What the flange carries, the limits, and the margin of what gravity leaves of them."""
+        from trajopt_cli.robot.symbolic_dynamics import LOAD
+
+        return {"load": (LOAD,), "limit": (self.axes.n,), "share": (self.axes.n,)}
+
+    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+        """See Limit."""
+        from trajopt_cli.robot.symbolic_dynamics import load_parameters
+
+        limit = np.nan_to_num(self._torques.limit, posinf=1.0)
+        return {"load": np.tile(load_parameters(leg.load), (len(margin), 1)), "limit": np.tile(limit, (len(margin), 1)),
+                "share": margin}  # fmt: skip
+
+    def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
+        """moving / (share limit T^2) + g / limit with the torques beyond gravity, by tau, and gravity's g."""
+        import casadi as ca
+
+        from trajopt_cli.robot.symbolic_dynamics import torques
+
+        robot, still = self._torques.plant.robot, ca.SX.zeros(self.axes.n)
+        own = (robot.pin_model, node.q)
+        rest = torques(*own, still, still, GRAVITY, p.load, robot.rotor)
+        out: list[Row] = []
+        for qdd in node.qdds:
+            moving = torques(*own, node.qd, qdd, 0.0, p.load, robot.rotor) / (node.T * node.T)
+            for i in self._torques.limited:
+                out.append((moving[i] / (p.limit[i] * p.share[i]) + rest[i] / p.limit[i], -1.0, 1.0))
+        return out
+
+    @property
+    def _torques(self) -> Torques:
+        assert self.axes.torque is not None
+        return self.axes.torque
 
 
 def of_room(moving: Array, rest: Array) -> Array:

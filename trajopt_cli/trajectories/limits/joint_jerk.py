@@ -1,0 +1,58 @@
+"""Jerks of the axes, where they bind. Motions between nodes have constant accelerations, so samples show mean jerks."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.limits import TcpCaps
+from trajopt_cli.problem.problem import Leg
+from trajopt_cli.settings import SAFE_JERK, START_JERK
+from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, Row
+
+
+class JointJerk(Limit):
+    """|qddd| <= J."""
+
+    name = "jerk"
+    safe = SAFE_JERK
+    safe_on_grid = INF
+    start = start_on_grid = START_JERK
+
+    @property
+    def orders(self) -> Array:
+        """See Limit."""
+        return np.full(self.axes.n, 3.0)
+
+    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+        """See Limit."""
+        return [f"{name} jerk" for name in self.axes.names]
+
+    def ratios(self, motion: MotionSamples) -> Array:
+        """Mean jerks from each sample to the next in the same interval; zero at the last."""
+        sample = motion.sample
+        out = np.zeros_like(sample.qdd)
+        inside = np.setdiff1d(np.arange(len(out) - 1), motion.first - 1)
+        steps = (sample.t[inside + 1] - sample.t[inside])[:, None]
+        out[inside] = np.abs(sample.qdd[inside + 1] - sample.qdd[inside]) / steps / self._limits
+        return out
+
+    def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
+        """See Limit."""
+        return {"jerk": (self.axes.n,)}
+
+    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+        """See Limit."""
+        return {"jerk": self._limits * margin}
+
+    def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
+        """See Limit."""
+        return [(qddd / (p.jerk * node.T**3), -1.0, 1.0) for qddd in node.qddds]
+
+    @property
+    def _limits(self) -> Array:
+        assert self.axes.jerk is not None
+        return self.axes.jerk

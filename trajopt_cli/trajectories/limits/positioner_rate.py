@@ -1,0 +1,64 @@
+"""Velocities and accelerations of positioners that turn a work object under the tool, in step with its path."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.limits import TcpCaps
+from trajopt_cli.problem.problem import Leg
+from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
+
+
+class PositionerRate(Limit):
+    """The share's rate times the turn is at most what positioners allow, its second derivative likewise; see
+    Leg.table. Dense checks do not ask it: they follow the share exactly, and so does the margin."""
+
+    name = "positioner"
+
+    @property
+    def orders(self) -> Array:
+        """See Limit."""
+        return np.ones(1)
+
+    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+        """See Limit."""
+        return ["positioner"]
+
+    def ratios(self, motion: MotionSamples) -> Array:
+        """See Limit; zero where the share's rates are not given."""
+        if motion.progress is None:
+            return np.zeros((len(motion.number), 1))
+        limits = np.array([leg.table for leg in motion.legs])[motion.number]
+        return np.asarray(np.max(np.abs(motion.progress.T) * limits, axis=1, keepdims=True))
+
+    def path_rows(self, path: PathSamples) -> PathRows | None:
+        """See Limit."""
+        if not path.table.any():
+            return None
+        with np.errstate(divide="ignore"):
+            top = 1 / path.table[..., :1]
+        slopes = path.table[..., 1:]
+        return PathRows(top, slopes, np.zeros_like(slopes), np.zeros_like(slopes))
+
+    def node_kind(self, leg: Leg) -> Hashable:
+        """See Limit."""
+        return True if leg.units else None
+
+    def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
+        """See Limit."""
+        return {"table": (2,)} if on_path else {}
+
+    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+        """See Limit."""
+        return {"table": np.array(leg.table) / margin} if on_path else {}
+
+    def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
+        """See Limit."""
+        if node.share is None:
+            return []
+        rates = [p.table[0] * node.share.v / node.T, *(p.table[1] * a / node.T**2 for a in node.share.a)]
+        return [(rate, -1.0, 1.0) for rate in rates]
