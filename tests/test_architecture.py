@@ -38,7 +38,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("path", "native"),
     ("rapid", "robot", "cell", "timing", "proximity"),
     ("problem",),
-    ("runs", "trajectories"),
+    ("runs", "trajectories", "scene"),
     # the engines side by side, and what looks at plans from outside
     ("graph_search", "path_timing", "nlp", "collision", "bound"),
     # one ladder over the engines; the judge, exporters, pictures and pages

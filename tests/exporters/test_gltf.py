@@ -88,7 +88,7 @@ def test_every_link_is_where_pin_has_it_at_every_key_frame(rail: bool) -> None:
     read = Read(gltf(motion, plant, "a plan"))
     X, _ = Mechanism(plant.robot.urdf, plant.robot.X_WR).links(motion.q)
     names = {node.name: i for i, node in enumerate(read.nodes) if node.mesh is None}
-    assert names.keys() == {"a plan", *plant.robot.link_names, "tool0"}
+    assert names.keys() == {"a plan", "base", *["rail"] * rail, *plant.robot.link_names, "tool0"}
     for frame in (0, 7, 20, 39):
         for link, name in enumerate((*plant.robot.link_names, "tool0")):
             np.testing.assert_allclose(read.X_WN(names[name], frame), UP @ X[frame, link], rtol=0, atol=1e-6)
@@ -112,7 +112,7 @@ def test_surfaces_are_the_shapes_and_face_outwards() -> None:
     read = Read(gltf(sweep(plant), plant, "a plan"))
     found = {name: (i, vertices, corners) for i, name, vertices, corners in read.surfaces()}
     capsules = {capsule.name: capsule for capsule in (*plant.robot.capsules.values(), grip, ball)}
-    assert found.keys() == {*capsules, "table", "wedge"}
+    assert found.keys() == {*capsules, "table", "wedge", "rail", "carriage"}
     for name, capsule in capsules.items():
         _, vertices, corners = found[name]
         along = capsule.b - capsule.a

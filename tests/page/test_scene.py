@@ -17,8 +17,9 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.job import read_job
 from trajopt_cli.motion import SignalEvent
-from trajopt_cli.page.scene import Cycle, plan_cycle, plant_scene, robot_scene
+from trajopt_cli.page.scene import plant_scene, robot_scene
 from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.scene import Cycle, plan_cycle, scene_of_robot
 from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
 from trajopt_cli.trajectory import Trajectory
 
@@ -63,8 +64,10 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
     bodies = [body for body in scene["bodies"] if body["role"] == "link"]
     assert {body["name"] for body in bodies} == set(robot.capsules)
     flange = robot.pin_model.frames[robot.pin_model.getFrameId("tool0")].placement.homogeneous
+    poses = scene_of_robot(robot).poses(q)
     for i, row in enumerate(q):
         found = frames(scene, row)
+        np.testing.assert_allclose(poses[i], found, atol=1e-12)
         for body in bodies:
             X = np.reshape(scene["base"], (4, 4)) if body["link"] < 0 else found[body["link"]]
             np.testing.assert_allclose(X, links[body["name"]][i], atol=1e-12)

@@ -14,13 +14,13 @@ from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.motion import Program
 from trajopt_cli.page.cell import program_section
 from trajopt_cli.page.cycles import Shown, cycle_data, reach_data
-from trajopt_cli.page.scene import program_points
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.detours import Detour, Numbering, Via, folded, with_detours
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import in_space, over_time, style
+from trajopt_cli.scene import program_points
 
 PLANT = plant_with_rail()
 ONE = np.r_[0.25, 0.6, -0.4, -0.3, 0.4, 0.9, -0.5]

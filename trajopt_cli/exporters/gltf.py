@@ -1,14 +1,13 @@
-"""A plan as a glTF 2.0 animation in one binary file (GLB): the arm's capsules, what it carries, and the obstacles.
+"""A plan as a glTF 2.0 animation in one binary file (GLB): the scene's bodies, moved by its chain.
 
-Every link is a node in the frame of the one before it, as the URDF has them; a joint's sampler turns its node, the
-rail's shifts the base. Metres and seconds; glTF's y points up, so all stands under one node that turns z there.
+Every frame of the chain is a node in the one before it, as the URDF has them; a joint's sampler turns its node, the
+rail's shifts it. Metres and seconds; glTF's y points up, so all stands under one node that turns z there.
 Source: Khronos, glTF 2.0 specification (ISO/IEC 12113).
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from struct import pack
 from typing import Any
@@ -19,7 +18,8 @@ from numpy.typing import NDArray
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_about, wxyz_from_rotation
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile
+from trajopt_cli.scene import BASE, WORLD, scene_of_plant
+from trajopt_cli.shapes import Box, Capsule, Mesh
 from trajopt_cli.trajectory import Trajectory
 
 _FLOAT, _UINT, _VERTICES, _INDICES = 5126, 5125, 34962, 34963  # as OpenGL numbers them
@@ -78,40 +78,28 @@ def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
     robot = plant.robot
     if trajectory.names != robot.axis_names:
         raise InputError(f"moves {', '.join(trajectory.names)}, not the axes of {robot.title}")
+    scene = scene_of_plant(plant)
     file, samplers, channels = _File(), list[dict[str, Any]](), list[dict[str, Any]]()
     times = file.numbers(trajectory.t - trajectory.t[0], "SCALAR")
-    upright = np.eye(4)
-    upright[:3, :3] = rotation_about([1, 0, 0], -np.pi / 2)
-    world = file.node(title, X=upright)
 
     def animate(node: int, path: str, values: Array, kind: str) -> None:
         channels.append({"sampler": len(samplers), "target": {"node": node, "path": path}})
         samplers.append({"input": times, "output": file.numbers(values, kind)})
 
-    arm = robot.chain_axes(trajectory.q)[:, robot.layout.arm]
-    bases = robot.base(trajectory.q[:, 0])
-    at = file.node(robot.link_names[0], world, bases[0])
-    places = {robot.link_names[0]: at}
-    if robot.has_rail:
-        animate(at, "translation", bases[:, :3, 3], "VEC3")
-    for i, joint in enumerate(robot.chain):
-        turns = joint.X[:3, :3] @ (rotation_about(joint.axis, arm[:, i]) if i < arm.shape[1] else np.eye(3)[None])
-        X = joint.X.copy()
-        X[:3, :3] = turns[0]
-        at = places[joint.child] = file.node(joint.child, at, X)
-        if len(turns) > 1:
-            animate(at, "rotation", _xyzw(turns), "VEC4")
-    _add_shapes(file, plant, places, world, at)
+    upright = np.eye(4)
+    upright[:3, :3] = rotation_about([1, 0, 0], -np.pi / 2)
+    world = file.node(title, X=upright)
+    nodes = {WORLD: world, BASE: file.node("base", world, scene.base)}
+    for i, X in enumerate(scene.moved(trajectory.q)):
+        joint = scene.chain[i]
+        nodes[i] = file.node(joint.link, nodes[i - 1], X[0])
+        if joint.kind == "prismatic":
+            animate(nodes[i], "translation", X[:, :3, 3], "VEC3")
+        elif joint.kind != "fixed":
+            animate(nodes[i], "rotation", _xyzw(X[:, :3, :3]), "VEC4")
+    for body in scene.bodies:
+        file.shape(body.shape, nodes[body.frame], _OBSTACLE if body.frame == WORLD else _ARM)
     return _glb(file, {"name": title, "samplers": samplers, "channels": channels})
-
-
-def _add_shapes(file: _File, plant: Plant, places: Mapping[str, int], world: int, flange: int) -> None:
-    for link, capsule in plant.robot.capsules.items():
-        file.shape(capsule, places[link], _ARM)
-    for solids, parent, material in ((plant.attached, flange, _ARM), (plant.obstacles, world, _OBSTACLE)):
-        for solid in solids:
-            assert not isinstance(solid.shape, MeshFile)  # a plant has them loaded
-            file.shape(solid.shape, parent, material)
 
 
 def _glb(file: _File, animation: dict[str, Any]) -> bytes:

@@ -21,11 +21,12 @@ from trajopt_cli.page.document import Section
 from trajopt_cli.page.encode import text
 from trajopt_cli.page.kept_speed import kept_speed
 from trajopt_cli.page.listing import sources_data
-from trajopt_cli.page.scene import HOLDER, SCRIPTS, plan_cycle, plant_scene, program_points
+from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import motion_label
+from trajopt_cli.scene import plan_cycle, program_points
 
 SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000

@@ -17,7 +17,6 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.report import obstacles
-from trajopt_cli.report.in_space import rail_ends
 from trajopt_cli.report.names import short
 from trajopt_cli.report.skeleton import skeleton
 from trajopt_cli.report.style import (
@@ -34,6 +33,7 @@ from trajopt_cli.report.style import (
     WIDTH,
     new_figure,
 )
+from trajopt_cli.scene import rail_ends
 from trajopt_cli.units import MM
 
 _TAG = 45.0  # mm from an elbow up to its number

@@ -36,6 +36,7 @@ from trajopt_cli.report.style import (
     settle,
 )
 from trajopt_cli.robot.parallel_arm import ParallelArm
+from trajopt_cli.scene import rail_ends
 from trajopt_cli.units import MM
 
 # How the path looks in lines and arcs (the thesis' functional parts), elsewhere, where only the rail moves, in corners.
@@ -100,15 +101,6 @@ def path(course: PlanSeries) -> Figure:
         passed=np.r_[False, course.passed],
         added=np.r_[False, course.added],
     )
-
-
-def rail_ends(plant: Plant) -> Array:
-    """Where the arm's base is with the rail at its ends (2, 3) [m] in the world; (0, 3) without a rail."""
-    axis, place = plant.robot.rail_axis_W, plant.layout.place
-    if axis is None:
-        return np.empty((0, 3))
-    ends = np.array([float(place(plant.limits.lower)), float(place(plant.limits.upper))])
-    return np.asarray(plant.robot.X_WB0[:3, 3] + ends[:, None] * axis)
 
 
 def carriage(plant: Plant) -> Array:

@@ -11,7 +11,8 @@ from scipy.spatial import ConvexHull
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.report.style import GREY
-from trajopt_cli.shapes import Capsule, Mesh, MeshFile, outline
+from trajopt_cli.scene import OBSTACLE, scene_of_plant
+from trajopt_cli.shapes import Capsule, Mesh, outline
 
 FACE: dict[str, Any] = {"facecolor": "#d9b48c", "alpha": 0.3, "linewidth": 0}
 """How they are filled."""
@@ -25,8 +26,7 @@ _BALL = np.stack([np.cos(_LIFT) * np.cos(_TURN), np.cos(_LIFT) * np.sin(_TURN), 
 def clouds(plant: Plant) -> list[Array]:
     """Points (n, 3) [m] of each obstacle, as it stands at the start, whose convex hull is what is drawn of it."""
     out = []
-    for shape in (solid.shape for solid in plant.obstacles):
-        assert not isinstance(shape, MeshFile)  # a plant has them loaded
+    for shape in (body.shape for body in scene_of_plant(plant).bodies if body.role == OBSTACLE):
         points, radius = outline(shape)
         if isinstance(shape, Capsule):
             points = (points[:, None] + radius * _BALL).reshape(-1, 3)

@@ -17,17 +17,9 @@ from window import Window
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.page.document import Section, document
-from trajopt_cli.page.scene import (
-    HOLDER,
-    SCRIPTS,
-    Cycle,
-    ScenePoint,
-    plan_cycle,
-    plant_scene,
-    program_points,
-    robot_scene,
-)
+from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene, robot_scene
 from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.scene import Cycle, ScenePoint, plan_cycle, program_points
 from trajopt_cli.shapes import Box, Solid
 
 CLOSE = 1e-4  # m, and of a rotation's entries

@@ -18,9 +18,10 @@ from trajopt_cli.iiwa.task.joint_rows import joints_along
 from trajopt_cli.iiwa.task.joints import Followed
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.page.document import Section
-from trajopt_cli.page.scene import Cycle, ScenePoint, robot_scene
+from trajopt_cli.page.scene import robot_scene
 from trajopt_cli.page.tables import points, table
 from trajopt_cli.robot.srs_inverse import arm_angle, configuration
+from trajopt_cli.scene import Cycle, ScenePoint
 from trajopt_cli.shapes import Capsule
 from trajopt_cli.units import DEG, MM
 

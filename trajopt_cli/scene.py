@@ -1,0 +1,302 @@
+"""One scene for page, glTF and pictures: the robot's chain of frames, bodies fixed to them, and motions over time.
+
+Frame i of a chain is the one behind its i-th element, BASE the one before the first: X_WF = base · placement_1 ·
+joint_1(q_1) · placement_2 · joint_2(q_2) ... Whoever draws takes poses from here or works them out by this rule.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly, rotation_about
+from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
+from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
+from trajopt_cli.problem.detours import unfolded, with_detours
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.shapes import Box, Capsule, MeshFile, Shape, Solid
+from trajopt_cli.trajectory import Trajectory, hermite
+
+BASE, WORLD = -1, -2
+"""Frames that no element of the chain moves."""
+LINK, TOOL_ROLE, OBSTACLE, RAIL, CARRIAGE, PART = "link", "tool", "obstacle", "rail", "carriage", "part"
+_STEP = 2e-3  # s between rows: at 20 m/s² a straight line between them is 0.01 mm off
+_MOST_ROWS = 20_000
+_BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
+_BONE = 0.035  # m, radius of a link of which no shape is known
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """An element of the chain: its axis' name and the link behind it. X (4, 4): its frame in the one before, at 0.
+    kind: "revolute", "prismatic" or "fixed"; axis (3,) of it. less: of a parallel linkage, how many times the position
+    of the axis before it is taken off its own."""
+
+    name: str
+    link: str
+    X: Array
+    kind: str
+    axis: Array
+    less: float = 0.0
+
+    def moved(self, position: Array) -> Array:
+        """Its frame in the one before (n, 4, 4) at positions (n,) [rad, m]."""
+        out = np.repeat(self.X[None], len(position), axis=0)
+        if self.kind == "prismatic":
+            out[:, :3, 3] += position[:, None] * (self.X[:3, :3] @ self.axis)
+        elif self.kind == "revolute":
+            out[:, :3, :3] = self.X[:3, :3] @ rotation_about(self.axis, position)
+        return out
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A shape, meshes loaded, in a frame of the chain or in the world. role: LINK, TOOL_ROLE, OBSTACLE, RAIL, CARRIAGE
+    or PART. since, until [s]: when it is there, of a motion's start."""
+
+    shape: Shape
+    frame: int
+    role: str
+    since: float = 0.0
+    until: float = math.inf
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A robot in its cell. base (4, 4): where the chain begins in the world. bodies: that are there all the time."""
+
+    base: Array
+    chain: tuple[Joint, ...]
+    bodies: tuple[Body, ...]
+    axes: tuple[str, ...]
+
+    @property
+    def flange(self) -> int:
+        """The frame behind the last element."""
+        return len(self.chain) - 1
+
+    def moved(self, q: Array) -> list[Array]:
+        """Each frame's pose (n, 4, 4) in the one before it, at the robot's axes q (n, k) [rad, m]."""
+        columns, before, out = iter(q.T), np.zeros(len(q)), []
+        for joint in self.chain:
+            if joint.kind == "fixed":
+                out.append(np.broadcast_to(joint.X, (len(q), 4, 4)))
+            else:
+                position = next(columns)
+                out.append(joint.moved(position - joint.less * before))
+                before = position
+        return out
+
+    def poses(self, q: Array) -> Array:
+        """The same in the world (n, len(chain), 4, 4)."""
+        X, out = self.base, []
+        for moved in self.moved(q):
+            out.append(X := X @ moved)
+        return np.stack(out, axis=1)
+
+
+@dataclass(frozen=True)
+class ScenePoint:
+    """A point of the program: its name, position in the world [m], and place in the text ("line.mod:41"). added: the
+    plan has added it on a way around obstacles."""
+
+    name: str
+    position: tuple[float, float, float]
+    place: str = ""
+    added: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """A motion of a scene. t (n,) [s] from 0; q (n, k) as the robot's axes [rad, m].
+
+    tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
+    and arcs; none for a motion that has no such parts. parts: bodies that are there for a time, WORLD or on the flange:
+    what it takes and leaves, and the capsule that stands for the tool.
+    """
+
+    name: str
+    t: Array
+    q: Array
+    tools: tuple[tuple[float, Array], ...] = field(default_factory=lambda: ((0.0, np.eye(4)),))
+    driven: tuple[tuple[float, float], ...] = ()
+    parts: tuple[Body, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "t", readonly(self.t))
+        object.__setattr__(self, "q", readonly(self.q))
+        if self.t.ndim != 1 or self.q.ndim != 2 or len(self.t) != len(self.q) or not len(self.t):
+            raise ValueError(f"cycle '{self.name}': t {self.t.shape} and q {self.q.shape}, wanted (n,) and (n, k)")
+
+
+def scene_of_plant(plant: Plant, moving: Iterable[str] = ()) -> Scene:
+    """A cell: robot, rail with carriage, obstacles, what the flange carries. moving: names of obstacles to leave out,
+    because a cycle has them as parts."""
+    left_out, rail = set(moving), plant.layout.rail
+    stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
+    obstacles = [_loaded(solid) for solid in plant.obstacles if solid.name not in left_out]
+    return scene_of_robot(plant.robot, obstacles, [_loaded(solid) for solid in plant.attached], stroke)
+
+
+def scene_of_robot(
+    robot: RobotModel | SrsRobot,
+    obstacles: Sequence[Shape] = (),
+    carried: Sequence[Shape] = (),
+    stroke: tuple[float, float] | None = None,
+) -> Scene:
+    """Any robot. obstacles: shapes in the world, carried: in the flange frame. stroke: lowest and highest rail
+    position [m], None without a rail."""
+    chain = chain_of(robot)
+    frames = {robot.link_names[0]: BASE} | {joint.link: i for i, joint in enumerate(chain)}
+    links = [Body(capsule, frames[link], LINK) for link, capsule in robot.capsules.items()]
+    bodies = links or [*_bones(chain)]
+    bodies += [Body(shape, len(chain) - 1, TOOL_ROLE) for shape in carried]
+    bodies += [Body(shape, WORLD, OBSTACLE) for shape in obstacles]
+    if stroke is not None and isinstance(robot, RobotModel):
+        beam, plate = _rail(robot, stroke)
+        if not any(one.name == "track" for one in obstacles):  # the cell says how large it is
+            bodies.append(Body(beam, WORLD, RAIL))
+        bodies.append(Body(plate, frames[robot.link_names[0]], CARRIAGE))
+    base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
+    return Scene(base, chain, tuple(bodies), tuple(robot.axis_names))
+
+
+def chain_of(robot: RobotModel | SrsRobot) -> tuple[Joint, ...]:
+    """The chain from the base to the flange."""
+    out = []
+    if isinstance(robot, RobotModel):
+        if robot.rail_axis is not None:
+            out.append(Joint(robot.axis_names[0], robot.axis_names[0], np.eye(4), "prismatic", robot.rail_axis))
+        out.append(Joint(robot.link_names[0], robot.link_names[0], robot.X_RB, "fixed", np.zeros(3)))
+    for joint in robot.chain:
+        less = robot.linkage if isinstance(robot, RobotModel) and joint is robot.chain[2] else 0.0
+        out.append(Joint(joint.name, joint.child, joint.X, joint.kind, np.asarray(joint.axis), less or 0.0))
+    return tuple(out)
+
+
+def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = None) -> Cycle:
+    """A plan of a program as a cycle, with the tool in force at every time, and a plant's parts where they are then."""
+    tools: list[tuple[float, Array]] = []
+    capsules: list[tuple[float, Shape | None]] = []
+    driven: list[tuple[float, float]] = []
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+            continue
+        if not tools or not np.array_equal(tools[-1][1], motion.tool.X_FT):
+            tools.append((planned.t_0 if tools else 0.0, motion.tool.X_FT))
+            solids = () if plant is None else tool_capsule(motion.tool, plant.tool_radius)
+            capsules.append((tools[-1][0], _loaded(solids[0]) if solids else None))
+        if isinstance(motion, MoveL | MoveC) and planned.t_1 > planned.t_0:
+            if driven and driven[-1][1] == planned.t_0:
+                driven[-1] = (driven[-1][0], planned.t_1)
+            else:
+                driven.append((planned.t_0, planned.t_1))
+    t, q = _sampled(plan.trajectory)
+    parts: tuple[Body, ...] = ()
+    if plant is not None:
+        flange = len(chain_of(plant.robot)) - 1
+        parts = tuple(_parts(program, plan, plant, flange))
+        for (since, shape), (until, _) in pairwise([*capsules, (math.inf, None)]):
+            parts += () if shape is None else (Body(shape, flange, TOOL_ROLE, since, until),)
+    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven), parts)
+
+
+def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoint]:
+    """The targets that a plan's moves lead to, as programmed, and the points it adds; each name at each position
+    once."""
+    program, plan = with_detours(program, plant, plan.detours), unfolded(plan)
+    out: dict[tuple[str, tuple[float, ...]], ScenePoint] = {}
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+            continue
+        X_WT = motion.X_WT if not isinstance(motion, MoveAbsJ) else plant.robot.forward(planned.q_1) @ motion.tool.X_FT
+        x, y, z = (round(float(value), 6) for value in X_WT[:3, 3])
+        point = ScenePoint(motion.target, (x, y, z), str(motion.source), bool(motion.detour))
+        out.setdefault((motion.target, (x, y, z)), point)
+    return list(out.values())
+
+
+def rail_ends(plant: Plant) -> Array:
+    """Where the arm's base is with the rail at its ends (2, 3) [m] in the world; (0, 3) without a rail."""
+    axis, place = plant.robot.rail_axis_W, plant.layout.place
+    if axis is None:
+        return np.empty((0, 3))
+    ends = np.array([float(place(plant.limits.lower)), float(place(plant.limits.upper))])
+    return np.asarray(plant.robot.X_WB0[:3, 3] + ends[:, None] * axis)
+
+
+def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[Body]:
+    """Where the parts are, from change to change. A part that is taken at the end of a move moves with the next."""
+    names = {solid.name for solid in plant.parts}
+    under: dict[str, tuple[float, int, Shape]] = {}
+    moments = [(0.0, -1), *((one.t_0, one.index) for one in plan.motions if not one.dropped)] if names else []
+    for time, index in moments:
+        bodies = bodies_on(plant, program, index)
+        for frame, solids in ((flange, bodies.carried), (WORLD, bodies.standing)):
+            for shape in (_loaded(solid) for solid in solids if solid.name in names):
+                before = under.get(shape.name)
+                if before is None or before[2] is not shape:
+                    if before is not None and time > before[0]:
+                        yield Body(before[2], before[1], PART, before[0], time)
+                    under[shape.name] = time, frame, shape
+    for since, frame, shape in under.values():
+        yield Body(shape, frame, PART, since)
+
+
+def _loaded(solid: Solid) -> Shape:
+    assert not isinstance(solid.shape, MeshFile)  # a plant has them loaded
+    return solid.shape
+
+
+def _bones(chain: Sequence[Joint]) -> Iterator[Body]:
+    """Rods from each joint to the next, for a robot of whose links nothing else is known."""
+    for i, joint in enumerate(chain):
+        end = joint.X[:3, 3]
+        if joint.kind != "prismatic" and np.any(end):
+            yield Body(Capsule(f"to {joint.name}", np.zeros(3), end, _BONE), i - 1, LINK)
+
+
+def _rail(robot: RobotModel, stroke: tuple[float, float]) -> tuple[Box, Box]:
+    """The rail's beam in the world, and the carriage's plate in the frame of the arm's base.
+
+    No robot file says how large they are: the beam is as long as the stroke and the plate, and stands under the base.
+    """
+    assert robot.rail_axis_W is not None
+    along = robot.rail_axis_W
+    up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
+    if np.linalg.norm(up) < 0.1:  # the arm's base looks along the rail
+        up = robot.X_WB0[:3, 0] - (robot.X_WB0[:3, 0] @ along) * along
+    up = up / np.linalg.norm(up)
+    R = np.column_stack([along, np.cross(up, along), up])
+    (width, height), (plate, thick) = _BEAM, _PLATE
+    beam, carriage = np.eye(4), np.eye(4)
+    beam[:3, :3] = R
+    middle = robot.X_WB0[:3, 3] + along * (stroke[0] + stroke[1]) / 2
+    beam[:3, 3] = middle - up * (thick + height / 2)
+    R_BW = robot.X_WB0[:3, :3].T
+    carriage[:3, :3] = R_BW @ R
+    carriage[:3, 3] = -R_BW @ up * thick / 2
+    length = stroke[1] - stroke[0] + plate
+    return Box("rail", np.array([length, width, height]), beam), Box(
+        "carriage", np.array([plate, plate, thick]), carriage
+    )
+
+
+def _sampled(trajectory: Trajectory) -> tuple[Array, Array]:
+    """Times from 0 (n,) and positions (n, k), close enough for straight lines in between: rows and steps."""
+    t, last = trajectory.t, float(trajectory.t[-1])
+    step = max(_STEP, trajectory.duration / _MOST_ROWS)
+    if trajectory.qd is None or len(t) < 2:
+        return t - t[0], np.asarray(trajectory.q)
+    count = max(int(np.ceil(trajectory.duration / step)), 1)
+    times = np.linspace(float(t[0]), last, count + 1)
+    return times - t[0], hermite(trajectory, times)[0]
