@@ -48,37 +48,37 @@ def _tree(words: tuple[str, ...], command: Any) -> Iterator[tuple[tuple[str, ...
         yield from _tree((*words, name), one)
 
 
-# What a plan makes of the instructions of a topic that have its usual effect; `parse` counts those that are ignored.
+# What a plan makes of the instructions of a topic and effect; `parse` counts those that are ignored.
 _PLANNED = {
-    "moves": "lines, arcs and joint moves",
-    "triggers": "the moves they make; what is triggered takes no time",
-    "searches": "moves to where the cell file says that they hit (`searches`)",
-    "processes": "the plain moves they make",
-    "displacement": "worked into every target",
-    "waits": "the tool rests",
-    "signals": "an output takes no time",
-    "settings": "in force for the moves behind them",
-    "units": "in force for the moves behind them; refused where something moves by itself",
-    "operator": "the cell file's `answers`",
-    "sockets": "received: the cell file's `answers`",
-    "files": "read: the cell file's `answers`",
-    "symbols": "data by its name; modules from the program's folder",
+    ("MoveJ, MoveL, MoveC, MoveAbsJ and MoveExtJ", "planned"): "lines, arcs and joint moves",
+    ("Moves on whose way something happens", "planned"): "the moves they make; what is triggered takes no time",
+    ("SearchJ, SearchL and SearchC", "planned"): "moves to where the cell file says that they hit (`searches`)",
+    ("Welding, spot welding, painting, dispensing", "planned"): "the plain moves they make",
+    ("Program displacement (PDisp) and offsets of external axes (EOffs)", "run"): "worked into every target",
+    ("Waits", "waits"): "the tool rests",
+    ("Outputs set, and signals under another name", "run"): "an output takes no time",
+    ("Settings that change how the robot moves", "run"): "in force for the moves behind them",
+    ("Mechanical units", "waits"): "in force for the moves behind them",
+    ("Mechanical units", "refused"): "something moves by itself",
+    ("What the operator is asked on the pendant", "stops a corner"): "the cell file's `answers`",
+    ("Sockets and cameras", "stops a corner"): "received: the cell file's `answers`",
+    ("Files, serial channels, raw bytes and configuration", "run"): "read: the cell file's `answers`",
+    ("Data and modules by name at run time", "run"): "data by its name; modules from the program's folder",
 }
 
 
 def instructions() -> str:
     """Every instruction that is read, by topic and effect."""
-    import trajopt_cli.rapid.execution.instructions as package
     from trajopt_cli.rapid.execution.instructions.effect import Effect
-    from trajopt_cli.rapid.execution.instructions.table import effects
+    from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 
     out = "| instructions | by name | effect | in a plan |\n|---|---|---|---|\n"
-    for topic, module in _topics(package, "INSTRUCTIONS"):
-        table, usual = effects(module), getattr(module, "EFFECT", Effect.RUN)
+    for topic in sorted({one.topic for one in INSTRUCTIONS.values()}):
         for effect in Effect:
-            if names := sorted(name for name, its in table.items() if its is effect):
-                said = _PLANNED.get(topic, "") if effect is usual else ""
-                out += f"| {_title(package, topic)} | {_names(names)} | {effect.value} | {said} |\n"
+            names = [one.name for one in INSTRUCTIONS.values() if (one.topic, one.effect) == (topic, effect)]
+            if names:
+                planned = _PLANNED.get((topic, effect.value), "")
+                out += f"| {topic} | {_names(sorted(names))} | {effect.value} | {planned} |\n"
     return out
 
 

@@ -6,8 +6,18 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
-from trajopt_cli.rapid.data.frames import about, compose, inverse, length, matrix, norm, normalised, product, rotate
-from trajopt_cli.rapid.data.line_fractions import between
+from trajopt_cli.rapid.data.frames import (
+    about,
+    between,
+    compose,
+    inverse,
+    length,
+    matrix,
+    norm,
+    normalised,
+    product,
+    rotate,
+)
 
 RNG = np.random.default_rng(20)
 TURNS = [Rotation.from_quat(q) for q in RNG.normal(size=(40, 4))]

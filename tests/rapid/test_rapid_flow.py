@@ -466,7 +466,7 @@ def test_budgets_end_what_does_not_end(body: str, scenario: Scenario, message: s
 
 
 def test_motions_have_a_limit_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("trajopt_cli.rapid.execution.interpreter.MOTION_LIMIT", 3)
+    monkeypatch.setattr("trajopt_cli.rapid.execution.context.MOTION_LIMIT", 3)
     assert len(trace("FOR i FROM 1 TO 3 DO WaitTime i; ENDFOR")) == 3
     message = "m.mod:4:22: the program makes more than 3 motions; if a loop around this one goes on and on, "
     assert error("FOR i FROM 1 TO 9 DO WaitTime i; ENDFOR").startswith(message)

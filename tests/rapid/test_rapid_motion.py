@@ -15,8 +15,8 @@ from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rota
 from trajopt_cli.motion import CirPathMode, Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
 from trajopt_cli.path.circle import arc_length, circle_through
 from trajopt_cli.path.line import Line
-from trajopt_cli.rapid.data.line_fractions import between
-from trajopt_cli.rapid.execution.equipment import frame, matrix
+from trajopt_cli.rapid.data.frames import between
+from trajopt_cli.rapid.data.poses import frame, matrix
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import effective_radii
 from trajopt_cli.scenario import Scenario

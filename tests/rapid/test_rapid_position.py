@@ -18,8 +18,6 @@ from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveJ, MoveL, Program, TextFile
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
-from trajopt_cli.rapid.execution.position import Position
-from trajopt_cli.rapid.execution.units import Units
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.warnings import WarningKind
@@ -238,20 +236,6 @@ def test_what_only_the_robot_knows_asks_for_it(body: str, message: str) -> None:
     with pytest.raises(InputError) as caught:
         run_main(body, "VAR robtarget r; VAR jointtarget j;")
     assert message in str(caught.value)
-
-
-def test_the_robot_is_loaded_once_and_only_when_somebody_asks() -> None:
-    loaded = []
-
-    def load() -> Kinematics:
-        loaded.append(1)
-        return robot()
-
-    position = Position(load, Units(Scenario()))
-    assert loaded == []
-    first = position.robot(None, None, "a test")  # type: ignore[arg-type]
-    assert position.robot(None, None, "a test") is first  # type: ignore[arg-type]
-    assert loaded == [1]
 
 
 def test_a_search_in_joints_stops_between_its_ends() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import TextFile
-from trajopt_cli.rapid.execution import interpreter, loops
+from trajopt_cli.rapid.execution import context, loops
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.rapid.reader import try_program
 from trajopt_cli.scenario import Scenario
@@ -39,7 +39,7 @@ def test_what_a_loop_lacks_is_looked_up_once(body: str, monkeypatch: pytest.Monk
         looked.append(word)
         return difflib.get_close_matches(word, *rest, **more)  # type: ignore[call-overload,no-any-return]
 
-    monkeypatch.setattr(interpreter, "get_close_matches", counted)
+    monkeypatch.setattr(context, "get_close_matches", counted)
     declared = "VAR num x:=0;\nVAR robtarget p;"
     with pytest.raises(InputError, match="di_go"):
         try_program(program(f"WHILE di_go = 0 DO\n{body}\nENDWHILE", declared), Scenario(pass_limit=300))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,31 +9,11 @@ from hypothesis import strategies as st
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, SignalEvent, Source, TextFile, Wait
-from trajopt_cli.rapid.execution.functions import (
-    data,
-    numbers,
-    poses,
-    strings,
-    system,
-    targets,
-    unknown,
-)
-from trajopt_cli.rapid.execution.functions import signals as signal_functions
-from trajopt_cli.rapid.execution.instructions import (
-    files,
-    flow,
-    moves,
-    no_effect,
-    operator,
-    settings,
-    signals,
-    sockets,
-    symbols,
-    variables,
-    waits,
-)
+from trajopt_cli.rapid.execution.functions import table as function_table
+from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
+from trajopt_cli.rapid.execution.instructions import rows, table
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS, effects
+from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template
 from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key, yaml_answer, yaml_name
@@ -337,22 +315,30 @@ def test_conditions_are_compared_without_blanks_and_case() -> None:
 
 
 def test_no_name_has_two_meanings() -> None:
-    topics = (files, flow, moves, operator, no_effect, settings, signals, sockets, symbols, variables, waits)
-    names = [name.lower() for topic in topics for name in topic.INSTRUCTIONS]
-    assert sorted(names) == sorted(set(names))
-    topics = (data, numbers, poses, signal_functions, strings, system, targets, unknown)
-    names = [name.lower() for topic in topics for name in topic.FUNCTIONS]
-    assert sorted(names) == sorted(set(names))
+    for names in (INSTRUCTIONS, FUNCTIONS):
+        assert len({name.lower() for name in names}) == len(names) == sum(map(len, topics_of(names)))
+
+
+def topics_of(names: object) -> list[object]:
+    """The tables that a table is made of."""
+    if names is FUNCTIONS:
+        return [topic.FUNCTIONS for topic in function_table.TOPICS]
+    tables = [handlers for topic in table.TOPICS for handlers in topic.INSTRUCTIONS.values()]
+    return [*tables, rows.INSTRUCTIONS]
+
+
+def unread(effect: Effect) -> list[str]:
+    return [name for _, its, names in rows.UNREAD if its is effect for name in names.split()]
 
 
 def test_everything_without_effect_is_counted_and_nothing_else_happens() -> None:
-    for name in (name for name, effect in no_effect.EFFECTS.items() if effect is Effect.IGNORED):
+    for name in unread(Effect.IGNORED):
         program = run(f"{name} nobody; {name} \\x, nobody;")
         assert (program.motions, dict(program.ignored)) == ((), {name: 2})
 
 
 def test_what_waits_for_somebody_outside_is_a_wait_of_its_least_time() -> None:
-    for name in (name for name, effect in no_effect.EFFECTS.items() if effect is Effect.STOPS):
+    for name in unread(Effect.STOPS):
         program = run(f"{name} nobody;", "", Scenario(waits={name.lower(): 0.5}))
         (wait,) = program.motions
         assert isinstance(wait, Wait)
@@ -366,16 +352,6 @@ def test_what_has_no_time_out_cannot_time_out() -> None:
     with pytest.raises(InputError) as caught:
         run("WaitTime 1;\nStop;", "", Scenario(waits={"stop": None}))
     assert (caught.value.file, caught.value.line) == ("m.mod", 5)
-
-
-def test_an_instruction_has_the_effect_of_its_topic_unless_it_says_its_own() -> None:
-    topic = SimpleNamespace(
-        INSTRUCTIONS={"Push": no_effect.plain, "Pull": no_effect.plain}, EFFECTS={"Pull": Effect.STOPS}
-    )
-    assert effects(topic) == {"Push": Effect.RUN, "Pull": Effect.STOPS}
-    topic.EFFECT = Effect.WAITS
-    assert effects(topic) == {"Push": Effect.WAITS, "Pull": Effect.STOPS}
-    assert EFFECTS.keys() == INSTRUCTIONS.keys()
 
 
 # ------------------------------------------------------------------------------------------------- missing routines

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
+from trajopt_cli.rapid.data.errors import Undeclared
 from trajopt_cli.rapid.entry import NoEntry
-from trajopt_cli.rapid.execution.faults import Undeclared
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import is_module
 from trajopt_cli.scenario import Lacking

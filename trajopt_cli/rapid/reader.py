@@ -103,9 +103,9 @@ def try_program(
         fill_constant_speed(run, modules)
     except InputError as error:
         _show(run, error)
-        if not run.world.lacks:
+        if not run.external.missing:
             raise
-        raise lacking([*run.world.lacks.values()], error) from error
+        raise lacking([*run.external.missing.values()], error) from error
     except RecursionError:
         raise InputError("is nested too deeply to be run", file=subject) from None
     program = Program(
@@ -124,11 +124,11 @@ def try_program(
         ),
     )
     program = laid_beside(program, run.scenario, kinematics)
-    run.outside.data.clear()  # as below
+    run.external.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()
         scope.types.clear()
-    return program, tuple(run.world.lacks.values())
+    return program, tuple(run.external.missing.values())
 
 
 def _show(run: Execution, error: InputError) -> None:

@@ -386,6 +386,11 @@ TYPES: dict[str, Type] = {
 }
 
 
+def convertible(wanted: Type, given: Type) -> bool:
+    """Whether a value may be used where another type is asked for: num and dnum mix, all else is strict."""
+    return (is_number(wanted) and is_number(given)) or same_type(wanted, given)
+
+
 def same_type(a: Type, b: Type) -> bool:
     """Whether a value of one type may stand for the other; open array sizes fit any."""
     if a is b:

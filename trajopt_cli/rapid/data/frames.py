@@ -6,11 +6,13 @@ The motions leave this room as the arrays of trajopt_cli.geometry.
 
 from __future__ import annotations
 
-from math import cos, hypot, sin, sqrt
+from math import atan2, cos, hypot, sin, sqrt
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 Frame = tuple[Vector, Quaternion]
+
+IDENTITY: Frame = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
 
 
 def norm(q: Quaternion) -> float:
@@ -87,3 +89,23 @@ def matrix(q: Quaternion) -> tuple[Vector, Vector, Vector]:
 def length(p: Vector) -> float:
     """Length of a vector."""
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
+
+
+def _turned(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
+    """The orientation at a share 0..1 of the shorter turn from a to b; both of unit length."""
+    w, x, y, z = product(conjugate(a), b)
+    if w < 0:
+        w, x, y, z = -w, -x, -y, -z
+    size = length((x, y, z))
+    if size < 1e-15:
+        return a
+    angle = 2 * atan2(size, w) * share
+    half = sin(angle / 2) / size
+    return product(a, (sqrt(max(0.0, 1 - sin(angle / 2) ** 2)), x * half, y * half, z * half))
+
+
+def between(a: Frame, b: Frame, share: float) -> Frame:
+    """The frame at a share 0..1 of the line from a to b: chord and the shorter turn."""
+    (ax, ay, az), (bx, by, bz) = a[0], b[0]
+    p = (ax + share * (bx - ax), ay + share * (by - ay), az + share * (bz - az))
+    return p, _turned(a[1], b[1], share)

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.datatypes import Array, Atomic, Record, Type, Value
+from trajopt_cli.rapid.data.errors import Fault
 from trajopt_cli.rapid.language.syntax import AliasDeclaration, Argument, RecordDeclaration, Routine
 from trajopt_cli.rapid.language.text import Places
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.faults import Fault
 
 
 class Datum:
@@ -195,3 +192,13 @@ class CallFrame:
     motions: int = 0
     passes: dict[int, int] = field(default_factory=dict)
     turns: dict[int, tuple[int, int]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Head:
+    """What a routine takes and gives, worked out once. groups: mutually exclusive optional parameters, as spelled."""
+
+    types: tuple[Type, ...]
+    returns: Type | None
+    required: tuple[str, ...]
+    groups: tuple[tuple[str, ...], ...]

@@ -27,18 +27,17 @@ from trajopt_cli.rapid.data.datatypes import (
     single,
 )
 from trajopt_cli.rapid.data.predefined import predefined
-from trajopt_cli.rapid.execution.evaluate import evaluate, locate
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.syntax import Aggregate, Call, Component, Element, Expression, Name
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import NUM_LIMIT, Answer, yaml_answer
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Node
 
 
-def root(run: Execution, node: Expression) -> str:
+def root(run: Context, node: Expression) -> str:
     """The name of the variable that an expression is, or is a part of: `p` of `p{2}.trans.x`."""
     while isinstance(node, (Component, Element)):
         node = node.base
@@ -47,14 +46,14 @@ def root(run: Execution, node: Expression) -> str:
     return node.name
 
 
-def fill(run: Execution, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
+def fill(run: Context, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
     """Let a variable have the scenario's answer under its name; returns the value.
 
     A type that nothing here computes with (rawbytes ...) stays as it is, and None is returned. reason: what asked, for
     messages. default: stands in for a missing answer; None for 0, "", FALSE. Raises InputError for an answer of another
     type than the variable's.
     """
-    type_ = locate(run, target).type
+    type_ = run.locate(target).type
     element = type_.element if isinstance(type_, Array) else type_
     if element.default is None:
         return None
@@ -64,7 +63,7 @@ def fill(run: Execution, target: Expression, reason: str, default: Answer | None
 
 
 def ask(
-    run: Execution,
+    run: Context,
     node: Node,
     name: str,
     type_: Type,
@@ -78,11 +77,11 @@ def ask(
     """
     if default is None:
         default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
-    return typed(run, node, name, type_, run.world.answer(run, node, name, reason, default, close), "answer", "to")
+    return typed(run, node, name, type_, run.answer(node, name, reason, default, close), "answer", "to")
 
 
 @of_kind(ErrorKind.CELL)
-def typed(run: Execution, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
+def typed(run: Context, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
     """What the cell file gives under name as a value of a type. what, of: "answer", "to" and the like, for messages."""
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
         if type_ is NUM and abs(answer) > NUM_LIMIT:
@@ -109,12 +108,12 @@ _WANTED = {
 }
 
 
-def _parsed(run: Execution, node: Node, subject: str, type_: Type, text: str) -> Value:
+def _parsed(run: Context, node: Node, subject: str, type_: Type, text: str) -> Value:
     try:
         literal = parse_expression(text, "")
         names = [*_names(literal)]
         if isinstance(literal, Aggregate) and not names:
-            value = evaluate(run, literal, type_)
+            value = run.evaluate(literal, type_)
             return Value(value.type, value.data)
         problem = f"has the name {names[0]} in it" if names else "is not a value in brackets"
     except InputError as error:
@@ -136,19 +135,19 @@ def _names(literal: Expression) -> Iterator[str]:
 _LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
 
 
-def _example(run: Execution, node: Node, name: str, type_: Type) -> str:
+def _example(run: Context, node: Node, name: str, type_: Type) -> str:
     """A value of a record or an array as RAPID writes it."""
     return _whole(run, node, name, Value(type_, stand_in(type_)))
 
 
-def _whole(run: Execution, node: Node, name: str, value: Value) -> str:
+def _whole(run: Context, node: Node, name: str, value: Value) -> str:
     text = _literal(value.type, value.data, _LONGEST)
     if len(text) > _LONGEST:
         raise run.error(node, f"'{name}' is a {value.type.name} with more values than a cell file can hold")
     return text
 
 
-def shown_value(run: Execution, node: Node, name: str, value: Value) -> str:
+def shown_value(run: Context, node: Node, name: str, value: Value) -> str:
     """The value of data as the cell file spells it."""
     plain = isinstance(value.type, Atomic)
     return yaml_answer(value.data if plain else _whole(run, node, name, value))

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from trajopt_cli.rapid.data.datatypes import Value
 from trajopt_cli.rapid.data.scope import Absent
 from trajopt_cli.rapid.execution.construction import maker
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Argument, Call, Expression, Name, ProcedureCall
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
-
-# A handler of an instruction or of a function.
-Instruction = Callable[["Execution", ProcedureCall], None]
-Function = Callable[["Execution", Call], Value]
+# A handler of a function.
+Function = Callable[[Context, Call], Value]
 
 
 class Arguments(NamedTuple):
@@ -30,7 +26,7 @@ class Arguments(NamedTuple):
         return self.optional.get(name)
 
 
-def present(run: Execution, args: Sequence[Argument]) -> list[Argument]:
+def present(run: Context, args: Sequence[Argument]) -> list[Argument]:
     r"""The arguments that are really there: `\name?parameter` is only if the parameter is."""
     kept = []
     for arg in args:
@@ -43,7 +39,7 @@ def present(run: Execution, args: Sequence[Argument]) -> list[Argument]:
     return kept
 
 
-def _parameter(run: Execution, arg: Argument, node: Name) -> None:
+def _parameter(run: Context, arg: Argument, node: Name) -> None:
     routine = run.frame.routine
     if routine is None or node.name.lower() not in {parameter.name.lower() for parameter in routine.parameters}:
         where = f"{routine.kind} {routine.name}" if routine else "a routine"
@@ -51,7 +47,7 @@ def _parameter(run: Execution, arg: Argument, node: Name) -> None:
 
 
 def named(
-    run: Execution, call: str, arg: Argument, place: int, required: Sequence[str], optional: Sequence[str] = ()
+    run: Context, call: str, arg: Argument, place: int, required: Sequence[str], optional: Sequence[str] = ()
 ) -> None:
     """Hold the name before a required argument against the parameter's at its place: a name changes no order.
 
@@ -75,7 +71,7 @@ def named(
 
 
 def bind(
-    run: Execution, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
+    run: Context, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
 ) -> Arguments:
     """Arguments by place and name. required, optional: as in the manual, for messages. more: that many may follow.
 
@@ -119,7 +115,7 @@ def bind(
 _arguments = maker(Arguments)
 
 
-def subject(run: Execution, call: ProcedureCall | Call, node: Expression) -> str | None:
+def subject(run: Context, call: ProcedureCall | Call, node: Expression) -> str | None:
     """What an argument is called in messages: "Speed of MoveL". None where node is no argument of the call."""
     count = 0
     for arg in call.args:

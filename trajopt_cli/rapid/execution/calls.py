@@ -4,25 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
-from trajopt_cli.rapid.data.scope import ABSENT, Absent, CallFrame, Datum, ModuleScope, Place
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value, convertible
+from trajopt_cli.rapid.data.errors import Jump, Mismatch, Return, Undeclared
+from trajopt_cli.rapid.data.scope import ABSENT, Absent, CallFrame, Datum, Head, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import named, present, subject
-from trajopt_cli.rapid.execution.control_flow import Jump, Return
-from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
-from trajopt_cli.rapid.execution.faults import Undeclared
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS, STOPPING
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS
+from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.instructions.waits import hold_up
-from trajopt_cli.rapid.execution.loading import find_type
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
 from trajopt_cli.rapid.execution.operators import computed
-from trajopt_cli.rapid.execution.type_errors import Mismatch
-from trajopt_cli.rapid.execution.units import unit_name
+from trajopt_cli.rapid.execution.types import find_type
 from trajopt_cli.rapid.language.syntax import (
     Argument,
     Call,
@@ -39,16 +34,11 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 CALL_LIMIT = 250  # routines inside routines
 CALL_COST = 6  # statements that take as long as a call
 FUNCTION_COST = 2  # and as long as a predefined function
-_INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
-_EFFECTS = {
-    name.lower(): (name, effect) for name, effect in EFFECTS.items() if effect in (Effect.IGNORED, Effect.STOPS)
-}
+_INSTRUCTIONS = {name.lower(): instruction for name, instruction in INSTRUCTIONS.items()}
+_IGNORED, _STOPS = Effect.IGNORED, Effect.STOPS
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _STOPPING = {name.lower(): name for name in STOPPING}
 _NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
@@ -62,20 +52,10 @@ _OF_MOVES = frozenset({"robtarget", "jointtarget", "speeddata"})
 _TARGETS = frozenset({"offs", "reltool", "mirpos", "orobt", "crobt", "cjointt", "calcrobt", "calcjointt"})
 
 
-@dataclass(frozen=True)
-class Head:
-    """What a routine takes and gives, worked out once. groups: mutually exclusive optional parameters, as spelled."""
-
-    types: tuple[Type, ...]
-    returns: Type | None
-    required: tuple[str, ...]
-    groups: tuple[tuple[str, ...], ...]
-
-
 # ------------------------------------------------------------------------------------------------- calls by name
 
 
-def procedure(run: Execution, node: ProcedureCall) -> None:
+def procedure(run: Context, node: ProcedureCall) -> None:
     """An instruction, or a procedure of the program; the program's own goes first."""
     found = run.routine(node.name)
     if found is not None:
@@ -84,20 +64,18 @@ def procedure(run: Execution, node: ProcedureCall) -> None:
             raise run.error(node, f"{node.name} is a {routine.kind}; {_remedy(node, routine)}")
         enter(run, routine, scope, node.args, node)
         return
-    key = node.name.lower()
-    instruction = _INSTRUCTIONS.get(key)
+    instruction = _INSTRUCTIONS.get(node.name.lower())
     if instruction is None:
         return _stub(run, node)
+    name, _, effect, handler = instruction
     try:
-        instruction(run, node)
+        handler(run, node)
     except Mismatch as error:
-        raise _told(run, node, error) from None
-    if key in _EFFECTS:
-        name, effect = _EFFECTS[key]
-        if effect is Effect.IGNORED:
-            run.ignored[name] += 1
-        else:
-            hold_up(run, node, name)
+        raise _about_argument(run, node, error) from None
+    if effect is _IGNORED:
+        run.ignored[name] += 1
+    elif effect is _STOPS:
+        hold_up(run, node, name)
     if len(run.motions) != len(run.links):
         run.settle()
 
@@ -110,10 +88,10 @@ def _remedy(node: ProcedureCall, routine: Routine) -> str:
     return f"only a PROC is called as a statement; write 'x:={node.name}({taken});', or make it a PROC"
 
 
-def _stub(run: Execution, node: ProcedureCall) -> None:
+def _stub(run: Context, node: ProcedureCall) -> None:
     """A procedure that no file declares: it does nothing, which is for the user to say."""
     if node.name.lower() in run.scenario.stubs:
-        run.world.asked("stubs", node.name.lower())
+        run.external.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         if _moves(run, node):
             what = f"{node.name} does nothing here (stubs), but its name or arguments say that it moves the robot or "
@@ -137,15 +115,15 @@ def _stub(run: Execution, node: ProcedureCall) -> None:
             column=error.column,
             excerpt=error.excerpt,
         )
-    run.world.lack(run, "stubs", node.name, node, message, "", close=close)
+    run.missing("stubs", node.name, node, message, "", close=close)
 
 
-def _moves(run: Execution, node: ProcedureCall) -> bool:
+def _moves(run: Context, node: ProcedureCall) -> bool:
     """Whether an unknown procedure moves or sets speeds: by its name, or as it is given targets or speeds."""
     return _MOVING.fullmatch(node.name) is not None or any(_tells_a_move(run, arg.value) for arg in node.args)
 
 
-def _tells_a_move(run: Execution, value: Expression | None) -> bool:
+def _tells_a_move(run: Context, value: Expression | None) -> bool:
     while isinstance(value, Element):
         value = value.base
     if isinstance(value, Call):
@@ -158,7 +136,7 @@ def _tells_a_move(run: Execution, value: Expression | None) -> bool:
     return type_.name in _OF_MOVES
 
 
-def function(run: Execution, node: Call, wanted: Type | None) -> Value:
+def function(run: Context, node: Call, wanted: Type | None) -> Value:
     """The value of a function of the program, of a predefined one, or of one that the scenario answers for.
 
     wanted: the type that the place asks for.
@@ -186,30 +164,30 @@ def function(run: Execution, node: Call, wanted: Type | None) -> Value:
     try:
         value = handler(run, node)
     except Mismatch as error:
-        raise _told(run, node, error) from None
+        raise _about_argument(run, node, error) from None
     if key in _STOPPING:
         hold_up(run, node, _STOPPING[key])
         run.settle()
     return computed(run, node, value.type, value.data) if value.origin is None else value
 
 
-def knows(run: Execution, name: str) -> bool:
+def knows(run: Context, name: str) -> bool:
     """Whether a function is one of the program's or of RAPID's."""
     return name.lower() in _FUNCTIONS or run.routine(name) is not None
 
 
-def _told(run: Execution, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
+def _about_argument(run: Context, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
     """The error, with the argument that it is about."""
     name = subject(run, call, error.node)
     return error.about(error.node, name) if name else error
 
 
-def late_call(run: Execution, node: LateCall) -> None:
+def late_call(run: Context, node: LateCall) -> None:
     """`%expression% arguments;`."""
-    call_by_name(run, node, str(evaluate(run, node.name, STRING).data), node.args)
+    call_by_name(run, node, str(run.evaluate(node.name, STRING).data), node.args)
 
 
-def call_by_name(run: Execution, node: Node, text: str, args: Sequence[Argument]) -> None:
+def call_by_name(run: Context, node: Node, text: str, args: Sequence[Argument]) -> None:
     """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that module.
 
     Raises Fault where there is none.
@@ -240,7 +218,7 @@ def call_by_name(run: Execution, node: Node, text: str, args: Sequence[Argument]
 # --------------------------------------------------------------------------------------------------- one routine
 
 
-def enter(run: Execution, routine: Routine, scope: ModuleScope, args: Sequence[Argument], node: Node) -> Value | None:
+def enter(run: Context, routine: Routine, scope: ModuleScope, args: Sequence[Argument], node: Node) -> Value | None:
     """Run a routine with arguments that stand in the routine that runs now; the value that a FUNC returns."""
     if run.depth >= CALL_LIMIT:
         raise run.error(node, f"calls are nested deeper than {CALL_LIMIT} routines at {routine.name}")
@@ -271,7 +249,7 @@ def enter(run: Execution, routine: Routine, scope: ModuleScope, args: Sequence[A
     return None
 
 
-def _lost(run: Execution, routine: Routine, node: Goto) -> Exception:
+def _lost(run: Context, routine: Routine, node: Goto) -> Exception:
     stack: list[object] = list(routine.body)
     while stack:
         inner = stack.pop()
@@ -284,7 +262,7 @@ def _lost(run: Execution, routine: Routine, node: Goto) -> Exception:
     return run.error(node, f"there is no label {node.label} in {routine.kind} {routine.name}")
 
 
-def _head(run: Execution, routine: Routine, scope: ModuleScope) -> Head:
+def _head(run: Context, routine: Routine, scope: ModuleScope) -> Head:
     head = run.heads.get(id(routine))
     if head is not None:
         return head
@@ -310,7 +288,7 @@ def _head(run: Execution, routine: Routine, scope: ModuleScope) -> Head:
     return head
 
 
-def _pass(run: Execution, routine: Routine, head: Head, args: list[Argument], frame: CallFrame, node: Node) -> None:
+def _pass(run: Context, routine: Routine, head: Head, args: list[Argument], frame: CallFrame, node: Node) -> None:
     """Fill a frame's parameters. args are evaluated where the call stands."""
     required = [arg for arg in args if arg.name is None]
     optional = {arg.name.lower(): arg for arg in args if arg.name is not None}
@@ -340,7 +318,7 @@ def _pass(run: Execution, routine: Routine, head: Head, args: list[Argument], fr
         raise run.error(arg, f"{routine.name} has no optional parameter \\{arg.name}")
 
 
-def _argument(run: Execution, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
+def _argument(run: Context, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
     if arg.value is None:
         if type_ is not SWITCH:
             raise run.error(arg, f"\\{parameter.name} needs a value of type {type_.name}")
@@ -348,14 +326,14 @@ def _argument(run: Execution, routine: Routine, parameter: Parameter, type_: Typ
     if type_.name in SIGNALS:
         return Datum(type_, Value(type_, run.signal(arg.value)), "a signal", "CONST")
     if type_.name == "mecunit":
-        return Datum(type_, Value(type_, unit_name(run, arg.value)), "a mechanical unit", "CONST")
+        return Datum(type_, Value(type_, run.unit(arg.value)), "a mechanical unit", "CONST")
     if parameter.mode is None:
         try:
-            value = evaluate(run, arg.value, type_)
+            value = run.evaluate(arg.value, type_)
         except Mismatch as error:
             raise error.about(arg.value, f"parameter {parameter.name} of {routine.name}") from None
         return Datum(value.type if isinstance(type_, Array) else type_, value)
-    place = locate(run, arg.value)
+    place = run.locate(arg.value)
     if not convertible(type_, place.type):
         name = f"parameter {parameter.name} of {routine.name}"
         raise run.error(arg, f"{name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")

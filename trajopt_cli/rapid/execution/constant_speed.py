@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.motion import MoveC, MoveL
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.named import Around, Modules, named
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def fill_constant_speed(run: Execution, modules: Modules) -> None:
+def fill_constant_speed(run: Context, modules: Modules) -> None:
     """Mark the lines and arcs of a finished run that constant_speed names, and warn of entries that name none.
 
     Raises InputError for a procedure or a line in the cell file that the program does not have.

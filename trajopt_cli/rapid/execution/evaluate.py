@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import isfinite, trunc
-from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.datatypes import (
     ACCDATA,
@@ -32,10 +31,12 @@ from trajopt_cli.rapid.data.datatypes import (
     same_type,
     single,
 )
+from trajopt_cli.rapid.data.errors import Mismatch
 from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, Told, item
+from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
-from trajopt_cli.rapid.execution.type_errors import Mismatch, mismatch
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
@@ -53,13 +54,10 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 TRUE, FALSE = Value(BOOL, True), Value(BOOL, False)
 
 
-def evaluate(run: Execution, node: Expression, wanted: Type | None = None) -> Value:
+def evaluate(run: Context, node: Expression, wanted: Type | None = None) -> Value:
     """The value of an expression. wanted: the type the place asks for, checked; an aggregate gets its type from it.
 
     Raises InputError, placed at the part that is wrong.
@@ -79,16 +77,16 @@ def evaluate(run: Execution, node: Expression, wanted: Type | None = None) -> Va
     return _converted(run, node, value, wanted)
 
 
-def _converted(run: Execution, node: Expression, value: Value, wanted: Type) -> Value:
+def _converted(run: Context, node: Expression, value: Value, wanted: Type) -> Value:
     if is_number(wanted) and is_number(value.type):
         _mixed(run, node)
         return Value(DNUM, value.data) if wanted is DNUM else computed(run, node, NUM, value.data)
     if not same_type(wanted, value.type):
-        raise mismatch(run, node, wanted, value)
+        raise run.mismatch(node, wanted, value)
     return value
 
 
-def _mixed(run: Execution, node: Node) -> None:
+def _mixed(run: Context, node: Node) -> None:
     run.note(
         "dnum",
         WarningKind.UNUSUAL,
@@ -97,22 +95,17 @@ def _mixed(run: Execution, node: Node) -> None:
     )
 
 
-def convertible(wanted: Type, given: Type) -> bool:
-    """Whether a value may be used where another type is asked for: num and dnum mix, all else is strict."""
-    return (is_number(wanted) and is_number(given)) or same_type(wanted, given)
-
-
-def number(run: Execution, node: Expression) -> float:
+def number(run: Context, node: Expression) -> float:
     """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
     if type(node) is Number and abs(node.value) <= NUM_LIMIT:
         return node.value
     value = evaluate(run, node)
     if not is_number(value.type):
-        raise mismatch(run, node, NUM, value)
+        raise run.mismatch(node, NUM, value)
     return float(value.data)
 
 
-def integer(run: Execution, node: Expression, what: str) -> int:
+def integer(run: Context, node: Expression, what: str) -> int:
     """The value of an expression that must be a whole number; what names it in the message."""
     try:
         value = number(run, node)
@@ -123,7 +116,7 @@ def integer(run: Execution, node: Expression, what: str) -> int:
     return int(value)
 
 
-def condition(run: Execution, node: Expression) -> bool:
+def condition(run: Context, node: Expression) -> bool:
     """The value of a bool expression."""
     try:
         return evaluate(run, node, BOOL).data is True
@@ -134,7 +127,7 @@ def condition(run: Execution, node: Expression) -> bool:
 # -------------------------------------------------------------------------------------------------------- literals
 
 
-def _number(run: Execution, node: Number, wanted: Type | None) -> Value:
+def _number(run: Context, node: Number, wanted: Type | None) -> Value:
     if wanted is DNUM and isfinite(node.value):
         return Value(DNUM, node.value)
     try:
@@ -143,19 +136,19 @@ def _number(run: Execution, node: Number, wanted: Type | None) -> Value:
         raise run.fault(node, "ERR_NUM_LIMIT", f"number {run.text(node)} is too large for a num") from None
 
 
-def _string(run: Execution, node: String, wanted: Type | None) -> Value:
+def _string(run: Context, node: String, wanted: Type | None) -> Value:
     return string(run, node, node.value)
 
 
-def _boolean(run: Execution, node: Boolean, wanted: Type | None) -> Value:
+def _boolean(run: Context, node: Boolean, wanted: Type | None) -> Value:
     return TRUE if node.value else FALSE
 
 
-def _call(run: Execution, node: Call, wanted: Type | None) -> Value:
+def _call(run: Context, node: Call, wanted: Type | None) -> Value:
     return run.call_function(node, wanted)
 
 
-def _placeholder(run: Execution, node: Placeholder, wanted: Type | None) -> Value:
+def _placeholder(run: Context, node: Placeholder, wanted: Type | None) -> Value:
     if node.name == "*":
         raise run.error(node, "a target '*' has no coordinates in the text; declare it as a robtarget")
     raise run.error(node, f"unfinished code {node.name} cannot be run")
@@ -164,33 +157,33 @@ def _placeholder(run: Execution, node: Placeholder, wanted: Type | None) -> Valu
 # ------------------------------------------------------------------------------------------------------ data names
 
 
-def _name(run: Execution, node: Name, wanted: Type | None) -> Value:
+def _name(run: Context, node: Name, wanted: Type | None) -> Value:
     return _read(run, node, run.find(node.name), wanted)
 
 
-def _read(run: Execution, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
+def _read(run: Context, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
     if type(place) is Told:
-        run.outside.settle(run, place, node, wanted)
+        external_data.settle(run, place, node, wanted)
     if place is None:
         if wanted is not None and not is_number(wanted):
-            return run.outside.unknown(run, node, wanted)
-        return Value(NUM, single(run.world.signal(run, node, node.name)))
+            return external_data.unknown(run, node, wanted)
+        return Value(NUM, single(run.read_signal(node, node.name)))
     if isinstance(place, Absent):
         raise _absent(run, node)
     return _readable(run, node, place.value, wanted)
 
 
-def _readable(run: Execution, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
+def _readable(run: Context, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
     type_ = value.type
     if type_.name in SIGNALS and type_ is not wanted:
         name = value.data or (node.name if isinstance(node, Name) else run.text(node))
-        return Value(NUM, single(run.world.signal(run, node, str(name))))
+        return Value(NUM, single(run.read_signal(node, str(name))))
     if not type_.known:
         raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is not declared anywhere")
     return value
 
 
-def _absent(run: Execution, node: Name) -> Exception:
+def _absent(run: Context, node: Name) -> Exception:
     return run.fault(
         node,
         "ERR_NOTPRES",
@@ -198,7 +191,7 @@ def _absent(run: Execution, node: Name) -> Exception:
     )
 
 
-def locate(run: Execution, node: Expression) -> Place:
+def locate(run: Context, node: Expression) -> Place:
     """The data that an expression names, to be changed. Raises InputError when it is not data."""
     if isinstance(node, Name):
         place = run.find(node.name)
@@ -207,7 +200,7 @@ def locate(run: Execution, node: Expression) -> Place:
         if isinstance(place, Absent):
             raise _absent(run, node)
         if type(place) is Told:
-            run.outside.settle(run, place, node)
+            external_data.settle(run, place, node)
         return place
     if isinstance(node, Component):
         base = _from_outside(run, node) or locate(run, node.base)
@@ -220,7 +213,7 @@ def locate(run: Execution, node: Expression) -> Place:
     raise run.error(node, "needs the name of data here, found a value")
 
 
-def _from_outside(run: Execution, node: Component | Element, wanted: Type | None = None) -> Place | None:
+def _from_outside(run: Context, node: Component | Element, wanted: Type | None = None) -> Place | None:
     """What a part is one of, where the cell file gives it or should; None for what the program declares.
 
     wanted: the type of the part.
@@ -231,14 +224,14 @@ def _from_outside(run: Execution, node: Component | Element, wanted: Type | None
     place = run.find(base.name)
     if type(place) is Told:
         if isinstance(node, Component):
-            run.outside.settle(run, place, base, part=node.name.lower())
+            external_data.settle(run, place, base, part=node.name.lower())
         else:
-            run.outside.settle(run, place, base, wanted, depth=len(node.indices))
-    grows = isinstance(node, Element) and run.outside.grows(base.name)
-    return run.outside.whole(run, base, node, wanted) if place is None or grows else None
+            external_data.settle(run, place, base, wanted, depth=len(node.indices))
+    grows = isinstance(node, Element) and base.name.lower() in run.external.grows
+    return external_data.whole(run, base, node, wanted) if place is None or grows else None
 
 
-def inside_opaque(run: Execution, node: Expression) -> bool:
+def inside_opaque(run: Context, node: Expression) -> bool:
     """Whether an expression names a part of data whose parts are not known here (`weld1.weld_speed`)."""
     while isinstance(node, (Component, Element)):
         component = isinstance(node, Component)
@@ -255,7 +248,7 @@ def inside_opaque(run: Execution, node: Expression) -> bool:
     return False
 
 
-def _part_value(run: Execution, node: Component | Element, wanted: Type | None) -> Value:
+def _part_value(run: Context, node: Component | Element, wanted: Type | None) -> Value:
     whole = node.base
     place: Place | Absent | None = None
     if isinstance(whole, Name):
@@ -271,7 +264,7 @@ def _part_value(run: Execution, node: Component | Element, wanted: Type | None) 
     return _readable(run, node, base, wanted) if is_opaque(base.type) else base
 
 
-def _component(run: Execution, node: Component, type_: Type) -> tuple[int, Type]:
+def _component(run: Context, node: Component, type_: Type) -> tuple[int, Type]:
     if isinstance(type_, Record):
         wanted = node.name.lower()
         for index, (name, part) in enumerate(type_.components):
@@ -286,7 +279,7 @@ def _component(run: Execution, node: Component, type_: Type) -> tuple[int, Type]
     raise run.error(node, f"a {type_.name} has no components, so it has no '.{node.name}'")
 
 
-def _elements(run: Execution, node: Element, base: Value) -> list[tuple[int, Type]]:
+def _elements(run: Context, node: Element, base: Value) -> list[tuple[int, Type]]:
     type_, data = base.type, base.data
     if not isinstance(type_, Array):
         raise run.error(node, f"a {type_.name} is not an array, so it has no elements")
@@ -312,7 +305,7 @@ def _elements(run: Execution, node: Element, base: Value) -> list[tuple[int, Typ
 # ------------------------------------------------------------------------------------------------------ aggregates
 
 
-def _aggregate(run: Execution, node: Aggregate, wanted: Type | None) -> Value:
+def _aggregate(run: Context, node: Aggregate, wanted: Type | None) -> Value:
     if wanted is None:
         raise run.error(node, "an aggregate has no type here; declare it as data and use its name")
     return aggregate(run, node, wanted)
@@ -321,7 +314,7 @@ def _aggregate(run: Execution, node: Aggregate, wanted: Type | None) -> Value:
 _value, _origin = maker(Value), maker(Origin)
 
 
-def aggregate(run: Execution, node: Aggregate, wanted: Type) -> Value:
+def aggregate(run: Context, node: Aggregate, wanted: Type) -> Value:
     """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
     if wanted.layout is not None:
         places = run.places()
@@ -348,7 +341,7 @@ def aggregate(run: Execution, node: Aggregate, wanted: Type) -> Value:
     elif is_opaque(wanted):
         return opaque(run, node, wanted)
     else:
-        raise mismatch(run, node, wanted, None)
+        raise run.mismatch(node, wanted, None)
     try:
         values = [evaluate(run, inner, part) for part, inner in zip(parts, node.items, strict=True)]
     except Mismatch as error:
@@ -362,7 +355,7 @@ def aggregate(run: Execution, node: Aggregate, wanted: Type) -> Value:
     return Value(wanted, tuple([value.data for value in values]), Origin(run.file, node, None))
 
 
-def opaque(run: Execution, node: Expression, type_: Type) -> Value:
+def opaque(run: Context, node: Expression, type_: Type) -> Value:
     """A value of a type that means nothing here: its literals where it is written with nothing else, else its text."""
     if isinstance(node, Aggregate) and (data := _literals(node)) is not None:
         return Value(type_, data)
@@ -390,7 +383,7 @@ def _closed(open_: Array, inner: Type, size: int) -> Array:
 # ------------------------------------------------------------------------------------------------------- operators
 
 
-def _unary(run: Execution, node: Unary, wanted: Type | None) -> Value:
+def _unary(run: Context, node: Unary, wanted: Type | None) -> Value:
     if node.operator == "NOT":
         try:
             return FALSE if evaluate(run, node.operand, BOOL).data is True else TRUE
@@ -407,7 +400,7 @@ def _unary(run: Execution, node: Unary, wanted: Type | None) -> Value:
     raise run.error(node, f"'{node.operator}' needs a number or a pos, found {value.type.name}")
 
 
-def _hinted(run: Execution, node: Expression) -> Value:
+def _hinted(run: Context, node: Expression) -> Value:
     """An operand where a dnum is asked for: its literals are dnums, and its type is not checked yet."""
     return _EVALUATE[type(node)](run, node, DNUM) if isinstance(node, (Number, Unary, Binary)) else evaluate(run, node)
 
@@ -419,7 +412,7 @@ def _literal(node: Expression) -> bool:
     return isinstance(node, Number) or (isinstance(node, Unary) and _literal(node.operand))
 
 
-def _binary(run: Execution, node: Binary, wanted: Type | None) -> Value:
+def _binary(run: Context, node: Binary, wanted: Type | None) -> Value:
     operator = node.operator
     if operator in ("AND", "OR", "XOR"):
         try:
@@ -450,14 +443,14 @@ def _binary(run: Execution, node: Binary, wanted: Type | None) -> Value:
     return value
 
 
-def _unknown(run: Execution, node: Expression) -> bool:
+def _unknown(run: Context, node: Expression) -> bool:
     """Whether a side takes its type from the other one: a name that nothing declares, a function that nobody knows."""
     if type(node) is Call:
         return not run.knows(node.name)
     return type(node) is Name and run.find(node.name) is None
 
 
-def _operands(run: Execution, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
+def _operands(run: Context, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
     """Both sides. An aggregate takes its type from the other one, and so do numbers beside a dnum."""
     if isinstance(node.left, Aggregate):
         b = evaluate(run, node.right)

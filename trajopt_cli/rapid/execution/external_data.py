@@ -4,7 +4,7 @@ A reading gives what the program assigned last, or a wait made sure of; else the
 next one, the last one staying. A wait for a condition that does not hold lets the outside write: of a sequence it takes
 the first value left that fits, which stays until the program assigns another or a later wait needs one.
 
-A name that nothing declares stands for a signal where a number is asked for (world.py). Elsewhere it is data that
+A name that nothing declares stands for a signal where a number is asked for (external.py). Elsewhere it is data that
 lacks: a value to begin with stands in, so that one run finds everything that is missing.
 """
 
@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from math import prod
-from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import (
@@ -25,257 +24,231 @@ from trajopt_cli.rapid.data.datatypes import (
     Record,
     Type,
     Value,
+    convertible,
     is_number,
     is_opaque,
 )
 from trajopt_cli.rapid.data.scope import Datum, Place, Told
 from trajopt_cli.rapid.execution.answers import root, shown_value, stand_in, typed
-from trajopt_cli.rapid.execution.evaluate import convertible, integer, locate
-from trajopt_cli.rapid.execution.loading import find_type
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.types import find_type
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, Node
-from trajopt_cli.scenario import Answer, Scenario
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.external_signals import ExternalSignals
-    from trajopt_cli.rapid.execution.interpreter import Execution
+from trajopt_cli.scenario import Answer
 
 _ELEMENTS = 1000  # of an array that stands in; each growth writes all of them anew
 
 
-class Outside:
-    """What the scenario gives as data, and what stands in for what it lacks; names in lower case."""
+def _read(run: Context, node: Node, told: Told) -> None:
+    """Read all that the cell file gives as values of its type. Raises InputError, placed at node."""
+    run.external.asked("data", told.name)
+    for answer in run.external.left("data", told.name):
+        run.external.typed(told, answer, typed(run, node, told.name, told.type, answer, "value", "of"))
 
-    def __init__(self, scenario: Scenario, world: ExternalSignals):
-        self._world = world
-        self._given = {name.lower(): given for name, given in scenario.data.items()}
-        self._values: dict[tuple[str, Type, type, Answer], Value] = {}
-        self._arrays: set[str] = set()  # that stand in, and grow with the indices that are asked for
-        self.data = {name: Told(name, self._tell) for name in self._given}
 
-    def _tell(self, told: Told) -> Value:
-        return self._value(told, self._world.datum(told.name))
+def declared(run: Context, node: Node, name: str, datum: Datum) -> Told:
+    """What takes the place of declared data. Raises InputError for a constant, and for values of another type."""
+    key = name.lower()
+    if datum.constant:
+        message = f"{name} is a CONST, and data.{name} in the cell file gives it another value; change it here"
+        raise run.error(node, message)
+    told = Told(key, run.external.reading, datum.type)
+    told.storage = datum.storage
+    _read(run, node, told)
+    return told
 
-    def _value(self, told: Told, answer: Answer) -> Value:
-        return self._values[told.name, told.type, type(answer), answer]
 
-    def _read(self, run: Execution, node: Node, told: Told) -> None:
-        """Read all that the cell file gives as values of its type. Raises InputError, placed at node."""
-        self._world.asked("data", told.name)
-        for answer in self._world.left("data", told.name):
-            value = typed(run, node, told.name, told.type, answer, "value", "of")
-            self._values[told.name, told.type, type(answer), answer] = value
+def settle(run: Context, told: Told, node: Node, wanted: Type | None = None, part: str = "", depth: int = 0) -> None:
+    """Let data that nothing declares have a type, from the place that asks first.
 
-    # --------------------------------------------------------------------------------------------- what is declared
+    wanted: the type asked for, of the element where depth indices are given. part: the component that is read.
+    """
+    if told.typed:
+        return
+    name = told.name
+    sample = run.external.left("data", name)[0]
+    types = _types(run, run.external.spelled[name], sample, wanted, part, depth)
+    if len(types) == 1 and (not types[0].known or is_opaque(types[0])):
+        message = f"data.{name} in the cell file is of type {types[0].name}, whose values mean nothing here"
+        raise run.error(node, message)
+    for type_ in types:
+        try:
+            told.type = typed(run, node, name, type_, sample, "value", "of").type
+            return _read(run, node, told)
+        except InputError:
+            if len(types) == 1:
+                raise
+    example = f"data: {{{name}: {{type: {'num' if depth else 'robtarget'}, value: ...}}}}"
+    raise run.error(node, f"the value of '{name}' in the cell file does not tell its type; say it, '{example}'")
 
-    def gives(self, name: str) -> bool:
-        """Whether the cell file has a value for data of this name; in lower case."""
-        return name in self._given
 
-    def declared(self, run: Execution, node: Node, name: str, datum: Datum) -> Told:
-        """What takes the place of declared data. Raises InputError for a constant, and for values of another type."""
-        key = name.lower()
-        if datum.constant:
-            message = f"{name} is a CONST, and data.{name} in the cell file gives it another value; change it here"
-            raise run.error(node, message)
-        told = Told(key, self._tell, datum.type)
-        told.storage = datum.storage
-        self._read(run, node, told)
-        return told
+def _types(run: Context, spelled: str | None, sample: Answer, wanted: Type | None, part: str, depth: int) -> list[Type]:
+    """What data may be, the likeliest first."""
+    if spelled is not None:
+        type_ = find_type(run, spelled)
+        return [Array(type_, None, depth) if depth and not isinstance(type_, Array) else type_]
+    records = [type_ for type_ in TYPES.values() if isinstance(type_, Record)]
+    if part:
+        return _with(run, part)
+    if depth:
+        elements: list[Type] = [wanted] if wanted else [NUM, BOOL, STRING, *records]
+        return [Array(type_, None, depth) for type_ in elements]
+    if wanted is not None:
+        return [wanted]
+    if isinstance(sample, str):
+        return [Array(NUM, None, 1)] if sample.lstrip().startswith("[") else [STRING]
+    return [BOOL if isinstance(sample, bool) else NUM]
 
-    # ------------------------------------------------------------------------------------------- what nothing declares
 
-    def settle(
-        self, run: Execution, told: Told, node: Node, wanted: Type | None = None, part: str = "", depth: int = 0
-    ) -> None:
-        """Let data that nothing declares have a type, from the place that asks first.
+def _with(run: Context, part: str, wanted: Type | None = None) -> list[Type]:
+    """The records that have a component of a name and of a type, robtargets first."""
+    names = (*run.frame.scope.types, *run.shared.types)
+    types = [TYPES["robtarget"], *TYPES.values(), *(find_type(run, name) for name in names)]
+    return [
+        type_
+        for type_ in types
+        if isinstance(type_, Record)
+        and any(name == part and convertible(wanted or of, of) for name, of in type_.components)
+    ]
 
-        wanted: the type asked for, of the element where depth indices are given. part: the component that is read.
-        """
-        if told.typed:
-            return
-        name = told.name
-        sample = self._world.left("data", name)[0]
-        types = self._types(run, self._given[name].type, sample, wanted, part, depth)
-        if len(types) == 1 and (not types[0].known or is_opaque(types[0])):
-            message = f"data.{name} in the cell file is of type {types[0].name}, whose values mean nothing here"
-            raise run.error(node, message)
-        for type_ in types:
-            try:
-                told.type = typed(run, node, name, type_, sample, "value", "of").type
-                return self._read(run, node, told)
-            except InputError:
-                if len(types) == 1:
-                    raise
-        example = f"data: {{{name}: {{type: {'num' if depth else 'robtarget'}, value: ...}}}}"
-        raise run.error(node, f"the value of '{name}' in the cell file does not tell its type; say it, '{example}'")
 
-    def _types(
-        self, run: Execution, spelled: str | None, sample: Answer, wanted: Type | None, part: str, depth: int
-    ) -> list[Type]:
-        """What data may be, the likeliest first."""
-        if spelled is not None:
-            type_ = find_type(run, spelled)
-            return [Array(type_, None, depth) if depth and not isinstance(type_, Array) else type_]
-        records = [type_ for type_ in TYPES.values() if isinstance(type_, Record)]
-        if part:
-            return self._with(run, part)
-        if depth:
-            elements: list[Type] = [wanted] if wanted else [NUM, BOOL, STRING, *records]
-            return [Array(type_, None, depth) for type_ in elements]
-        if wanted is not None:
-            return [wanted]
-        if isinstance(sample, str):
-            return [Array(NUM, None, 1)] if sample.lstrip().startswith("[") else [STRING]
-        return [BOOL if isinstance(sample, bool) else NUM]
+def unknown(run: Context, node: Name, wanted: Type) -> Value:
+    """The stand-in for a name that nothing declares, where a type is asked for. Raises Undeclared for one without
+    values."""
+    if is_opaque(wanted):
+        raise run.undeclared(node, f"{wanted.name} ")
+    if isinstance(wanted, Array):
+        return _array(run, node, wanted.element, (1,) * wanted.dimensions).value
+    return _stand_in(run, node, wanted, f"{wanted.name} ").value
 
-    def _with(self, run: Execution, part: str, wanted: Type | None = None) -> list[Type]:
-        """The records that have a component of a name and of a type, robtargets first."""
-        names = (*run.frame.scope.types, *run.shared.types)
-        types = [TYPES["robtarget"], *TYPES.values(), *(find_type(run, name) for name in names)]
-        return [
-            type_
-            for type_ in types
-            if isinstance(type_, Record)
-            and any(name == part and convertible(wanted or of, of) for name, of in type_.components)
-        ]
 
-    def unknown(self, run: Execution, node: Name, wanted: Type) -> Value:
-        """The stand-in for a name that nothing declares, where a type is asked for. Raises Undeclared for one without
-        values."""
-        if is_opaque(wanted):
-            raise run.undeclared(node, f"{wanted.name} ")
-        if isinstance(wanted, Array):
-            return self._array(run, node, wanted.element, (1,) * wanted.dimensions).value
-        return self._stand_in(run, node, wanted, f"{wanted.name} ").value
+def assigned(run: Context, node: Name, type_: Type) -> Place:
+    """The stand-in for a name that nothing declares and the program assigns to."""
+    if is_opaque(type_):
+        raise run.undeclared(node)
+    return _stand_in(run, node, type_)
 
-    def assigned(self, run: Execution, node: Name, type_: Type) -> Place:
-        """The stand-in for a name that nothing declares and the program assigns to."""
-        if is_opaque(type_):
-            raise run.undeclared(node)
-        return self._stand_in(run, node, type_)
 
-    def whole(self, run: Execution, base: Name, node: Component | Element, wanted: Type | None = None) -> Place:
-        """What a component or an element is read from that nothing declares: a record that has it, or an array."""
-        if isinstance(node, Component):
-            types = self._with(run, node.name.lower(), wanted)
-            if not types:
-                raise run.undeclared(base)
-            return self._stand_in(run, base, types[0], spelled=types[0].name)
-        element = NUM if wanted is None or is_opaque(wanted) else wanted
-        return self._array(run, base, element, tuple(max(integer(run, one, "an index"), 1) for one in node.indices))
+def whole(run: Context, base: Name, node: Component | Element, wanted: Type | None = None) -> Place:
+    """What a component or an element is read from that nothing declares: a record that has it, or an array."""
+    if isinstance(node, Component):
+        types = _with(run, node.name.lower(), wanted)
+        if not types:
+            raise run.undeclared(base)
+        return _stand_in(run, base, types[0], spelled=types[0].name)
+    element = NUM if wanted is None or is_opaque(wanted) else wanted
+    return _array(run, base, element, tuple(max(run.integer(one, "an index"), 1) for one in node.indices))
 
-    def grows(self, name: str) -> bool:
-        """Whether a name stands in for an array of a size that nobody knows."""
-        return name.lower() in self._arrays
 
-    def size(self, run: Execution, node: Name, array: str, count: int) -> None:
-        """Let a name that nothing declares stand in for the size of an array. count: one that fits."""
-        self._stand_in(run, node, NUM, f"the size of array {array}, ", float(count))
+def size(run: Context, node: Name, array: str, count: int) -> None:
+    """Let a name that nothing declares stand in for the size of an array. count: one that fits."""
+    _stand_in(run, node, NUM, f"the size of array {array}, ", float(count))
 
-    def _array(self, run: Execution, base: Name, element: Type, sizes: tuple[int, ...]) -> Place:
-        before = self.data.get(base.name.lower())
-        data: Data = ()
-        if before is not None and isinstance(before.type, Array) and before.type.sizes:
-            element, data = before.type.element, before.value.data
-            sizes = tuple(max(pair) for pair in zip(before.type.sizes, sizes, strict=False))
-            if sizes == before.type.sizes:
-                return before
-        if prod(sizes) > _ELEMENTS:
-            raise run.undeclared(base, f"array of more than {_ELEMENTS} elements ")
-        type_ = Array(element, sizes, len(sizes))
-        place = self._stand_in(run, base, type_, "array of unknown size ", _grown(data, type_))
-        if not self._world.trying_now:
-            self._arrays.add(base.name.lower())
-        return place
 
-    def _stand_in(
-        self, run: Execution, node: Name, type_: Type, what: str = "", data: Data = None, spelled: str | None = None
-    ) -> Place:
-        """Note that data lacks, and let a value to begin with stand in. A trial (World.trying) leaves no trace.
+def _array(run: Context, base: Name, element: Type, sizes: tuple[int, ...]) -> Place:
+    before = run.external.data.get(base.name.lower())
+    data: Data = ()
+    if before is not None and isinstance(before.type, Array) and before.type.sizes:
+        element, data = before.type.element, before.value.data
+        sizes = tuple(max(pair) for pair in zip(before.type.sizes, sizes, strict=False))
+        if sizes == before.type.sizes:
+            return before
+    if prod(sizes) > _ELEMENTS:
+        raise run.undeclared(base, f"array of more than {_ELEMENTS} elements ")
+    type_ = Array(element, sizes, len(sizes))
+    place = _stand_in(run, base, type_, "array of unknown size ", _grown(data, type_))
+    if not run.external.trying:
+        run.external.grows.add(base.name.lower())
+    return place
 
-        what: see Run.undeclared.
-        """
-        world, key = self._world, node.name.lower()
-        if data is None:
-            fitting = world.fitting.get(key)
-            data = fitting if fitting is not None and _like(type_, fitting) else stand_in(type_)
-        value = Value(type_, data)
-        if world.trying_now:
-            return Datum(type_, value)
-        shown = shown_value(run, node, node.name, value)
-        shown = f"{{type: {spelled}, value: {shown}}}" if spelled else shown
-        known = world.lacks.get(("data", key))  # by now as another type, or smaller
-        found = run.undeclared(node, what, known)
-        world.lack(run, "data", node.name, node, found.reason, shown, again=True, close=lambda: found.close)
-        told = self.data[key] = Told(key, self._tell, type_)
-        told.value = value
-        return told
 
-    # --------------------------------------------------------------------------------------------------------- waits
+def _stand_in(
+    run: Context, node: Name, type_: Type, what: str = "", data: Data = None, spelled: str | None = None
+) -> Place:
+    """Note that data lacks, and let a value to begin with stand in. A trial (External.trying) leaves no trace.
 
-    def awaited(self, told: Sequence[Told], holds: Callable[[], bool]) -> bool:
-        """Let the outside write data until a condition holds; the values that make it so stay. False: nothing does.
+    what: see Context.undeclared.
+    """
+    external, key = run.external, node.name.lower()
+    if data is None:
+        fitting = external.fitting.get(key)
+        data = fitting if fitting is not None and _like(type_, fitting) else stand_in(type_)
+    value = Value(type_, data)
+    if external.trying:
+        return Datum(type_, value)
+    shown = shown_value(run, node, node.name, value)
+    shown = f"{{type: {spelled}, value: {shown}}}" if spelled else shown
+    known = external.missing.get(("data", key))  # by now as another type, or smaller
+    found = run.undeclared(node, what, known)
+    run.missing("data", node.name, node, found.reason, shown, again=True, close=lambda: found.close)
+    told = run.external.data[key] = Told(key, run.external.reading, type_)
+    told.value = value
+    return told
 
-        told: the data that the condition reads.
-        """
-        before = [one.assigned for one in told]
-        for tries in _together([self._tries(one) for one in told]):
-            for one, (value, _) in zip(told, tries, strict=True):
-                one.assigned = value
+
+def awaited(run: Context, told: Sequence[Told], holds: Callable[[], bool]) -> bool:
+    """Let the outside write data until a condition holds; the values that make it so stay. False: nothing does.
+
+    told: the data that the condition reads.
+    """
+    before = [one.assigned for one in told]
+    for tries in _together([_tries(run, one) for one in told]):
+        for one, (value, _) in zip(told, tries, strict=True):
+            one.assigned = value
+        if holds():
+            for one, (_, taken) in zip(told, tries, strict=True):
+                run.external.take("data", one.name, taken)
+            return True
+    for one, old in zip(told, before, strict=True):
+        one.assigned = old
+    return False
+
+
+def _tries(run: Context, told: Told) -> list[tuple[Value, int]]:
+    """The values that data may have in a wait, as it stands first, and how many of its sequence each takes."""
+    now = [] if told.assigned is None else [(told.assigned, 0)]
+    left = run.external.left("data", told.name) if run.external.gives(told.name) else ()
+    return [*now, *((run.external.value(told, answer), i + 1) for i, answer in enumerate(left))]
+
+
+def ask(
+    run: Context,
+    node: Node,
+    parts: Sequence[Expression],
+    unknown: Sequence[Name],
+    values: Sequence[Data],
+    shown: str,
+    holds: Callable[[], bool],
+) -> None:
+    """Ask for the first of the data that a wait reads which alone can let it come true, and let it have the value.
+
+    parts: that data. unknown: names that nothing declares; they are asked for when something else reads them, with
+    the value that fits here. values: to try. Where none helps, the wait is taken to come true all the same.
+    """
+    for part in parts:
+        place = run.locate(part)
+        before = place.value
+        for data in values:
+            if not _like(place.type, data):
+                continue
+            place.value = Value(place.type, data)
             if holds():
-                for one, (_, taken) in zip(told, tries, strict=True):
-                    self._world.take("data", one.name, taken)
-                return True
-        for one, old in zip(told, before, strict=True):
-            one.assigned = old
-        return False
-
-    def _tries(self, told: Told) -> list[tuple[Value, int]]:
-        """The values that data may have in a wait, as it stands first, and how many of its sequence each takes."""
-        now = [] if told.assigned is None else [(told.assigned, 0)]
-        left = self._world.left("data", told.name) if self.gives(told.name) else ()
-        return [*now, *((self._value(told, answer), i + 1) for i, answer in enumerate(left))]
-
-    def ask(
-        self,
-        run: Execution,
-        node: Node,
-        parts: Sequence[Expression],
-        unknown: Sequence[Name],
-        values: Sequence[Data],
-        shown: str,
-        holds: Callable[[], bool],
-    ) -> None:
-        """Ask for the first of the data that a wait reads which alone can let it come true, and let it have the value.
-
-        parts: that data. unknown: names that nothing declares; they are asked for when something else reads them, with
-        the value that fits here. values: to try. Where none helps, the wait is taken to come true all the same.
-        """
-        for part in parts:
-            place = locate(run, part)
-            before = place.value
-            for data in values:
-                if not _like(place.type, data):
-                    continue
-                place.value = Value(place.type, data)
-                if holds():
-                    name = root(run, part)
-                    whole = locate(run, Name(part.start, part.end, name)).value
-                    reason = f"waits for {shown}, and nothing in the program makes it true"
-                    text = shown_value(run, node, name, whole)
-                    self._world.lack(run, "data", name, node, reason, text, declared=True)
-                    return
-            place.value = before
-        for name_node in unknown:
-            key = name_node.name.lower()
-            for data in values:
-                told = self.data[key] = Told(key, self._tell, _type_of(data))
-                told.value = Value(told.type, data)
-                true = _tried(holds)
-                del self.data[key]
-                if true:
-                    self._world.fitting[key] = data
-                    return
+                name = root(run, part)
+                whole = run.locate(Name(part.start, part.end, name)).value
+                reason = f"waits for {shown}, and nothing in the program makes it true"
+                text = shown_value(run, node, name, whole)
+                run.missing("data", name, node, reason, text, declared=True)
+                return
+        place.value = before
+    for name_node in unknown:
+        key = name_node.name.lower()
+        for data in values:
+            told = run.external.data[key] = Told(key, run.external.reading, _type_of(data))
+            told.value = Value(told.type, data)
+            true = _tried(holds)
+            del run.external.data[key]
+            if true:
+                run.external.fitting[key] = data
+                return
 
 
 def _tried(holds: Callable[[], bool]) -> bool:

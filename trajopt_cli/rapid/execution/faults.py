@@ -17,33 +17,17 @@ from typing import TYPE_CHECKING, NoReturn
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import NUM, Value
+from trajopt_cli.rapid.data.errors import Fault, Jump, Retry, TryNext
 from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
 from trajopt_cli.rapid.data.scope import CallFrame
-from trajopt_cli.rapid.execution.control_flow import Jump, Retry, TryNext
-from trajopt_cli.rapid.execution.evaluate import evaluate
-from trajopt_cli.scenario import asked
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.warnings import WarningKind
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
     from trajopt_cli.rapid.language.syntax import Handler, Node, Statement
 
 USER_ERRORS = range(1, 91)  # the numbers that programs raise as they are
 RETRY_LIMIT = 4  # how often an instruction is tried again; a controller's default
-
-
-class Fault(InputError):
-    """A run-time error of the controller, such as a division by zero. Unhandled it is the user's InputError.
-
-    number: what ERRNO is while it is handled. name: the ERR_ constant, or the number in words. passed: the call whose
-    handler has let it pass. point: the call whose handler a long jump leads to.
-    """
-
-    def __init__(self, message: str, name: str, number: float, *, file: str, line: int, column: int):
-        super().__init__(message, file=file, line=line, column=column)
-        self.name, self.number = name, number
-        self.passed: CallFrame | None = None
-        self.point: CallFrame | None = None
 
 
 class Handled(Enum):
@@ -54,7 +38,7 @@ class Handled(Enum):
     PASSED = "the error goes to the caller"
 
 
-def handle(run: Execution, fault: Fault, statement: Statement) -> Handled:
+def handle(run: Context, fault: Fault, statement: Statement) -> Handled:
     """Let the running routine handle an error of one of its statements. What leaves the routine is raised on."""
     frame = run.frame
     if fault.passed is not frame and frame.handling is not None and fault.point is None:
@@ -87,7 +71,7 @@ def handle(run: Execution, fault: Fault, statement: Statement) -> Handled:
     return Handled.PASSED
 
 
-def raise_error(run: Execution, node: Node, said: str, name: str, number: float) -> NoReturn:
+def raise_error(run: Context, node: Node, said: str, name: str, number: float) -> NoReturn:
     """Raise an error by its number, as said and named in the program; inside a handler it is a long jump."""
     known = next((known for known, its in ERRORS.items() if its == number), None)
     if not (number in USER_ERRORS or known or BOOKED < number <= BOOKED + run.booked):
@@ -97,14 +81,14 @@ def raise_error(run: Execution, node: Node, said: str, name: str, number: float)
     raise passed_on(run, Fault(message, known or name, number, file=place.file, line=place.line, column=place.column))
 
 
-def passed_on(run: Execution, fault: Fault) -> Fault:
+def passed_on(run: Context, fault: Fault) -> Fault:
     """The error as it is raised: in a handler, past the routines up to the one whose handler lists it."""
     if run.frame.handling is not None:
         fault.passed, fault.point = run.frame, long_jump(run, fault.number)
     return fault
 
 
-def long_jump(run: Execution, number: float) -> CallFrame | None:
+def long_jump(run: Context, number: float) -> CallFrame | None:
     """The nearest call above the running one whose handler lists an error's number, or LONG_JMP_ALL_ERR."""
     frame = run.frame.caller
     while frame is not None:
@@ -116,7 +100,7 @@ def long_jump(run: Execution, number: float) -> CallFrame | None:
     return None
 
 
-def _leave(run: Execution, frame: CallFrame) -> None:
+def _leave(run: Context, frame: CallFrame) -> None:
     """Say of a routine that a long jump leaves that its UNDO handler is not run."""
     if (routine := frame.routine) is None:
         return
@@ -130,18 +114,18 @@ def _handlers(frame: CallFrame) -> list[Handler]:
     return [handler for handler in frame.routine.handlers if handler.kind == "ERROR"] if frame.routine else []
 
 
-def _lists(run: Execution, handler: Handler, number: float) -> bool:
-    return any(evaluate(run, one, NUM).data in (number, ERRORS["LONG_JMP_ALL_ERR"]) for one in handler.numbers)
+def _lists(run: Context, handler: Handler, number: float) -> bool:
+    return any(run.evaluate(one, NUM).data in (number, ERRORS["LONG_JMP_ALL_ERR"]) for one in handler.numbers)
 
 
-def _handler(run: Execution, fault: Fault) -> Handler | None:
+def _handler(run: Context, fault: Fault) -> Handler | None:
     """The handler that lists the error's number, else one without a list."""
     handlers = _handlers(run.frame)
     listed = (handler for handler in handlers if _lists(run, handler, fault.number))
     return next(listed, None) or next((handler for handler in handlers if not handler.numbers), None)
 
 
-def _count_retry(run: Execution, statement: Statement, fault: Fault) -> None:
+def _count_retry(run: Context, statement: Statement, fault: Fault) -> None:
     """Raises Fault, for the caller's handler, when the statement has failed too often in a row."""
     frame, key, ran = run.frame, id(statement), run.counts[id(statement)]
     before, then, times = frame.retried
@@ -153,25 +137,3 @@ def _count_retry(run: Execution, statement: Statement, fault: Fault) -> None:
         error = run.fault(statement, "ERR_EXCRTYMAX", message)
         error.passed = frame
         raise error
-
-
-class Undeclared(InputError):
-    """A name that stands for nothing in the files read: another file may declare it.
-
-    reason: without the remedy. close: the known name that may be meant.
-    """
-
-    def __init__(
-        self,
-        reason: str,
-        close: str | None,
-        remedy: str = "give the file that declares it",
-        *,
-        file: str | None,
-        line: int | None,
-        column: int | None,
-        excerpt: str | None,
-    ):
-        message = f"{asked(reason, close)} {remedy}"
-        super().__init__(message, file=file, line=line, column=column, excerpt=excerpt)
-        self.reason, self.close = reason, close

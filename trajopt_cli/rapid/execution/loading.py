@@ -5,28 +5,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from math import prod
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from trajopt_cli.motion import Span
 from trajopt_cli.rapid.data.datatypes import (
     ARRAY_LIMIT,
-    DEPTH_LIMIT,
     SIZE_LIMIT,
-    TYPES,
     Array,
-    Atomic,
     Origin,
-    Record,
     Type,
     Value,
     is_opaque,
     same_type,
 )
+from trajopt_cli.rapid.data.errors import Mismatch
 from trajopt_cli.rapid.data.scope import CallFrame, Datum, ModuleScope, Scope, Told
+from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.evaluate import opaque
 from trajopt_cli.rapid.execution.recursion_limit import room
-from trajopt_cli.rapid.execution.type_errors import Mismatch
+from trajopt_cli.rapid.execution.types import find_type
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
@@ -36,7 +35,6 @@ from trajopt_cli.rapid.language.syntax import (
     Name,
     Node,
     Number,
-    Parameter,
     RecordDeclaration,
     Routine,
 )
@@ -44,15 +42,12 @@ from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 _Entry = TypeVar("_Entry", bound=tuple[Node, ModuleScope])
 
 _CHAIN_LIMIT = 200  # declarations that need each other before any of them has a value
 
 
-def load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+def load(run: Context, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
     """Enter the names of all modules, then compute the initial data of all; the scope of each module, in order.
 
     Initial data is computed even where nobody uses it, as a controller does: a broken target must not hide. Raises
@@ -62,7 +57,7 @@ def load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[Modu
         return _load(run, modules)
 
 
-def _load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+def _load(run: Context, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
     scopes: list[tuple[ModuleScope, Module]] = []
     for module, places in modules:
         scope = ModuleScope(places=places, name=module.name)
@@ -90,7 +85,7 @@ def _load(run: Execution, modules: Sequence[tuple[Module, Places]]) -> tuple[Mod
     return tuple(scope for scope, _ in scopes)
 
 
-def _targets(run: Execution, scope: ModuleScope, written: str | None) -> tuple[Scope, ...]:
+def _targets(run: Context, scope: ModuleScope, written: str | None) -> tuple[Scope, ...]:
     return (scope,) if written == "LOCAL" else (scope, run.shared)
 
 
@@ -110,13 +105,13 @@ def _refuse(name: str, second: tuple[ModuleScope, Node], first: tuple[ModuleScop
 
 
 def _add(
-    run: Execution, scopes: list[tuple[ModuleScope, Module]], scope: ModuleScope, node: DataDeclaration, datum: Datum
+    run: Context, scopes: list[tuple[ModuleScope, Module]], scope: ModuleScope, node: DataDeclaration, datum: Datum
 ) -> None:
     """Enter data. A PERS that several modules declare is one and the same."""
     key = node.name.lower()
-    if run.outside.gives(key):
+    if run.external.gives(key):
         before = None if node.scope == "LOCAL" else run.shared.data.get(key)
-        datum = before if type(before) is Told else run.outside.declared(run, node, node.name, datum)
+        datum = before if type(before) is Told else external_data.declared(run, node, node.name, datum)
     shared = None if node.scope == "LOCAL" else run.shared.data.get(key)
     if key in scope.data or shared is not None:
         if key in scope.data or shared is None or not (shared.storage == node.storage == "PERS"):
@@ -163,14 +158,14 @@ def _declaration(
 _value, _origin, _span = maker(Value), maker(Origin), maker(Span)
 
 
-def declare(run: Execution, node: DataDeclaration, frame: CallFrame) -> Datum:
+def declare(run: Context, node: DataDeclaration, frame: CallFrame) -> Datum:
     """The data of a declaration that stands in frame, which runs. What needs other data is computed when asked for."""
     scope = frame.scope
     type_ = scope.resolved.get(node.type) or find_type(run, node.type, node)
     if node.sizes:
         for depth, size in enumerate(node.sizes):
             _ask_size(run, node, size, depth)
-        sizes = tuple([integer(run, size, "an array size") for size in node.sizes])
+        sizes = tuple([run.integer(size, "an array size") for size in node.sizes])
         if min(sizes) < 1:
             raise run.error(node, f"{node.name} has an array size below 1")
         type_ = Array(type_, sizes, len(sizes))
@@ -192,7 +187,7 @@ def declare(run: Execution, node: DataDeclaration, frame: CallFrame) -> Datum:
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
 
 
-def _ask_size(run: Execution, node: DataDeclaration, size: Expression, depth: int) -> None:
+def _ask_size(run: Context, node: DataDeclaration, size: Expression, depth: int) -> None:
     """Ask for an array size that nothing declares; the array's own value tells one that fits."""
     for name in walk(size) if type(size) is not Number else ():
         if isinstance(name, Name) and run.find(name.name) is None:
@@ -200,10 +195,10 @@ def _ask_size(run: Execution, node: DataDeclaration, size: Expression, depth: in
             for _ in range(depth):
                 value = value.items[0] if isinstance(value, Aggregate) and value.items else None
             count = len(value.items) if isinstance(value, Aggregate) and size is name else 1
-            run.outside.size(run, name, node.name, count)
+            external_data.size(run, name, node.name, count)
 
 
-def _initial(run: Execution, node: DataDeclaration, type_: Type, frame: CallFrame) -> Value:
+def _initial(run: Context, node: DataDeclaration, type_: Type, frame: CallFrame) -> Value:
     assert node.value is not None
     if id(node) in run.computing:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
@@ -215,7 +210,7 @@ def _initial(run: Execution, node: DataDeclaration, type_: Type, frame: CallFram
     try:
         if is_opaque(type_):
             return opaque(run, node.value, type_)
-        value = evaluate(run, node.value, type_)
+        value = run.evaluate(node.value, type_)
     except Mismatch as error:
         raise error.about(node.value, node.name) from None
     except RecursionError:
@@ -227,63 +222,3 @@ def _initial(run: Execution, node: DataDeclaration, type_: Type, frame: CallFram
         return Value(type_, value.data, value.origin)
     span = frame.scope.places.span(node.start, node.end)
     return Value(type_, value.data, value.origin._replace(declaration=span))
-
-
-def find_type(run: Execution, name: str, node: DataDeclaration | Parameter | Routine | None = None) -> Type:
-    """The type of a name, by RAPID's order: own module, other modules, predefined.
-
-    An unknown one is no error as long as nothing uses it, so it is only noted; node: the declaration that asks.
-    """
-    scope = run.frame.scope
-    found = _type(run, scope, name, ())
-    if not found.known and node is not None:
-        what = getattr(node, "name", name)
-        message = f"type '{name}' of '{what}' is not declared; this does no harm unless something uses '{what}'"
-        run.note(f"type {found.name}", WarningKind.UNUSUAL, message, node)
-    scope.resolved[name] = found
-    return found
-
-
-def _type(run: Execution, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Type:
-    known = scope.resolved.get(name)
-    if known is not None:
-        return known
-    key = name.lower()
-    found = scope.types.get(key) or run.shared.types.get(key)
-    if found is None:
-        return TYPES.get(key) or Atomic(key, known=False)
-    node, home = found
-    if len(above) >= _CHAIN_LIMIT:
-        raise home.places.error(
-            node.start, f"type '{name}' is at the end of a chain of more than {_CHAIN_LIMIT} others"
-        )
-    if home is not scope or key not in home.resolved:
-        if key in above:
-            raise home.places.error(node.start, f"type '{node.name}' contains itself")
-        made = home.resolved.get(key)
-        if made is None:
-            home.resolved[key] = made = _made(run, node, home, key, (*above, key))
-        return made
-    return home.resolved[key]
-
-
-def _made(
-    run: Execution, node: RecordDeclaration | AliasDeclaration, home: ModuleScope, key: str, above: tuple[str, ...]
-) -> Type:
-    if isinstance(node, AliasDeclaration):
-        type_ = _type(run, home, node.type, above)
-        if not type_.known:
-            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is not declared anywhere")
-        return type_
-    parts = []
-    for written, part in node.components:
-        type_ = _type(run, home, written, above)
-        if not type_.known:
-            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is not declared anywhere")
-        parts.append((part.lower(), type_))
-    record = Record(key, tuple(parts))
-    if record.depth > DEPTH_LIMIT:
-        raise home.places.error(node.start, f"RECORD {node.name} is nested deeper than {DEPTH_LIMIT} records")
-    if record.size > SIZE_LIMIT:
-        raise home.places.error(node.start, f"RECORD {node.name} holds {record.size} values; at most {SIZE_LIMIT}")
-    return record

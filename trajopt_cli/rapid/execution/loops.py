@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Sequence
-from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
+from trajopt_cli.rapid.data.errors import Exit
 from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.execution.control_flow import Exit
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate
-from trajopt_cli.rapid.execution.type_errors import mismatch
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -37,11 +35,8 @@ from trajopt_cli.rapid.language.syntax import (
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def run_for(run: Execution, node: For) -> None:
+def run_for(run: Context, node: For) -> None:
     """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs.
 
     The step is added pass by pass and rounded to a num each time. ABB leaves open whether the last pass of a loop of
@@ -74,16 +69,16 @@ def run_for(run: Execution, node: For) -> None:
             local[key] = hidden
 
 
-def _bound(run: Execution, node: Expression) -> tuple[float, Type]:
-    value = evaluate(run, node)
+def _bound(run: Context, node: Expression) -> tuple[float, Type]:
+    value = run.evaluate(node)
     if not is_number(value.type):
-        raise mismatch(run, node, NUM, value).about(node, "a bound of FOR")
+        raise run.mismatch(node, NUM, value).about(node, "a bound of FOR")
     return float(value.data), value.type
 
 
-def run_while(run: Execution, node: While) -> None:
+def run_while(run: Context, node: While) -> None:
     """WHILE; one whose condition is always true, or nothing can change, runs as often as the scenario says."""
-    if always(run, node.condition, run.kept(node)):
+    if always(run, node.condition, unchanged(run, node)):
         loop = f"WHILE {run.text(node.condition)}"
         exits, passes, counted = leaves(node.body), 0, 0
         while True:
@@ -92,13 +87,13 @@ def run_while(run: Execution, node: While) -> None:
             passes += 1
             counted = count_endless(run, node, loop, exits, passes, counted, motions)
     passes = 0
-    while condition(run, node.condition):
+    while run.condition(node.condition):
         passes += 1
         count_pass(run, node, passes)
         run.block(node.body)
 
 
-def backwards(run: Execution, node: Goto, body: Sequence[Statement]) -> None:
+def backwards(run: Context, node: Goto, body: Sequence[Statement]) -> None:
     """Count a GOTO to a label before it; body: from the label to the statement that holds the GOTO."""
     seen = run.frame.passes
     passes = seen[id(node)] = seen.get(id(node), 0) + 1
@@ -111,7 +106,7 @@ def backwards(run: Execution, node: Goto, body: Sequence[Statement]) -> None:
     run.frame.turns[key] = (len(run.motions), counted)
 
 
-def count_pass(run: Execution, node: Statement, passes: int) -> None:
+def count_pass(run: Context, node: Statement, passes: int) -> None:
     """Give up a loop that goes on and on; each pass is charged as a statement. Raises InputError."""
     run.budget -= 1
     if run.budget < 0:
@@ -120,7 +115,7 @@ def count_pass(run: Execution, node: Statement, passes: int) -> None:
         raise _too_many(run, node)
 
 
-def _too_many(run: Execution, node: Statement) -> InputError:
+def _too_many(run: Context, node: Statement) -> InputError:
     message = f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
     signals: dict[str, None] = {}
     values: dict[str, str] = {}
@@ -136,7 +131,7 @@ def _too_many(run: Execution, node: Statement) -> InputError:
     return run.error(node, f"{message}, or raise pass_limit in the cell file")
 
 
-def _reads(run: Execution, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
+def _reads(run: Context, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
     """The names that a condition reads: signals, and data with their plain values; each once, as spelled."""
     if isinstance(node, Binary):
         _reads(run, node.left, signals, values)
@@ -156,7 +151,7 @@ def _reads(run: Execution, node: Expression, signals: dict[str, None], values: d
 
 
 def count_endless(
-    run: Execution, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int
+    run: Context, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int
 ) -> int:
     """Count a pass of a loop without a condition, and end the program with the last one that the scenario wants.
 
@@ -170,7 +165,7 @@ def count_endless(
         return counted
     counted += 1
     if wanted is None:
-        run.world.lack(run, "endless_passes", "endless_passes", node, f"{loop} never ends by itself", "1")
+        run.missing("endless_passes", "endless_passes", node, f"{loop} never ends by itself", "1")
         raise Exit
     if counted >= wanted:
         run.warn(
@@ -183,20 +178,20 @@ def count_endless(
     return counted
 
 
-def always(run: Execution, node: Expression, kept: Collection[str] = ()) -> bool:
+def always(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:
     """Whether a condition is TRUE whatever happens: made of literals, constants, and variables that nobody changes.
 
     kept: these variables, in lower case.
     """
-    return _constant(run, node, kept) and condition(run, node)
+    return _constant(run, node, kept) and run.condition(node)
 
 
-def never(run: Execution, node: Expression) -> bool:
+def never(run: Context, node: Expression) -> bool:
     """Whether a condition is FALSE whatever happens: made of literals and constants."""
-    return _constant(run, node) and not condition(run, node)
+    return _constant(run, node) and not run.condition(node)
 
 
-def named_in(routine: Routine) -> tuple[frozenset[str], Counter[str]]:
+def _named_in(routine: Routine) -> tuple[frozenset[str], Counter[str]]:
     """What a routine declares, and how often it names anything; in lower case."""
     declared: set[str] = set()
     used: Counter[str] = Counter()
@@ -210,17 +205,24 @@ def named_in(routine: Routine) -> tuple[frozenset[str], Counter[str]]:
     return frozenset(declared), used
 
 
-def unchanged(declared: frozenset[str], used: Counter[str], loop: While) -> frozenset[str]:
-    """The variables of a routine's own, in lower case, that it names nowhere but in a loop's condition.
+def unchanged(run: Context, loop: While) -> frozenset[str]:
+    """The variables of the routine that runs, in lower case, that it names nowhere but in a loop's condition."""
+    found = run.unchanged.get(id(loop))
+    if found is None:
+        routine = run.frame.routine
+        if routine is None:
+            return frozenset()
+        if id(routine) not in run.named:
+            run.named[id(routine)] = _named_in(routine)
+        declared, used = run.named[id(routine)]
+        names = (getattr(node, "name", None) for node in walk(loop.condition))
+        read = Counter(name.lower() for name in names if isinstance(name, str))
+        found = frozenset(name for name, times in read.items() if name in declared and used[name] == times)
+        run.unchanged[id(loop)] = found
+    return found
 
-    declared, used: see named_in.
-    """
-    names = (getattr(node, "name", None) for node in walk(loop.condition))
-    read = Counter(name.lower() for name in names if isinstance(name, str))
-    return frozenset(name for name, times in read.items() if name in declared and used[name] == times)
 
-
-def _constant(run: Execution, node: Expression, kept: Collection[str] = ()) -> bool:
+def _constant(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:
     if isinstance(node, (Boolean, Number, String)):
         return True
     if isinstance(node, Binary):

@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import Span
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import Lines
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 Modules = Sequence[tuple[Module, Places]]
 _SHOWN = 5  # names in a message
@@ -31,7 +28,7 @@ class Named:
 
 
 def named(
-    run: Execution, modules: Modules, key: str, procedures: Collection[str], lines: Collection[Lines]
+    run: Context, modules: Modules, key: str, procedures: Collection[str], lines: Collection[Lines]
 ) -> Iterator[Named]:
     """What a key of the cell file names, procedures first. procedures: in lower case.
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import operator as op
 from collections.abc import Callable
 from math import copysign, fmod, trunc
-from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
@@ -22,10 +21,8 @@ from trajopt_cli.rapid.data.datatypes import (
     is_number,
     single,
 )
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Binary, Node
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 COMPARE: dict[str, Callable[[float, float], bool]] = {
     "<": op.lt,
@@ -37,7 +34,7 @@ COMPARE: dict[str, Callable[[float, float], bool]] = {
 }
 
 
-def computed(run: Execution, node: Node, type_: Type, data: Data) -> Value:
+def computed(run: Context, node: Node, type_: Type, data: Data) -> Value:
     """A result as the controller keeps it: every num in it rounded to 32 bits. Raises Fault for what is too large."""
     try:
         if type_ is NUM:
@@ -51,7 +48,7 @@ def computed(run: Execution, node: Node, type_: Type, data: Data) -> Value:
     return Value(type_, data)
 
 
-def string(run: Execution, node: Node, text: str) -> Value:
+def string(run: Context, node: Node, text: str) -> Value:
     """A string that is not too long. Raises Fault."""
     if len(text) > STRING_LIMIT:
         raise run.fault(
@@ -60,7 +57,7 @@ def string(run: Execution, node: Node, text: str) -> Value:
     return Value(STRING, text)
 
 
-def arithmetic(run: Execution, node: Binary, left: Value, right: Value) -> Value:
+def arithmetic(run: Context, node: Binary, left: Value, right: Value) -> Value:
     """+ - * / DIV MOD of two numbers; a dnum if one of them is. Raises Fault."""
     a, b, operator = left.data, right.data, node.operator
     if operator == "+":
@@ -88,7 +85,7 @@ def arithmetic(run: Execution, node: Binary, left: Value, right: Value) -> Value
     return Value(DNUM, result)
 
 
-def vectors(run: Execution, node: Binary, left: Value, right: Value) -> Value | None:
+def vectors(run: Context, node: Binary, left: Value, right: Value) -> Value | None:
     """Every other operator but comparisons; None where there is none for these types. Raises Fault."""
     a, b, operator = left.data, right.data, node.operator
     if left.type is STRING and right.type is STRING and operator == "+":

@@ -1,13 +1,13 @@
-"""Where the robot stands while a program is read: what CRobT, PDispOn, EOffsOn and searches start from.
+"""Where the robot stands while a program is read, and what its moves share: the state that moves change.
 
 In RAPID's units: frames in mm, external axes in mm or deg; joints in rad. A move to a pose leaves the joints unknown
-until somebody asks, a move to joints leaves the pose unknown; what is not known is asked of the robot, if there is one.
+until somebody asks, a move to joints leaves the pose unknown: current_position.py asks the robot for what is not known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import NamedTuple
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
@@ -15,28 +15,67 @@ from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
-    Move,
     MoveC,
     MoveJ,
     MoveL,
-    SignalEvent,
+    Settings,
+    Speed,
     Tool,
-    Wait,
-    motion_name,
+    Zone,
 )
 from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.datatypes import Data
+from trajopt_cli.rapid.data.frames import IDENTITY
+from trajopt_cli.rapid.data.poses import matrices, matrix
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.construction import maker
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
-from trajopt_cli.rapid.execution.units import Units
-from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-    from trajopt_cli.rapid.language.syntax import Node
 
 
-class _Pose(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Setup:
+    """A tool and a work object together. Frames in mm.
+
+    name, wobj: as written. tool_data, wobj_data: what they were made from. displacement: the D that was active. tcp:
+    the tool's frame, seen from the flange, or from the world where it is stationary. base: U O D, seen from the world,
+    or from the flange where the tool is stationary; None for the identity. tool: shared by all motions; None for a
+    stationary one, which has another X_FT for each target. X_WO: base as a pose [m], None where it moves. unit: the
+    positioner that carries the work object, whose axes stand at `at` [deg] in base.
+    """
+
+    name: str
+    wobj: str
+    tool_data: Data
+    wobj_data: Data
+    displacement: frames.Frame | None
+    tcp: frames.Frame
+    base: frames.Frame | None
+    stationary: bool
+    tool: Tool | None
+    X_WO: Array | None
+    unit: str | None = None
+    at: tuple[float, ...] = ()
+
+    def placed(self, target: frames.Frame) -> frames.Frame:
+        """A target seen from the world, or from the flange where the tool is stationary."""
+        return frames.compose(self.base, target) if self.base else target
+
+    def flange(self, target: frames.Frame) -> frames.Frame:
+        """X_WF at a target."""
+        placed = self.placed(target)
+        if self.stationary:
+            return frames.compose(self.tcp, frames.inverse(placed))
+        return frames.compose(placed, frames.inverse(self.tcp))
+
+    def target(self, flange: frames.Frame) -> frames.Frame:
+        """The target that X_WF is at."""
+        if self.stationary:
+            placed = frames.compose(frames.inverse(flange), self.tcp)
+        else:
+            placed = frames.compose(flange, self.tcp)
+        return frames.compose(frames.inverse(self.base), placed) if self.base else placed
+
+
+class Pose(NamedTuple):
     """The last pose: its setup and target, the configuration, and whether it must be that one."""
 
     setup: Setup
@@ -46,51 +85,75 @@ class _Pose(NamedTuple):
     extax: ExternalAxes
 
 
-_pose = maker(_Pose)
+_make_pose = maker(Pose)
+
+
+class Manner(NamedTuple):
+    r"""duration: the programmed \T [s]."""
+
+    setup: Setup
+    speed: Speed
+    zone: Zone
+    duration: float | None
+
+
+class Known(NamedTuple):
+    """A manner, the state it was made in, and the names that it was made from with what each stood for."""
+
+    settings: Settings
+    displacement: frames.Frame | None
+    data: tuple[tuple[str, Data], ...]
+    manner: Manner
 
 
 class Position:
-    """The robot's place after the motions so far.
+    """The robot's place after the motions so far, and what its moves share.
 
     extax: of every external axis the last value given, offsets included; None where none was. setup: tool and work
-    object of the last move. equipment: what is shared between moves. unplaced: the moves to a pose so far, with where
-    each goes; their X_WT is made for all at once, as one by one it is a tenth of a run.
+    object of the last move. pose: where the flange is, unless away; away: external axes have moved since, alone.
+    joints: the arm's, where they are known; near: the last that were. displacement: the active program displacement D.
+    speeds, zones, manners, setups, turned: in use, by name. rough: the orientations off unit length that were
+    reported. unplaced: the moves to a pose so far, with where each goes; their X_WT is made for all at once, as one by
+    one it is a tenth of a run.
     """
 
-    def __init__(self, kinematics: Kinematics | Callable[[], Kinematics] | None, units: Units):
-        self._given, self._units = kinematics, units
-        self._robot: Kinematics | None = None
-        self.equipment = Equipment()
+    def __init__(self, kinematics: Kinematics | None):
+        self.kinematics = kinematics
         self.setup = _first_setup()
         self.extax: ExternalAxes = NO_EXTERNAL_AXES
+        self.displacement: frames.Frame | None = None
+        self.speeds: dict[str, tuple[Data, Speed]] = {}
+        self.zones: dict[str, tuple[Data, Zone]] = {}
+        self.manners: dict[tuple[str, ...], Known] = {}  # by the names of speed, zone, tool and work object
+        self.setups: dict[tuple[str, str], Setup] = {}
+        self.turned: dict[tuple[Setup, tuple[float, ...]], Setup] = {}
+        self.rough: set[frames.Quaternion] = set()
         self.unplaced: list[tuple[MoveJ | MoveL | MoveC, frames.Frame]] = []
-        self._pose: _Pose | None = None  # where the flange is, unless _away
-        self._away = False  # external axes have moved since, alone
-        self._joints: Array | None = None
-        self._near: Array | None = None  # the last joints that were known
-
-    # ------------------------------------------------------------------------------------------------- what moves do
+        self.pose: Pose | None = None
+        self.away = False
+        self.joints: Array | None = None
+        self._near: Array | None = None
 
     def to_pose(self, setup: Setup, target: frames.Frame, conf: ConfData, demanded: bool, extax: ExternalAxes) -> None:
         """A move has ended at a target."""
-        if self._joints is not None:
-            self._near, self._joints = self._joints, None
+        if self.joints is not None:
+            self._near, self.joints = self.joints, None
         if extax != self.extax:
-            self.extax = _merged(self.extax, extax)
+            self.extax = merged(self.extax, extax)
         self.setup = setup
-        self._pose = _pose((setup, target, conf, demanded, self.extax))
-        self._away = False
+        self.pose = _make_pose((setup, target, conf, demanded, self.extax))
+        self.away = False
 
     def to_joints(self, setup: Setup, q: Array, extax: ExternalAxes) -> None:
         """A move has ended at arm joints (6,) in rad."""
         self.setup = setup
-        self.extax = _merged(self.extax, extax)
-        self._pose, self._joints, self._near, self._away = None, q, q, False
+        self.extax = merged(self.extax, extax)
+        self.pose, self.joints, self._near, self.away = None, q, q, False
 
     def to_extax(self, extax: ExternalAxes) -> None:
         """External axes have moved alone; the arm's joints hold."""
-        self.extax = _merged(self.extax, extax)
-        self._away = True
+        self.extax = merged(self.extax, extax)
+        self.away = True
 
     def place(self) -> None:
         """The run is over: give every move to a pose its X_WT."""
@@ -99,128 +162,21 @@ class Position:
             object.__setattr__(motion, "X_WT", X_WT)
         self.unplaced.clear()
 
-    # --------------------------------------------------------------------------------------------------- what is known
-
-    def kept(self, extax: ExternalAxes) -> ExternalAxes:
-        """extax with the last value of every axis that it leaves open, or that no active unit drives."""
-        return _merged(self.extax, self._units.driven(extax))
-
-    def robot(self, run: Execution, node: Node, what: str) -> Kinematics:
-        """The robot. Raises InputError where there is none; what: who needs it, as the sentence's subject."""
-        if self._robot is None:
-            if self._given is None:
-                raise run.error(node, f"{what} needs the robot: give a cell file (--cell)")
-            self._robot = self._given() if callable(self._given) else self._given
-        return self._robot
+    def near(self) -> Array | None:
+        """The last joints that were known."""
+        return self._near if self.joints is None else self.joints
 
     def known_target(self, setup: Setup) -> frames.Frame | None:
         """The target of a setup that the robot stands at, None where only the robot could tell."""
-        if self._pose is None or self._away:
+        if self.pose is None or self.away:
             return None
-        if self._pose.setup is setup:
-            return self._pose.target
-        return setup.target(self._pose.setup.flange(self._pose.target))
-
-    def flange(self, run: Execution, node: Node, what: str) -> frames.Frame:
-        """X_WF [mm]."""
-        if self._pose is not None and not self._away:
-            return self._pose.setup.flange(self._pose.target)
-        robot = self.robot(run, node, f"{what} {self._after}")
-        return frame(robot.forward(self.joints(run, node, what), self.extax))
-
-    def target(self, run: Execution, node: Node, what: str, setup: Setup) -> frames.Frame:
-        """The target of a setup that the robot stands at."""
-        known = self.known_target(setup)
-        return setup.target(self.flange(run, node, what)) if known is None else known
-
-    @property
-    def _after(self) -> str:
-        if self._pose is not None:
-            return "after a move of external axes alone" if self._away else "after a move to a pose"
-        return "before the first move" if self._joints is None else "after a move to joints"
-
-    def joints(self, run: Execution, node: Node, what: str) -> Array:
-        """Arm joints (6,) in rad. Raises Fault when the last pose is out of reach."""
-        if self._joints is None:
-            robot = self.robot(run, node, f"{what} {self._after}")
-            if self._pose is None:
-                self._joints, extax = robot.start
-                self.extax = _merged(extax, self.extax)
-            else:
-                setup, target, conf, demanded, extax = self._pose
-                self._joints = reach(
-                    run, node, f"the target before {what}", robot, setup.flange(target), conf, demanded, extax
-                )
-        return self._joints
-
-    def near(self) -> Array | None:
-        """The last joints that were known."""
-        return self._near if self._joints is None else self._joints
-
-    def conf(self, run: Execution, node: Node, what: str) -> ConfData:
-        """The configuration: as programmed after a move to a pose, else that of the joints."""
-        if self._pose is not None and not self._away:
-            return self._pose.conf
-        robot = self.robot(run, node, f"{what} {self._after}")
-        return robot.confdata(self.joints(run, node, what))
+        if self.pose.setup is setup:
+            return self.pose.target
+        return setup.target(self.pose.setup.flange(self.pose.target))
 
 
-def reach(
-    run: Execution,
-    node: Node,
-    what: str,
-    robot: Kinematics,
-    flange: frames.Frame,
-    conf: ConfData,
-    demanded: bool,
-    extax: ExternalAxes,
-) -> Array:
-    """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject.
-
-    A configuration that cannot be had is given up for the nearest posture, and said. Raises Fault for a flange pose
-    that has none at all.
-    """
-    X_WF, near = matrix(flange), run.position.near()
-    if demanded:
-        q = robot.inverse(X_WF, extax, conf, near)
-        if q is not None:
-            return q
-    q = robot.inverse(X_WF, extax, None, near)
-    if q is None:
-        x, y, z = flange[0]
-        message = f"{what} cannot be reached: the flange would stand at [{x:.6g},{y:.6g},{z:.6g}] mm in the world"
-        raise run.fault(node, "ERR_ROBLIMIT", message)
-    if demanded:
-        shown = ",".join(str(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
-        run.warn(
-            WarningKind.ASSUMED,
-            f"{what} has no posture with confdata [{shown}]; the nearest one is taken",
-            run.source(node),
-        )
-    return q
-
-
-def still_moving(run: Execution) -> Move | None:
-    """The move that may still run where the program is: one with a fly-by or with \\Conc, and no stop behind it."""
-    for motion in reversed(run.motions):
-        if isinstance(motion, Wait):
-            if motion.stops and motion.beside is None:
-                return None
-        elif not isinstance(motion, SignalEvent):
-            return motion if not motion.zone.stop or run.concurrent else None
-    return None
-
-
-def read_at_rest(run: Execution, node: Node, what: str) -> None:
-    """Warn where the robot should stand for something (what), but is right behind a fly-by or a move with \\Conc."""
-    motion = still_moving(run)
-    if motion is not None:
-        why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
-        text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
-        run.warn(WarningKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
-
-
-def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:
+def merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:
+    """New external axes, the last of each that they leave open."""
     a, b, c, d, e, f = new
     p, q, r, s, t, u = last
     return (

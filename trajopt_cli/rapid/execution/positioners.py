@@ -7,29 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import cos, degrees, radians, sin, sqrt
-from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import ExternalAxes, Speed, UnitMove
 from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.position import merged
+from trajopt_cli.rapid.language.syntax import Expression, Node
 from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.units import MM
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-    from trajopt_cli.rapid.language.syntax import Expression
+from trajopt_cli.warnings import WarningKind
 
 _SLOWEST = 1e-3  # rad/s, as in a cell file: less would take for ever
-_STILL = 0.1  # deg: backups hold measured values of axes that stand
+_STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 
 
-def positions(run: Execution, unit: str, extax: ExternalAxes) -> tuple[float, ...]:
-    """Where a unit's axes stand [deg], external axes at extax; at their start where that says nothing, and where they
-    were left while the unit is not active."""
-    if (parked := run.units.parked.get(unit)) is not None:
-        return parked
-    axes = run.scenario.positioners[unit]
-    given = [extax[axis.eax] for axis in axes]
-    return tuple(degrees(axis.start) if value is None else value for axis, value in zip(axes, given, strict=True))
+def kept_axes(run: Context, extax: ExternalAxes) -> ExternalAxes:
+    """extax with the last value of every axis that it leaves open, or that no active unit drives."""
+    return merged(run.position.extax, run.units.driven(extax))
 
 
 def user_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> frames.Frame:
@@ -51,7 +45,7 @@ def _links(axes: Sequence[PositionerAxis], at: Sequence[float]) -> list[frames.F
 
 
 def moved(
-    run: Execution, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None, timed: bool
+    run: Context, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None, timed: bool
 ) -> tuple[UnitMove, ...]:
     """The positioners that turn on the way to extax, at the programmed speed of turning axes at most.
 
@@ -62,7 +56,8 @@ def moved(
     for unit, axes in run.scenario.positioners.items():
         if unit in run.units.parked:
             continue
-        before, after = positions(run, unit, run.position.extax), positions(run, unit, run.position.kept(extax))
+        before = run.units.positions(unit, run.position.extax)
+        after = run.units.positions(unit, kept_axes(run, extax))
         for axis, start, end, (origin, q) in zip(axes, before, after, _links(axes, before), strict=True):
             low, high = (degrees(value) for value in axis.range)
             if not low - _STILL <= end <= high + _STILL:
@@ -84,3 +79,39 @@ def moved(
 def _trapezoid(way: float, v: float, a: float) -> float:
     """Least time from rest to rest over a way, at speed v and acceleration a at most."""
     return way / v + v / a if way > v * v / a else 2 * sqrt(way / a)
+
+
+def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
+    """The external axes of a move's target that active units drive; reports once per unit that a value is ignored, or
+    missing."""
+    units = run.units
+    for eax, names in units.inactive.items():
+        value = extax[eax]
+        at = [
+            run.position.extax[eax] if one == units.rail else units.parked[one][units.axes[one].index(eax)]
+            for one in names
+        ]
+        if value is not None and any(one is None or abs(value - one) > _STILL for one in at):
+            run.note(
+                f"{names} ignored",
+                WarningKind.NO_EFFECT,
+                f"{run.text(point)} gives eax_{'abcdef'[eax]} = {value:.6g}, and {' and '.join(names)} "
+                f"{'are' if len(names) > 1 else 'is'} not active: the axis stays, as on the controller",
+                point,
+            )
+    for eax, unit in units.wanted.items():
+        if extax[eax] is None:
+            run.note(
+                f"{unit} open",
+                WarningKind.DOUBTFUL,
+                f"{run.text(point)} gives no position for eax_{'abcdef'[eax]} (9E9), and {unit} is active: a "
+                "controller stops here with a missing external axis value, a plan lets it stand. Give the value, "
+                f"deactivate {unit} before, or leave it out of the active ones (start.units in the cell file)",
+                point,
+            )
+    return units.driven(extax)
+
+
+def _stands(run: Context, unit: str, eax: int) -> float | None:
+    units = run.units
+    return run.position.extax[eax] if unit == units.rail else units.parked[unit][units.axes[unit].index(eax)]

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.named import Around, Modules, named
 from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 # [s] between an output and a wait that is taken to be for what the output does; a num of 0.1 is a little more than that
 _AFTER_OUTPUT = 0.1 + 1e-6
@@ -29,7 +26,7 @@ class _Entry:
     place: Source | None = None
 
 
-def fill_holds(run: Execution, modules: Modules) -> None:
+def fill_holds(run: Context, modules: Modules) -> None:
     """Fill the hold of every motion of a finished run, and warn of marks and entries that hold none.
 
     Raises InputError for a procedure or a line in the cell file that the program does not have.
@@ -44,7 +41,7 @@ def fill_holds(run: Execution, modules: Modules) -> None:
     for wait in _after_outputs(run.motions) if wish.gripper else ():
         if wait.hold is None:
             object.__setattr__(wait, "hold", Hold.GRIPPER)
-    for first, end in run.units.stretches:
+    for first, end in run.units.rail_inactive:
         for motion in run.motions[first:end]:
             if not isinstance(motion, SignalEvent):
                 object.__setattr__(motion, "hold", Hold.UNIT)
@@ -64,20 +61,20 @@ def held_after_outputs(program: Program) -> str | None:
     )
 
 
-def _marked(run: Execution) -> Iterator[_Entry]:
+def _marked(run: Context) -> Iterator[_Entry]:
     for span in run.held:
         place = run.files[span.file].source(span.start)
         yield _Entry(Hold.PROGRAM, (span,), "marked 'hold rail', but no move and no wait ran there", place)
 
 
-def _named(run: Execution, modules: Modules) -> Iterator[_Entry]:
+def _named(run: Context, modules: Modules) -> Iterator[_Entry]:
     """What the cell file names by procedure or line."""
     wish = run.scenario.hold_rail
     for one in named(run, modules, "hold_rail", wish.procedures, wish.lines):
         yield _Entry(Hold.CELL, one.spans, f"hold_rail in the cell file: no move and no wait ran in {one.text}")
 
 
-def _held(run: Execution, entries: Sequence[_Entry]) -> dict[int, Hold]:
+def _held(run: Context, entries: Sequence[_Entry]) -> dict[int, Hold]:
     """Why motions are held, by their index; warns of the entries that hold none."""
     around = Around([entry.spans for entry in entries])
     used: set[int] = set()

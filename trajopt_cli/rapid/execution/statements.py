@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.datatypes import NUM, Value
+from trajopt_cli.rapid.data.errors import Exit, Fault, Jump, Mismatch, Retry, Return, TryNext, Undeclared
+from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.calls import late_call, procedure
-from trajopt_cli.rapid.execution.control_flow import Exit, Jump, Retry, Return, TryNext
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate, number
-from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle, passed_on, raise_error
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.evaluate import inside_opaque
+from trajopt_cli.rapid.execution.faults import Handled, handle, passed_on, raise_error
 from trajopt_cli.rapid.execution.instructions.processes import set_speed
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
-from trajopt_cli.rapid.execution.type_errors import Mismatch
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Assign,
@@ -37,13 +37,10 @@ from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 _LONG = 64  # characters that are charged as one more statement
 
 
-def run_block(run: Execution, block: Block) -> None:
+def run_block(run: Context, block: Block) -> None:
     """Run statements in order; where one fails or jumps, go on where the program says."""
     outer, file, counts = run.link, run.file, run.counts
     count, i = len(block), 0
@@ -60,7 +57,7 @@ def run_block(run: Execution, block: Block) -> None:
                 run.link = (node, outer, file)
                 _STATEMENTS[type(node)](run, node)
         except Jump as jump:
-            landing = run.labels(block).get(jump.node.label.lower())
+            landing = _labels(run, block).get(jump.node.label.lower())
             if landing is None:
                 raise
             if landing < i:
@@ -78,7 +75,16 @@ def run_block(run: Execution, block: Block) -> None:
     run.link = outer
 
 
-def _assign(run: Execution, node: Assign) -> None:
+def _labels(run: Context, block: Block) -> dict[str, int]:
+    """The labels of a block, with where they stand in it."""
+    found = run.labels.get(id(block))
+    if found is None:
+        found = {node.name.lower(): i for i, node in enumerate(block) if isinstance(node, Label)}
+        run.labels[id(block)] = found
+    return found
+
+
+def _assign(run: Context, node: Assign) -> None:
     target = node.target
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
@@ -92,42 +98,42 @@ def _assign(run: Execution, node: Assign) -> None:
         )
         return
     try:
-        place = locate(run, target)
+        place = run.locate(target)
     except Undeclared:
         if type(target) is not Name:
             raise
         return _assign_undeclared(run, node, target)
     try:
-        value = evaluate(run, node.value, place.type)
+        value = run.evaluate(node.value, place.type)
     except Mismatch as error:
         raise error.about(node.value, run.text(target)) from None
     run.store(place, target, value)
 
 
-def _assign_undeclared(run: Execution, node: Assign, target: Name) -> None:
+def _assign_undeclared(run: Context, node: Assign, target: Name) -> None:
     """What is assigned tells the type; a name that is counted up is a number."""
     if isinstance(node.value, Aggregate):
         raise run.undeclared(target)
     counted = any(isinstance(one, Name) and one.name.lower() == target.name.lower() for one in walk(node.value))
-    value = None if counted else evaluate(run, node.value)
-    place = run.outside.assigned(run, target, NUM if value is None else value.type)
-    run.store(place, target, evaluate(run, node.value, NUM) if value is None else value)
+    value = None if counted else run.evaluate(node.value)
+    place = external_data.assigned(run, target, NUM if value is None else value.type)
+    run.store(place, target, run.evaluate(node.value, NUM) if value is None else value)
 
 
-def _if(run: Execution, node: If) -> None:
+def _if(run: Context, node: If) -> None:
     for test, block in node.branches:
-        if condition(run, test):
+        if run.condition(test):
             return run_block(run, block)
     if node.otherwise:
         run_block(run, node.otherwise)
 
 
-def _test(run: Execution, node: Test) -> None:
-    subject = evaluate(run, node.subject)
+def _test(run: Context, node: Test) -> None:
+    subject = run.evaluate(node.subject)
     for values, block in node.cases:
         for value in values:
             try:
-                same = evaluate(run, value, subject.type).data == subject.data
+                same = run.evaluate(value, subject.type).data == subject.data
             except Mismatch as error:
                 raise error.about(value, f"a CASE of {run.text(node.subject)}") from None
             if same:
@@ -136,7 +142,7 @@ def _test(run: Execution, node: Test) -> None:
         run_block(run, node.default)
 
 
-def _declare(run: Execution, node: DataDeclaration) -> None:
+def _declare(run: Context, node: DataDeclaration) -> None:
     if node.storage == "PERS":
         raise run.error(node, f"PERS {node.name} stands in a routine; PERS data belongs to a module")
     key = node.name.lower()
@@ -151,25 +157,25 @@ def _declare(run: Execution, node: DataDeclaration) -> None:
     run.frame.local[key] = datum
 
 
-def _return(run: Execution, node: ReturnStatement) -> None:
+def _return(run: Context, node: ReturnStatement) -> None:
     wanted = run.frame.returns
     if (wanted is None) != (node.value is None):
         raise run.error(node, "RETURN needs a value in a FUNC" if wanted else "RETURN with a value outside a FUNC")
     if node.value is None:
         raise Return(None)
     try:
-        value = evaluate(run, node.value, wanted)
+        value = run.evaluate(node.value, wanted)
     except Mismatch as error:
         name = run.frame.routine.name if run.frame.routine else ""
         raise error.about(node.value, f"RETURN of {name}") from None
     raise Return(value)
 
 
-def _goto(run: Execution, node: Goto) -> None:
+def _goto(run: Context, node: Goto) -> None:
     raise Jump(node)
 
 
-def _simple(run: Execution, node: Simple) -> None:
+def _simple(run: Context, node: Simple) -> None:
     if node.word == "EXIT":
         raise Exit
     if run.frame.handling is None:
@@ -177,18 +183,18 @@ def _simple(run: Execution, node: Simple) -> None:
     raise Retry if node.word == "RETRY" else TryNext
 
 
-def _raise(run: Execution, node: Raise) -> None:
+def _raise(run: Context, node: Raise) -> None:
     """An error of the program's own; inside a handler a long jump (see faults.py)."""
     if node.value is not None:
         said = run.text(node.value)
-        raise_error(run, node, f"RAISE {said}", said, number(run, node.value))
+        raise_error(run, node, f"RAISE {said}", said, run.number(node.value))
     fault = run.frame.handling
     if fault is None:
         raise run.fault(node, "ERR_ILLRAISE", "RAISE without a number belongs in an ERROR handler")
     raise passed_on(run, fault)
 
 
-def _connect(run: Execution, node: Connect) -> None:
+def _connect(run: Context, node: Connect) -> None:
     found = run.routine(node.trap)
     if found is None or found[0].kind != "TRAP":
         raise run.error(node, f"there is no TRAP {node.trap} in the program")
@@ -200,11 +206,11 @@ def _connect(run: Execution, node: Connect) -> None:
     run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
 
 
-def _label(run: Execution, node: Label) -> None:
+def _label(run: Context, node: Label) -> None:
     """Only a GOTO has a use for it."""
 
 
-def _placeholder(run: Execution, node: Placeholder) -> None:
+def _placeholder(run: Context, node: Placeholder) -> None:
     raise run.error(node, f"unfinished code {node.name} cannot be run")
 
 

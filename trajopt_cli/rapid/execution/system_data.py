@@ -6,24 +6,20 @@ refused where it is read (UNFOLLOWED in datatypes.py).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.motion import Singularity
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, PROGDISP, Value
+from trajopt_cli.rapid.data.frames import IDENTITY
 from trajopt_cli.rapid.data.predefined import VMAX
-from trajopt_cli.rapid.execution.equipment import IDENTITY
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.units import MM
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _NO_LIMIT = -1.0  # what a controller shows of an acceleration that is not limited
 
 
-def tell(run: Execution) -> None:
+def publish(run: Context) -> None:
     """Let C_PROGDISP and C_MOTSET hold what is in force now."""
     settings = run.settings
-    run.progdisp.value = Value(PROGDISP, (run.position.equipment.displacement or IDENTITY, settings.eax_offset))
+    run.progdisp.value = Value(PROGDISP, (run.position.displacement or IDENTITY, settings.eax_offset))
     override, highest = run.velset
     wrist, axis_4 = (settings.singularity is kind for kind in (Singularity.WRIST, Singularity.LOCK_AXIS_4))
     limits = (settings.path_acceleration, settings.path_deceleration, settings.world_acceleration)

@@ -10,8 +10,9 @@ from __future__ import annotations
 import re
 from math import inf
 
-from trajopt_cli.rapid.language.lexer import KEYWORDS, NAME, NUMBER
+from trajopt_cli.rapid.language.lexer import KEYWORDS, NAME
 from trajopt_cli.rapid.language.syntax import (
+    NUMBER,
     Aggregate,
     Argument,
     DataDeclaration,

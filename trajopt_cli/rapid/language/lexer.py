@@ -10,10 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.language.syntax import DataDeclaration, ProcedureCall
+from trajopt_cli.rapid.language.syntax import NUMBER, DataDeclaration, ProcedureCall
 
 _KEYWORDS = """
     ALIAS AND BACKWARD CASE CONNECT CONST DEFAULT DIV DO ELSE ELSEIF ENDFOR ENDFUNC ENDIF ENDMODULE ENDPROC ENDRECORD
@@ -26,7 +24,6 @@ KEYWORDS = frozenset(_KEYWORDS.split())
 # Some generators leave NUL bytes between tokens; old editors end a file with Ctrl-Z.
 BLANK = r"[\s\x00\x1a\ufeff\u200b]*+"
 NAME = r"[^\W\d]\w*+"
-NUMBER = r"(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
 _ITEM = rf"\s*+[+-]?+{NUMBER}\s*+"
 
 
@@ -52,7 +49,9 @@ _TOKEN = re.compile(
     )""",
     re.VERBOSE,
 )
-Whole = Callable[[str, int], "tuple[ProcedureCall | DataDeclaration, int] | None"]
+Whole = Callable[
+    [str, int], tuple[ProcedureCall | DataDeclaration, int] | None
+]  # a statement or declaration, and where it ends
 
 
 @dataclass(frozen=True, slots=True)

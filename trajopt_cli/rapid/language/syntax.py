@@ -10,8 +10,6 @@ import re
 from dataclasses import dataclass, field
 from typing import Any, TypeVar, dataclass_transform
 
-from trajopt_cli.rapid.language.lexer import NUMBER
-
 _Class = TypeVar("_Class")
 
 
@@ -175,6 +173,8 @@ Expression = Number | String | Boolean | Name | Component | Element | Call | Una
 
 _decode = json.JSONDecoder(parse_int=float).decode
 _ROW = r"\[[^\[\]]*+\]"
+# A number without a sign, as in a program's text.
+NUMBER = r"(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+"
 _NEST = rf"\[(?:[^\[\]]++|{_ROW})*+\]"
 _PART = re.compile(rf"(?P<nested>\[(?:[^\[\]]++|{_NEST})*+\])|(?P<number>[+-]?{NUMBER})")
 

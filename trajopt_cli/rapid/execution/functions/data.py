@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, Array, Data, Value
 from trajopt_cli.rapid.data.scope import Absent
 from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer, locate
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.operators import string
 from trajopt_cli.rapid.language.syntax import Call, Name
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def _dim(run: Execution, node: Call) -> Value:
+def _dim(run: Context, node: Call) -> Value:
     array, which = bind(run, node, ("ArrPar", "DimNo")).required
-    value, index = evaluate(run, array), integer(run, which, "DimNo")
+    value, index = run.evaluate(array), run.integer(which, "DimNo")
     if not isinstance(value.type, Array) or not 1 <= index <= value.type.dimensions:
         raise run.fault(node, "ERR_ILLDIM", f"{run.text(array)} has no dimension {index}")
     if value.type.sizes is not None:
@@ -28,7 +23,7 @@ def _dim(run: Execution, node: Call) -> Value:
     return Value(NUM, float(len(data)))
 
 
-def _present(run: Execution, node: Call) -> Value:
+def _present(run: Context, node: Call) -> Value:
     (argument,) = bind(run, node, ("OptPar",)).required
     if not isinstance(argument, Name):
         raise run.error(argument, "Present takes the name of an optional parameter")
@@ -36,14 +31,14 @@ def _present(run: Execution, node: Call) -> Value:
 
 
 def _stored_as(storage: str) -> Function:
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         (argument,) = bind(run, node, ("DatObj",)).required
-        return Value(BOOL, locate(run, argument).storage == storage)
+        return Value(BOOL, run.locate(argument).storage == storage)
 
     return handler
 
 
-def _arg_name(run: Execution, node: Call) -> Value:
+def _arg_name(run: Context, node: Call) -> Value:
     """How the caller, or the caller's caller, wrote the argument that a parameter stands for."""
     (argument,) = bind(run, node, ("Parameter",)).required
     name = run.argument_name(argument.name) if isinstance(argument, Name) else None
@@ -52,9 +47,9 @@ def _arg_name(run: Execution, node: Call) -> Value:
     return string(run, node, name)
 
 
-def _type(run: Execution, node: Call) -> Value:
+def _type(run: Context, node: Call) -> Value:
     (argument,) = bind(run, node, ("Data",)).required
-    type_ = locate(run, argument).type
+    type_ = run.locate(argument).type
     return string(run, node, type_.element.name if isinstance(type_, Array) else type_.name)
 
 

@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.evaluate import integer, number
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Call
 from trajopt_cli.units import DEG
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 
 def _plain(name: str, compute: Callable[..., float], takes: str = "Value", result: Type = NUM) -> Function:
     """A function of numbers to a number of the type result. takes: the names of its arguments."""
     required = tuple(takes.split())
 
-    def handler(run: Execution, node: Call) -> Value:
-        values = [number(run, argument) for argument in bind(run, node, required).required]
+    def handler(run: Context, node: Call) -> Value:
+        values = [run.number(argument) for argument in bind(run, node, required).required]
         try:
             value = compute(*values)
         except (ValueError, OverflowError, ZeroDivisionError) as error:
@@ -33,13 +29,13 @@ def _plain(name: str, compute: Callable[..., float], takes: str = "Value", resul
 
 
 def _rounding(exact: Callable[[float], float], result: Type = NUM) -> Function:
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         args = bind(run, node, ("Val",), ("Dec",))
         dec = args.value("dec")
-        digits = integer(run, dec, "\\Dec") if dec is not None else 0
+        digits = run.integer(dec, "\\Dec") if dec is not None else 0
         if not 0 <= digits <= 15:
             raise run.error(node, f"\\Dec:={digits} lies outside 0..15")
-        return Value(result, exact(number(run, args.required[0]) * 10.0**digits) / 10.0**digits)
+        return Value(result, exact(run.number(args.required[0]) * 10.0**digits) / 10.0**digits)
 
     return handler
 
@@ -48,10 +44,10 @@ def _half_up(value: float) -> float:
     return math.copysign(math.floor(abs(value) + 0.5), value)
 
 
-def _dnum_to_num(run: Execution, node: Call) -> Value:
+def _dnum_to_num(run: Context, node: Call) -> Value:
     r"""The dnum as a num; with \Integer only if it is a whole number that a num holds exactly."""
     args = bind(run, node, ("Value",), ("Integer",))
-    value = number(run, args.required[0])
+    value = run.number(args.required[0])
     if "integer" in args.optional and (value != math.trunc(value) or abs(value) > _EXACT):
         raise run.fault(node, "ERR_ARGVALERR", f"DnumToNum({value:.15g} \\Integer) takes whole numbers up to {_EXACT}")
     return Value(NUM, value)
@@ -67,10 +63,10 @@ def _bits(name: str, compute: Callable[..., int], takes: str, top: int, result: 
     """A function of whole numbers 0..top, the contents of a byte (or of 52 bits), to one of them."""
     required = tuple(takes.split())
 
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         values = []
         for argument in bind(run, node, required).required:
-            value = integer(run, argument, f"an argument of {name}")
+            value = run.integer(argument, f"an argument of {name}")
             if not 0 <= value <= top:
                 raise run.error(argument, f"an argument of {name} is {value}, and must lie in 0..{top}")
             values.append(value)
@@ -83,9 +79,9 @@ _BYTE, _LONG = 255, 2**52 - 1  # a dnum is exact to 52 bits
 
 
 def _bit_check(top: int) -> Function:
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         data, place = bind(run, node, ("BitData", "BitPos")).required
-        value, position = integer(run, data, "BitData"), integer(run, place, "BitPos")
+        value, position = run.integer(data, "BitData"), run.integer(place, "BitPos")
         if not 0 <= value <= top:
             raise run.error(data, f"BitData is {value}, and must lie in 0..{top}")
         if not 1 <= position <= top.bit_length():

@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Call
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def _input(run: Execution, node: Call) -> float:
+def _input(run: Context, node: Call) -> float:
     (argument,) = bind(run, node, ("Signal",)).required
     signal, written = run.signal(argument), run.text(argument)
-    return run.world.signal(run, argument, written if written.lower() == signal else signal)
+    return run.read_signal(argument, written if written.lower() == signal else signal)
 
 
-def _digital(run: Execution, node: Call) -> float:
+def _digital(run: Context, node: Call) -> float:
     (argument,) = bind(run, node, ("Signal",)).required
-    run.world.digital(run, argument, run.signal(argument))
+    run.check_digital(argument, run.signal(argument))
     return _input(run, node)
 
 
-def _test_di(run: Execution, node: Call) -> Value:
+def _test_di(run: Context, node: Call) -> Value:
     return Value(BOOL, _digital(run, node) == 1.0)
 
 
@@ -35,14 +31,14 @@ def _reads(type_: Type) -> Function:
 def _tells(type_: Type) -> Function:
     """The state of an output."""
 
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         (argument,) = bind(run, node, ("Signal",)).required
-        return Value(type_, run.world.output(run.signal(argument)))
+        return Value(type_, run.external.output(run.signal(argument)))
 
     return handler
 
 
-def _valid(run: Execution, node: Call) -> Value:
+def _valid(run: Context, node: Call) -> Value:
     """Every signal works, inputs and outputs alike."""
     bind(run, node, ("Signal",))
     return Value(BOOL, True)

@@ -3,28 +3,24 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, STRING, Data, Type, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer, locate, number
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.syntax import Aggregate, Boolean, Call, Expression, Number, String
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _DIGITS_NUM, _DIGITS_DNUM = 6, 15  # significant digits that a controller writes
 
 
-def _string(run: Execution, node: Expression) -> str:
-    return str(evaluate(run, node, STRING).data)
+def _string(run: Context, node: Expression) -> str:
+    return str(run.evaluate(node, STRING).data)
 
 
-def _place(run: Execution, node: Expression, whole: str) -> int:
+def _place(run: Context, node: Expression, whole: str) -> int:
     """A position in whole, from 1."""
-    place = integer(run, node, "ChPos")
+    place = run.integer(node, "ChPos")
     if not 1 <= place <= max(len(whole), 1):
         raise run.fault(node, "ERR_ARGVALERR", f"position {place} lies outside the string, 1..{len(whole)}")
     return place
@@ -49,30 +45,30 @@ def _figures(value: float, digits: int) -> str:
     return re.sub(r"E([+-])(\d)$", r"E\g<1>0\2", text)
 
 
-def _val_to_str(run: Execution, node: Call) -> Value:
-    value = evaluate(run, bind(run, node, ("Val",)).required[0])
+def _val_to_str(run: Context, node: Call) -> Value:
+    value = run.evaluate(bind(run, node, ("Val",)).required[0])
     return Value(STRING, _shown(value.type, value.data))
 
 
-def _num_to_str(run: Execution, node: Call) -> Value:
+def _num_to_str(run: Context, node: Call) -> Value:
     r"""The number with Dec decimals, rounded; \Exp in exponential form."""
     args = bind(run, node, ("Val", "Dec"), ("Exp",))
     value, dec = args.required
-    digits = integer(run, dec, "Dec")
+    digits = run.integer(dec, "Dec")
     if not 0 <= digits <= 15:
         raise run.fault(dec, "ERR_ARGVALERR", f"Dec {digits} lies outside 0..15")
-    return Value(STRING, f"{number(run, value):.{digits}{'E' if 'exp' in args.optional else 'f'}}")
+    return Value(STRING, f"{run.number(value):.{digits}{'E' if 'exp' in args.optional else 'f'}}")
 
 
-def _str_to_val(run: Execution, node: Call) -> Value:
+def _str_to_val(run: Context, node: Call) -> Value:
     """TRUE and Val changed if the string is a literal of Val's type, else FALSE and Val as it was."""
     text, target = bind(run, node, ("Str", "Val")).required
-    place = locate(run, target)
+    place = run.locate(target)
     try:
         literal = parse_expression(_string(run, text), run.file)
         if not _literal(literal):
             return Value(BOOL, False)
-        value = evaluate(run, literal, place.type)
+        value = run.evaluate(literal, place.type)
     except InputError:  # not a literal of that type: that is the answer, not a mistake
         return Value(BOOL, False)
     run.assign(target, Value(value.type, value.data))
@@ -88,22 +84,22 @@ def _literal(node: Expression) -> bool:
 # ------------------------------------------------------------------------------------------------ parts and search
 
 
-def _str_len(run: Execution, node: Call) -> Value:
+def _str_len(run: Context, node: Call) -> Value:
     (text,) = bind(run, node, ("Str",)).required
     return Value(NUM, float(len(_string(run, text))))
 
 
-def _str_part(run: Execution, node: Call) -> Value:
+def _str_part(run: Context, node: Call) -> Value:
     text, first, count = bind(run, node, ("Str", "ChPos", "Len")).required
     whole = _string(run, text)
-    start, length = integer(run, first, "ChPos"), integer(run, count, "Len")
+    start, length = run.integer(first, "ChPos"), run.integer(count, "Len")
     if not (1 <= start <= len(whole) + 1 and 0 <= length <= len(whole) - start + 1):
         message = f"{length} characters from {start} lie outside the string, 1..{len(whole)}"
         raise run.fault(node, "ERR_ARGVALERR", message)
     return Value(STRING, whole[start - 1 : start - 1 + length])
 
 
-def _str_find(run: Execution, node: Call) -> Value:
+def _str_find(run: Context, node: Call) -> Value:
     r"""Where the first character of Set (with \NotInSet: the first that is not in it) stands; length + 1 for none."""
     args = bind(run, node, ("Str", "ChPos", "Set"), ("NotInSet",))
     text, first, chars = args.required
@@ -114,7 +110,7 @@ def _str_find(run: Execution, node: Call) -> Value:
     return Value(NUM, float(next(found, len(whole) + 1)))
 
 
-def _str_match(run: Execution, node: Call) -> Value:
+def _str_match(run: Context, node: Call) -> Value:
     """Where the pattern begins; length + 1 where it does not occur."""
     text, first, pattern = bind(run, node, ("Str", "ChPos", "Pattern")).required
     whole = _string(run, text)
@@ -122,14 +118,14 @@ def _str_match(run: Execution, node: Call) -> Value:
     return Value(NUM, float(found + 1 if found >= 0 else len(whole) + 1))
 
 
-def _str_memb(run: Execution, node: Call) -> Value:
+def _str_memb(run: Context, node: Call) -> Value:
     text, first, chars = bind(run, node, ("Str", "ChPos", "Set")).required
     whole = _string(run, text)
     place = _place(run, first, whole)
     return Value(BOOL, whole[place - 1 : place] != "" and whole[place - 1] in _string(run, chars))
 
 
-def _str_order(run: Execution, node: Call) -> Value:
+def _str_order(run: Context, node: Call) -> Value:
     """Whether Str1 stands before Str2, or is the same, when characters are ordered as in Order."""
     first, second, order = (_string(run, argument) for argument in bind(run, node, ("Str1", "Str2", "Order")).required)
 
@@ -140,7 +136,7 @@ def _str_order(run: Execution, node: Call) -> Value:
     return Value(BOOL, rank(first) <= rank(second))
 
 
-def _str_map(run: Execution, node: Call) -> Value:
+def _str_map(run: Context, node: Call) -> Value:
     text, old, new = (_string(run, argument) for argument in bind(run, node, ("Str", "FromMap", "ToMap")).required)
     if len(old) != len(new):
         message = f"FromMap has {len(old)} characters and ToMap {len(new)}; they stand for each other one by one"
@@ -155,9 +151,9 @@ def _str_map(run: Execution, node: Call) -> Value:
 _BASES = {"hex": (16, "02X"), "okt": (8, "03o"), "bin": (2, "08b")}
 
 
-def _byte_to_str(run: Execution, node: Call) -> Value:
+def _byte_to_str(run: Context, node: Call) -> Value:
     args = bind(run, node, ("BitData",), ("Hex", "Okt", "Bin", "Char"))
-    value = integer(run, args.required[0], "BitData")
+    value = run.integer(args.required[0], "BitData")
     if not 0 <= value <= 255:
         raise run.fault(node, "ERR_ARGVALERR", f"BitData {value} lies outside a byte's 0..255")
     if "char" in args.optional:
@@ -166,7 +162,7 @@ def _byte_to_str(run: Execution, node: Call) -> Value:
     return Value(STRING, f"{value:{form}}")
 
 
-def _str_to_byte(run: Execution, node: Call) -> Value:
+def _str_to_byte(run: Context, node: Call) -> Value:
     args = bind(run, node, ("ConStr",), ("Hex", "Okt", "Bin", "Char"))
     text = _string(run, args.required[0])
     if "char" in args.optional:
@@ -185,7 +181,7 @@ def _numeral(text: str, base: int) -> int:
 
 
 def _recoded(name: str, base: int, form: str) -> Function:
-    def handler(run: Execution, node: Call) -> Value:
+    def handler(run: Context, node: Call) -> Value:
         text = _string(run, bind(run, node, ("Str",)).required[0])
         value = _numeral(text, base)
         if value < 0:

@@ -3,27 +3,10 @@
 from __future__ import annotations
 
 from trajopt_cli.rapid.execution.arguments import Function
-from trajopt_cli.rapid.execution.functions import (
-    data,
-    numbers,
-    poses,
-    signals,
-    strings,
-    system,
-    targets,
-    unknown,
-)
+from trajopt_cli.rapid.execution.functions import data, numbers, poses, rows, signals, strings, targets
 
-FUNCTIONS: dict[str, Function] = {
-    **targets.FUNCTIONS,
-    **poses.FUNCTIONS,
-    **numbers.FUNCTIONS,
-    **data.FUNCTIONS,
-    **signals.FUNCTIONS,
-    **strings.FUNCTIONS,
-    **system.FUNCTIONS,
-    **unknown.FUNCTIONS,
-}
+TOPICS = (targets, poses, numbers, data, signals, strings, rows)
+FUNCTIONS: dict[str, Function] = {name: handler for topic in TOPICS for name, handler in topic.FUNCTIONS.items()}
 # Those that wait for an operator or for what a device sends: the fly-by point before them is a stop, see Effect.STOPS.
 STOPPING = (
     "UIMessageBox", "UINumEntry", "UINumTune", "UIDnumEntry", "UIDnumTune", "UIAlphaEntry", "UIListView", "ReadNum",

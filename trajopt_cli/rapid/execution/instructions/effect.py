@@ -1,8 +1,14 @@
-"""What an instruction does to the motion, told in the manual's table and acted on where instructions run."""
+"""What an instruction does to the motion, shown in the manual's table and acted on where instructions run."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
+
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.language.syntax import ProcedureCall
+
+Handler = Callable[[Context, ProcedureCall], None]
 
 
 class Effect(Enum):
@@ -12,8 +18,6 @@ class Effect(Enum):
     time. STOPS: the program waits there for somebody or something outside of it, so nothing is planned ahead and the
     fly-by point before it is a stop (ABB event 50024, corner path failure). REFUSED: an error. IGNORED: nothing of it
     is in a plan, which the output says.
-
-    A topic's module names that of its instructions in EFFECT (RUN without it), and the exceptions in EFFECTS.
     """
 
     PLANNED = "planned"
@@ -22,3 +26,6 @@ class Effect(Enum):
     STOPS = "stops a corner"
     REFUSED = "refused"
     IGNORED = "ignored"
+
+
+Topic = dict[Effect, dict[str, Handler]]  # the instructions of a file, by effect and name

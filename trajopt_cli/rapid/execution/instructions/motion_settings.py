@@ -6,42 +6,20 @@ names of its arguments, as long as each name still stands for the very same data
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
-
-from trajopt_cli.motion import Settings, Speed, Zone
-from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.datatypes import LOADDATA, Data
+from trajopt_cli.motion import Speed
+from trajopt_cli.rapid.data.datatypes import LOADDATA
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.arguments import Arguments
-from trajopt_cli.rapid.execution.equipment import Setup, data_of
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.equipment import data_of, setup_of
 from trajopt_cli.rapid.execution.instructions import speed_settings
+from trajopt_cli.rapid.execution.position import Known, Manner
 from trajopt_cli.rapid.language.syntax import Expression, Name
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
-
-class Manner(NamedTuple):
-    r"""duration: the programmed \T [s]."""
-
-    setup: Setup
-    speed: Speed
-    zone: Zone
-    duration: float | None
-
-
-class Known(NamedTuple):
-    """A manner, the state it was made in, and the names that it was made from with what each stood for."""
-
-    settings: Settings
-    displacement: frames.Frame | None
-    data: tuple[tuple[str, Data], ...]
-    manner: Manner
-
 
 def manner(
-    run: Execution,
+    run: Context,
     speed: Expression,
     zone: Expression | None,
     tool: Expression,
@@ -57,9 +35,9 @@ def manner(
         if not isinstance(wobj, Name) or len(args.optional) > 1:
             return _manner(run, speed, zone, tool, args, None)
         names = (*names, wobj.name)
-    equipment = run.position.equipment
-    known = equipment.manners.get(names)
-    if known is not None and known.settings is run.settings and known.displacement is equipment.displacement:
+    position = run.position
+    known = position.manners.get(names)
+    if known is not None and known.settings is run.settings and known.displacement is position.displacement:
         find = run.find
         for name, data in known.data:
             place = find(name)
@@ -71,14 +49,14 @@ def manner(
     places = [run.find(name) for name in names]
     data = tuple([(name, place.value.data) for name, place in zip(names, places, strict=True) if type(place) is Datum])
     if len(data) == len(names):
-        equipment.manners[names] = Known(run.settings, equipment.displacement, data, made)
+        position.manners[names] = Known(run.settings, position.displacement, data, made)
     return made
 
 
 def _manner(
-    run: Execution, speed: Expression, zone: Expression | None, tool: Expression, args: Arguments, fixed: Speed | None
+    run: Context, speed: Expression, zone: Expression | None, tool: Expression, args: Arguments, fixed: Speed | None
 ) -> Manner:
-    setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
+    setup = setup_of(run, tool, args.optional.get("wobj"))
     _note_unplanned(run, speed, args)
     return Manner(
         setup,
@@ -88,7 +66,7 @@ def _manner(
     )
 
 
-def _note_unplanned(run: Execution, place: Expression, args: Arguments) -> None:
+def _note_unplanned(run: Context, place: Expression, args: Arguments) -> None:
     r"""\TLoad, the total load of one move, and \Corr, a sensor's correction of its path: no plan looks at them."""
     node = args.optional.get("tload")
     if node is not None:

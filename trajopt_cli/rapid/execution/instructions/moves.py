@@ -7,7 +7,7 @@ instructions that move have in common with these is here too: to_pose.
 from __future__ import annotations
 
 from math import degrees, dist
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -30,21 +30,21 @@ from trajopt_cli.motion import (
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.data.frames import IDENTITY
+from trajopt_cli.rapid.data.poses import matrix
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.construction import made, maker
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, matrix, said, value_of
-from trajopt_cli.rapid.execution.evaluate import evaluate
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.equipment import orientation, turned, value_of
 from trajopt_cli.rapid.execution.instructions import speed_settings
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
 from trajopt_cli.rapid.execution.instructions.motion_settings import manner
 from trajopt_cli.rapid.execution.instructions.multimove import together
-from trajopt_cli.rapid.execution.positioners import moved
+from trajopt_cli.rapid.execution.position import Setup
+from trajopt_cli.rapid.execution.positioners import driven_axes, kept_axes, moved
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 NO_POSITION = 8.9e9  # RAPID's 9E9, with room for rounding
 _NEAR = 0.1  # mm; a controller refuses circles with points nearer than this
@@ -93,40 +93,40 @@ def asked(args: Arguments, via: bool) -> Asked:
     return _asked((point, speed, zone, tool, args, None))
 
 
-def move_j(run: Execution, node: ProcedureCall) -> None:
+def move_j(run: Context, node: ProcedureCall) -> None:
     """MoveJ ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveJ, asked(args, via=False))
 
 
-def move_l(run: Execution, node: ProcedureCall) -> None:
+def move_l(run: Context, node: ProcedureCall) -> None:
     """MoveL ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveL, asked(args, via=False))
 
 
-def move_c(run: Execution, node: ProcedureCall) -> None:
+def move_c(run: Context, node: ProcedureCall) -> None:
     """MoveC CirPoint, ToPoint, Speed, Zone, Tool."""
     args = bind(run, node, ("CirPoint", "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
     to_pose(run, node, MoveC, asked(args, via=True))
 
 
-def move_abs_j(run: Execution, node: ProcedureCall) -> None:
+def move_abs_j(run: Context, node: ProcedureCall) -> None:
     """MoveAbsJ ToJointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
-    target = evaluate(run, point, JOINTTARGET)
+    target = run.evaluate(point, JOINTTARGET)
     setup, caps, accuracy, duration = manner(run, speed, zone, tool, args)
     robax, extax = target.data
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
-    at = run.units.checked(run, point, external(run, extax, offset="noeoffs" not in args.optional))
+    at = driven_axes(run, point, external(run, extax, offset="noeoffs" not in args.optional))
     number, partner = together(run, node, args)
     motion = MoveAbsJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
-        target=said(run, point),
+        target=run.text(point),
         speed=caps,
         zone=accuracy,
         extax=at,
@@ -146,18 +146,18 @@ def move_abs_j(run: Execution, node: ProcedureCall) -> None:
     run.position.to_joints(setup, motion.q, motion.extax)
 
 
-def move_ext_j(run: Execution, node: ProcedureCall) -> None:
+def move_ext_j(run: Context, node: ProcedureCall) -> None:
     """MoveExtJ ToJointPos, Speed, Zone."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
-    target = evaluate(run, point, JOINTTARGET)
-    at = run.units.checked(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
+    target = run.evaluate(point, JOINTTARGET)
+    at = driven_axes(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
     caps = speed_settings.speed(run, speed, args, external=True)
     number, partner = together(run, node, args)
     motion = MoveExtJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
-        target=said(run, point),
+        target=run.text(point),
         speed=caps,
         zone=speed_settings.zone(run, zone, args),
         extax=at,
@@ -175,7 +175,7 @@ def move_ext_j(run: Execution, node: ProcedureCall) -> None:
 
 
 def to_pose(
-    run: Execution,
+    run: Context,
     node: ProcedureCall,
     kind: PoseKind,
     asked: Asked,
@@ -196,14 +196,14 @@ def to_pose(
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     number, partner = together(run, node, args)
     place, conf, extax, value = target
-    extax = run.units.checked(run, point, extax)
+    extax = driven_axes(run, point, extax)
     _check_unit(run, node, setup)
     units: tuple[UnitMove, ...] = ()
     before = setup
     if run.scenario.positioners:
         units = moved(run, point, extax, caps, setup.unit, duration is not None)
-        before = run.position.equipment.turned(run, setup, run.position.extax)
-        setup = run.position.equipment.turned(run, setup, run.position.kept(extax))
+        before = turned(run, setup, run.position.extax)
+        setup = turned(run, setup, kept_axes(run, extax))
     placed = setup.placed(place)
     x, y, z = placed[0]
     if not (abs(x) < NO_POSITION and abs(y) < NO_POSITION and abs(z) < NO_POSITION):
@@ -213,7 +213,7 @@ def to_pose(
     parts = {
         "source": run.source(node),
         "written": written(run, node, point, asked.speed, value),
-        "target": said(run, point),
+        "target": run.text(point),
         "speed": caps,
         "zone": zone,
         "extax": extax,
@@ -248,7 +248,7 @@ def to_pose(
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
 
 
-def _succession(run: Execution, node: ProcedureCall, args: Arguments) -> None:
+def _succession(run: Context, node: ProcedureCall, args: Arguments) -> None:
     r"""\Conc: what follows runs while the robot moves; at most five moves in succession may have it."""
     run.concurrent = run.concurrent + 1 if "conc" in args.optional else 0
     if run.concurrent and run.stored:
@@ -258,7 +258,7 @@ def _succession(run: Execution, node: ProcedureCall, args: Arguments) -> None:
         raise run.fault(node, "ERR_CONC_MAX", message)
 
 
-def _check_unit(run: Execution, node: ProcedureCall, setup: Setup) -> None:
+def _check_unit(run: Context, node: ProcedureCall, setup: Setup) -> None:
     """Refuse a move on a work object that moves by itself."""
     fixed, unit = setup.wobj_data[1:3]
     if not fixed and run.units.moves_by_itself(str(unit)):
@@ -271,7 +271,7 @@ def _check_unit(run: Execution, node: ProcedureCall, setup: Setup) -> None:
 
 
 def _check_circle(
-    run: Execution,
+    run: Context,
     node: Expression,
     end: Expression,
     start: frames.Frame | None,
@@ -279,7 +279,7 @@ def _check_circle(
     place: frames.Frame,
 ) -> None:
     """The three points must be apart. start None: only the robot knows, and the check waits for it."""
-    at, through, to = None if start is None else start[0], said(run, node), said(run, end)
+    at, through, to = None if start is None else start[0], run.text(node), run.text(end)
     pairs = ((through, via[0], to, place[0]), ("the start", at, through, via[0]), ("the start", at, to, place[0]))
     for one, p, other, q in pairs:
         if p is not None and dist(p, q) < _NEAR:
@@ -299,7 +299,7 @@ def _check_circle(
         )
 
 
-def written(run: Execution, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
+def written(run: Context, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
     """Where the parts of an instruction stand in the text."""
     file, origin = run.file, target.origin
     return made(
@@ -318,7 +318,7 @@ def written(run: Execution, node: ProcedureCall, point: Expression, speed: Expre
 _span = maker(Span)
 
 
-def marked(run: Execution, node: ProcedureCall) -> bool:
+def marked(run: Context, node: ProcedureCall) -> bool:
     """Whether a comment marks the move as one that may be dropped."""
     return bool(run.optional) and (run.file, node.start) in run.optional
 
@@ -326,7 +326,7 @@ def marked(run: Execution, node: ProcedureCall) -> bool:
 # ------------------------------------------------------------------------------------------------------ the target
 
 
-def robtarget(run: Execution, node: Expression) -> Target:
+def robtarget(run: Context, node: Expression) -> Target:
     """A robtarget. Raises InputError for an orientation or a configuration that is none, at its literal."""
     value = value_of(run, node, ROBTARGET)
     (x, y, z), q, conf, extax = value.data
@@ -334,11 +334,11 @@ def robtarget(run: Execution, node: Expression) -> Target:
     if abs(w * w + i * i + j * j + k * k - 1.0) > _UNIT:
         literal = value.origin
         where, file = (literal.literal, literal.file) if literal else (node, run.file)
-        q = run.position.equipment.orientation(run, q, said(run, node), where, file)
+        q = orientation(run, q, run.text(node), where, file)
     return _target((((x, y, z), q), _configuration(run, node, conf), external(run, extax), value))
 
 
-def _configuration(run: Execution, point: Expression, conf: Data) -> ConfData:
+def _configuration(run: Context, point: Expression, conf: Data) -> ConfData:
     known = _CONFIGURATIONS.get(conf)
     if known is None:
         if any(abs(value) > NO_POSITION or value != int(value) for value in conf):
@@ -355,7 +355,7 @@ _CONFIGURATIONS: dict[Data, ConfData] = {}
 _MANY = 4096
 
 
-def external(run: Execution, extax: Data, offset: bool = True) -> ExternalAxes:
+def external(run: Context, extax: Data, offset: bool = True) -> ExternalAxes:
     """External axes as the controller drives them. offset: whether EOffs adds to them."""
     offsets = run.settings.eax_offset
     a, b, c, d, e, f = extax
@@ -374,11 +374,12 @@ def external(run: Execution, extax: Data, offset: bool = True) -> ExternalAxes:
 _NO_OFFSET = (0.0,) * 6
 
 
-EFFECT = Effect.PLANNED
-INSTRUCTIONS: dict[str, Instruction] = {
-    "MoveJ": move_j,
-    "MoveL": move_l,
-    "MoveC": move_c,
-    "MoveAbsJ": move_abs_j,
-    "MoveExtJ": move_ext_j,
+INSTRUCTIONS: Topic = {
+    Effect.PLANNED: {
+        "MoveJ": move_j,
+        "MoveL": move_l,
+        "MoveC": move_c,
+        "MoveAbsJ": move_abs_j,
+        "MoveExtJ": move_ext_j,
+    }
 }

@@ -9,20 +9,16 @@ reference manual, SyncMoveOn and SyncMoveOff, "Limitations").
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import number
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.settings import change
 from trajopt_cli.rapid.execution.instructions.waits import record
 from trajopt_cli.rapid.language.syntax import ProcedureCall
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def together(run: Execution, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
+def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
     r"""The \ID of a move and what the other robots take for it [s], each None where nothing says it.
 
     Raises InputError for a synchronised move without an \ID, and for one with it that is not synchronised.
@@ -42,25 +38,25 @@ def together(run: Execution, node: ProcedureCall, args: Arguments) -> tuple[int 
     if not run.settings.synchronised:
         message = f"{node.name} has an \\ID, and no SyncMoveOn ran before it"
         raise run.error(given, f"{message}; leave the \\ID out, or start where the program does")
-    value = number(run, given)
+    value = run.number(given)
     if value < 0 or value != int(value):
         raise run.error(given, f"\\ID of {node.name} is {value:.6g}; it takes a whole number from 0")
-    run.world.asked("partner", f"{value:.0f}")
+    run.external.asked("partner", f"{value:.0f}")
     return int(value), run.scenario.partner.get(int(value))
 
 
-def _meeting(on: bool, required: tuple[str, ...]) -> Instruction:
+def _meeting(on: bool, required: tuple[str, ...]) -> Handler:
     """SyncMoveOn or SyncMoveOff: a wait for the other tasks, at a stop point."""
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, required, ("TimeOut",))
         name = run.text(args.required[0])
-        limit, least = args.value("timeout"), run.world.least(name)
+        limit, least = args.value("timeout"), run.external.least(name)
         if least is None and limit is None:
             raise run.error(
                 node, f"{node.name} {name} waits forever: the cell file says timeout, and \\TimeOut is not given"
             )
-        record(run, node, number(run, limit) if least is None and limit is not None else least or 0.0, name)
+        record(run, node, run.number(limit) if least is None and limit is not None else least or 0.0, name)
         if least is None:
             raise run.fault(node, f"ERR_{node.name.upper()}", f"{name}: the other tasks do not come within \\TimeOut")
         change(run, replace(run.settings, synchronised=on))
@@ -68,10 +64,10 @@ def _meeting(on: bool, required: tuple[str, ...]) -> Instruction:
     return handler
 
 
-def _set(on: bool) -> Instruction:
+def _set(on: bool) -> Handler:
     """Moves go together from here on, or each by itself; at a stop point, without a wait for the other tasks."""
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         bind(run, node, ())
         if run.settings.synchronised is not on:
             record(run, node, 0.0, in_position=True)
@@ -82,11 +78,12 @@ def _set(on: bool) -> Instruction:
     return handler
 
 
-EFFECT = Effect.WAITS
-INSTRUCTIONS: dict[str, Instruction] = {
-    "SyncMoveOn": _meeting(True, ("SyncID", "TaskList")),
-    "SyncMoveOff": _meeting(False, ("SyncID",)),
-    "SyncMoveSuspend": _set(False),
-    "SyncMoveResume": _set(True),
-    "SyncMoveUndo": _set(False),
+INSTRUCTIONS: Topic = {
+    Effect.WAITS: {
+        "SyncMoveOn": _meeting(True, ("SyncID", "TaskList")),
+        "SyncMoveOff": _meeting(False, ("SyncID",)),
+        "SyncMoveSuspend": _set(False),
+        "SyncMoveResume": _set(True),
+        "SyncMoveUndo": _set(False),
+    }
 }

@@ -6,29 +6,23 @@ between versions, so optional arguments that are not known are kept rather than 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
 from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
 from trajopt_cli.rapid.data.scope import Place
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, named, present
-from trajopt_cli.rapid.execution.equipment import said
-from trajopt_cli.rapid.execution.evaluate import locate, number
+from trajopt_cli.rapid.execution.arguments import Arguments, named, present
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions import speed_settings
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
 
 
 def _loose(
-    run: Execution, node: ProcedureCall, names: list[tuple[str, ...]]
+    run: Context, node: ProcedureCall, names: list[tuple[str, ...]]
 ) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
     """Arguments by place; optional ones of the process by name as written; those of every move.
 
@@ -55,7 +49,7 @@ def _loose(
 
 def _process(
     kind: PoseKind, name: str, data: tuple[str, ...], *, zone: bool = True, governing: int | None = None, more: str = ""
-) -> Instruction:
+) -> Handler:
     """A move with process data between Speed and Zone; data names it, the last ones may be left out.
 
     zone False: the instruction has no zone and always stops. governing: which of data says the speed of the process.
@@ -69,7 +63,7 @@ def _process(
     kinds = [data[:count] for count in range(len(data) + 1)] + ([(*data[:-1], more, data[-1])] if more else [])
     forms = [(*points, "Speed", *form, *ends) for form in kinds]
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
         if not least <= len(places) <= len(forms[-1]):
@@ -96,7 +90,7 @@ def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression
     return {name: value for name, value in options.items() if name != "inpos"}
 
 
-def _process_speed(run: Execution, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
+def _process_speed(run: Context, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
     """The speed while the process runs, which its data says; None: as Speed says."""
     place = _place(run, data)
     at = None if place is None else _speed_at(place.type, place.value.data)
@@ -105,7 +99,7 @@ def _process_speed(run: Execution, node: ProcedureCall, speed: Expression, data:
         what = "speed_data.main" if node.name.lower().startswith("cap") else "weld_speed"
         run.warn(
             WarningKind.ASSUMED,
-            f"the {what} of {run.text(data)} is not known; the move goes at its Speed {said(run, speed)}",
+            f"the {what} of {run.text(data)} is not known; the move goes at its Speed {run.text(speed)}",
             run.source(node),
         )
         return None
@@ -116,10 +110,10 @@ def _process_speed(run: Execution, node: ProcedureCall, speed: Expression, data:
         what = f"{run.text(data)} sets the speed of the process; VelSet and SpeedRefresh are taken not to change it"
         run.note(f"override {run.text(data)}", WarningKind.ASSUMED, what, node)
     outside = speed_settings.speed(run, speed, Arguments((), {}))
-    return Speed(said(run, data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
+    return Speed(run.text(data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
 
 
-def set_speed(run: Execution, target: Expression, value: Expression) -> bool:
+def set_speed(run: Context, target: Expression, value: Expression) -> bool:
     """`weld1.weld_speed:=12`, `cap1.speed_data.main:=15`: let data hold another speed; False for other parts."""
     if not isinstance(target, Component) or target.name.lower() not in ("weld_speed", "main"):
         return False
@@ -128,20 +122,20 @@ def set_speed(run: Execution, target: Expression, value: Expression) -> bool:
         if not isinstance(base, Component) or base.name.lower() != "speed_data":
             return False
         base = base.base
-    place = locate(run, base)
+    place = run.locate(base)
     data = _BLANK.get(place.type.name) if place.value.data is None else place.value.data
     at = _speed_at(place.type, data)
     if at is not None:
-        run.store(place, base, Value(place.type, _with(data, at, number(run, value))))
+        run.store(place, base, Value(place.type, _with(data, at, run.number(value))))
     return True
 
 
-def _place(run: Execution, node: Expression) -> Place | None:
+def _place(run: Context, node: Expression) -> Place | None:
     base = node
     while isinstance(base, (Component, Element)):
         base = base.base
     known = isinstance(base, Name) and isinstance(run.find(base.name), Place)
-    return locate(run, node) if known else None
+    return run.locate(node) if known else None
 
 
 def _speed_at(type_: Type, data: Data) -> tuple[int, ...] | None:
@@ -180,21 +174,22 @@ def _with(data: Data, at: tuple[int, ...], value: float) -> Data:
 _WELD = ("Seam", "Weld", "Weave")
 _SPOT = ("Gun", "Spot")
 
-EFFECT = Effect.PLANNED
-INSTRUCTIONS: dict[str, Instruction] = {
-    **{
-        name: _process(kind, name, _WELD, governing=1)
-        for letter, kind in (("L", MoveL), ("C", MoveC))
-        for name in (f"Arc{letter}", f"Arc{letter}Start", f"Arc{letter}End", f"Arc{letter}1", f"Arc{letter}2")
-    },
-    "SpotL": _process(MoveL, "SpotL", _SPOT, zone=False),
-    "SpotJ": _process(MoveJ, "SpotJ", _SPOT, zone=False),
-    "SpotML": _process(MoveL, "SpotML", _SPOT, zone=False),
-    "SpotMJ": _process(MoveJ, "SpotMJ", _SPOT, zone=False),
-    "PaintL": _process(MoveL, "PaintL", ()),
-    "PaintC": _process(MoveC, "PaintC", ()),
-    "DispL": _process(MoveL, "DispL", ("Bead",)),
-    "DispC": _process(MoveC, "DispC", ("Bead",)),
-    "CapL": _process(MoveL, "CapL", ("Cdata", "Weave"), governing=0, more="Weavestart"),
-    "CapC": _process(MoveC, "CapC", ("Cdata", "Weave"), governing=0, more="Weavestart"),
+INSTRUCTIONS: Topic = {
+    Effect.PLANNED: {
+        **{
+            name: _process(kind, name, _WELD, governing=1)
+            for letter, kind in (("L", MoveL), ("C", MoveC))
+            for name in (f"Arc{letter}", f"Arc{letter}Start", f"Arc{letter}End", f"Arc{letter}1", f"Arc{letter}2")
+        },
+        "SpotL": _process(MoveL, "SpotL", _SPOT, zone=False),
+        "SpotJ": _process(MoveJ, "SpotJ", _SPOT, zone=False),
+        "SpotML": _process(MoveL, "SpotML", _SPOT, zone=False),
+        "SpotMJ": _process(MoveJ, "SpotMJ", _SPOT, zone=False),
+        "PaintL": _process(MoveL, "PaintL", ()),
+        "PaintC": _process(MoveC, "PaintC", ()),
+        "DispL": _process(MoveL, "DispL", ("Bead",)),
+        "DispC": _process(MoveC, "DispC", ("Bead",)),
+        "CapL": _process(MoveL, "CapL", ("Cdata", "Weave"), governing=0, more="Weavestart"),
+        "CapC": _process(MoveC, "CapC", ("Cdata", "Weave"), governing=0, more="Weavestart"),
+    }
 }

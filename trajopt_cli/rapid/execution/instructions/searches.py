@@ -6,7 +6,6 @@ Where the signal comes only the user knows: scenario.searches gives it as a shar
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,37 +14,37 @@ from trajopt_cli.motion import ExternalAxes, Move, MoveC, MoveJ, MoveL, Process
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
-from trajopt_cli.rapid.data.line_fractions import between
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import Setup, frame, matrix, said
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.data.frames import between
+from trajopt_cli.rapid.data.poses import frame, matrix
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.current_position import current_joints, current_target, reach, read_at_rest, the_robot
+from trajopt_cli.rapid.execution.equipment import setup_of
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
-from trajopt_cli.rapid.execution.position import reach, read_at_rest
+from trajopt_cli.rapid.execution.position import Setup
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _STIFF = 0.1 + 1e-9  # m/s
 _STOPS = ("stop", "pstop", "sstop")
 _FLANKS = ("Flanks", "PosFlank", "NegFlank", "HighLevel", "LowLevel")
 
 
-def _search(kind: PoseKind, name: str) -> Instruction:
+def _search(kind: PoseKind, name: str) -> Handler:
     via = ("CirPoint",) if kind is MoveC else ()
     required = ("Signal", "SearchPoint", *via, "ToPoint", "Speed", "Tool")
     options = ("Stop", "PStop", "SStop", "Sup", *_FLANKS, "ID", "V", "T", "WObj", "Corr", "TLoad")
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, required, options)
         signal, searched, *points, speed, tool = args.required
         point, circle = points[-1], points[0] if via else None
         request = Asked(point, speed, None, tool, Arguments((), args.optional), circle)
-        process = Process(name, (("Signal", said(run, signal)), ("SearchPoint", said(run, searched))))
+        process = Process(name, (("Signal", run.text(signal)), ("SearchPoint", run.text(searched))))
         share = _share(run, node, signal, searched)
-        setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
+        setup = setup_of(run, tool, args.optional.get("wobj"))
         end = robtarget(run, point)
         read_at_rest(run, node, f"{name} begins where the robot is")
         if share is None:
@@ -53,7 +52,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
             raise run.fault(
                 node,
                 "ERR_WHLSEARCH",
-                f"{name} finds nothing on its way, as the cell file says for '{said(run, signal)}'",
+                f"{name} finds nothing on its way, as the cell file says for '{run.text(signal)}'",
             )
         hit = _hit(run, node, kind, setup, circle, end, share)
         if any(stop in args.optional for stop in _STOPS):
@@ -70,7 +69,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
     return handler
 
 
-def _tell_stop(run: Execution, node: ProcedureCall, args: Arguments) -> None:
+def _tell_stop(run: Context, node: ProcedureCall, args: Arguments) -> None:
     """What a controller makes of the stop of the last motion, a search (RAPID, SearchL)."""
     move = run.motions[-1]
     if "stop" in args.optional and isinstance(move, Move) and move.speed.v_tcp > _STIFF:
@@ -82,26 +81,26 @@ def _tell_stop(run: Execution, node: ProcedureCall, args: Arguments) -> None:
     )
 
 
-def _share(run: Execution, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
+def _share(run: Context, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
     """Where the signal comes, as a share of the way; None for never."""
     known = {name.lower(): share for name, share in run.scenario.searches.items()}
-    keys = [said(run, argument).lower() for argument in (searched, signal)]
+    keys = [run.text(argument).lower() for argument in (searched, signal)]
     for key in keys:
-        run.world.asked("searches", key)
-        run.world.asked("signals", key)
+        run.external.asked("searches", key)
+        run.external.asked("signals", key)
     found = [known[key] for key in keys if key in known]
     if found:
         return found[0]
     named = searched if isinstance(searched, Name) else signal
-    name = said(run, named)
-    ends = f"{node.name} ends where '{said(run, signal)}' changes"
+    name = run.text(named)
+    ends = f"{node.name} ends where '{run.text(signal)}' changes"
     reason = f"{ends}, which the program does not tell; say after what share of the way"
-    run.world.lack(run, "searches", name, node, reason, "0.5")
+    run.missing("searches", name, node, reason, "0.5")
     return 0.5
 
 
 def _hit(
-    run: Execution,
+    run: Context,
     node: ProcedureCall,
     kind: PoseKind,
     setup: Setup,
@@ -117,14 +116,14 @@ def _hit(
     conf = end.conf
     place: frames.Frame
     if kind is MoveJ:
-        robot = position.robot(run, node, name)
-        q_0 = position.joints(run, node, name)
+        robot = the_robot(run, node, name)
+        q_0 = current_joints(run, node, name)
         flange = setup.flange(end.frame)
         q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, extax_1)
         q = q_0 + share * (q_1 - q_0)
         place, conf = setup.target(frame(robot.forward(q, extax))), robot.confdata(q)
     else:
-        start = position.target(run, node, name, setup)
+        start = current_target(run, node, name, setup)
         place = between(start, end.frame, share)
         if circle is not None:
             points = start, robtarget(run, circle).frame, end.frame
@@ -147,9 +146,10 @@ def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalA
     return (a, b, c, d, e, f)
 
 
-EFFECT = Effect.PLANNED
-INSTRUCTIONS: dict[str, Instruction] = {
-    "SearchJ": _search(MoveJ, "SearchJ"),
-    "SearchL": _search(MoveL, "SearchL"),
-    "SearchC": _search(MoveC, "SearchC"),
+INSTRUCTIONS: Topic = {
+    Effect.PLANNED: {
+        "SearchJ": _search(MoveJ, "SearchJ"),
+        "SearchL": _search(MoveL, "SearchL"),
+        "SearchC": _search(MoveC, "SearchC"),
+    }
 }

@@ -3,54 +3,51 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import CirPathMode, Settings, Singularity
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.current_position import still_moving
 from trajopt_cli.rapid.execution.equipment import load
-from trajopt_cli.rapid.execution.evaluate import condition, number
-from trajopt_cli.rapid.execution.position import still_moving
-from trajopt_cli.rapid.execution.system_data import tell
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
+from trajopt_cli.rapid.execution.system_data import publish
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _LEAST_PATH_LIMIT, _NUM = 0.1, 1e-8  # m/s2, and the rounding of a num
 _LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
 
 
-def change(run: Execution, settings: Settings) -> None:
+def change(run: Context, settings: Settings) -> None:
     """Make settings those of the next moves; equal ones stay the same object."""
     if settings != run.settings:
         run.settings = settings
-    tell(run)
+    publish(run)
 
 
-def _on(run: Execution, node: ProcedureCall) -> bool:
+def _on(run: Context, node: ProcedureCall) -> bool:
     args = bind(run, node, (), ("On", "Off"))
     _exclusive(run, node, args, "on", "off")
     return "off" not in args.optional
 
 
-def _exclusive(run: Execution, node: ProcedureCall, args: Arguments, *names: str) -> None:
+def _exclusive(run: Context, node: ProcedureCall, args: Arguments, *names: str) -> None:
     given = [name for name in names if name in args.optional]
     if len(given) > 1:
         found = " and ".join(f"\\{name}" for name in given)
         raise run.error(node, f"{node.name} takes one of these, found {found}")
 
 
-def _conf_j(run: Execution, node: ProcedureCall) -> None:
+def _conf_j(run: Context, node: ProcedureCall) -> None:
     change(run, replace(run.settings, conf_j=_on(run, node)))
 
 
-def _conf_l(run: Execution, node: ProcedureCall) -> None:
+def _conf_l(run: Context, node: ProcedureCall) -> None:
     change(run, replace(run.settings, conf_l=_on(run, node)))
 
 
-def _singularity(run: Execution, node: ProcedureCall) -> None:
+def _singularity(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, (), ("Wrist", "LockAxis4", "Off"))
     _exclusive(run, node, args, "wrist", "lockaxis4", "off")
     kind = Singularity.OFF
@@ -61,20 +58,20 @@ def _singularity(run: Execution, node: ProcedureCall) -> None:
     change(run, replace(run.settings, singularity=kind))
 
 
-def _circle(run: Execution, node: ProcedureCall) -> None:
+def _circle(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, (), tuple(mode.value for mode in CirPathMode))
     _exclusive(run, node, args, *(mode.value.lower() for mode in CirPathMode))
     given = next((mode for mode in CirPathMode if mode.value.lower() in args.optional), CirPathMode.PATH_FRAME)
     change(run, replace(run.settings, circle=given))
 
 
-def _acceleration(run: Execution, node: ProcedureCall) -> None:
+def _acceleration(run: Context, node: ProcedureCall) -> None:
     r"""\FinePointRamp: the ramp of the braking to a stop point is Ramp times this share (RAPID reference, AccSet). Like
     Ramp it shapes jerk and leaves the plan as it is."""
     args = bind(run, node, ("Acc", "Ramp"), ("FinePointRamp",))
     acc, ramp = args.required
     if (fine := args.optional.get("finepointramp")) is not None:
-        share = number(run, fine)
+        share = run.number(fine)
         if not 0 < share <= 100:
             raise run.error(fine, f"AccSet takes a \\FinePointRamp above 0 and up to 100 %, found {share:.6g}")
         if share < 100:
@@ -92,8 +89,8 @@ def _acceleration(run: Execution, node: ProcedureCall) -> None:
     )
 
 
-def _percent(run: Execution, node: ProcedureCall, value: Expression, least: float) -> float:
-    given = number(run, value)
+def _percent(run: Context, node: ProcedureCall, value: Expression, least: float) -> float:
+    given = run.number(value)
     taken = min(max(given, least), 100.0)
     if taken != given:
         run.warn(
@@ -104,9 +101,9 @@ def _percent(run: Execution, node: ProcedureCall, value: Expression, least: floa
     return taken
 
 
-def _velocity(run: Execution, node: ProcedureCall) -> None:
+def _velocity(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("Override", "Max"))
-    percent, highest = (number(run, value) for value in args.required)
+    percent, highest = (run.number(value) for value in args.required)
     if not 0 < percent <= 100:
         raise run.error(args.required[0], f"VelSet takes an override of 0..100 %, found {percent:.6g}")
     if not highest > 0:
@@ -115,18 +112,18 @@ def _velocity(run: Execution, node: ProcedureCall) -> None:
     _pace(run)
 
 
-def _pace(run: Execution) -> None:
+def _pace(run: Context) -> None:
     """Speeds as VelSet asks, then that share of them that SpeedRefresh asks."""
     share, highest = run.velset
     v_max = None if highest is None else highest * run.refresh
     change(run, replace(run.settings, override=share * run.refresh, v_max=v_max))
-    run.position.equipment.speeds.clear()
+    run.position.speeds.clear()
 
 
-def _refresh(run: Execution, node: ProcedureCall) -> None:
+def _refresh(run: Context, node: ProcedureCall) -> None:
     """SpeedRefresh Override: a share of all speeds, of the move that runs and of those behind it, until another."""
     (argument,) = bind(run, node, ("Override",)).required
-    percent = number(run, argument)
+    percent = run.number(argument)
     if not 0 <= percent <= 100:
         raise run.fault(argument, "ERR_SPEED_REFRESH_LIM", f"SpeedRefresh takes 0..100 %, found {percent:.6g}")
     if percent == 0:
@@ -138,7 +135,7 @@ def _refresh(run: Execution, node: ProcedureCall) -> None:
     _pace(run)
 
 
-def _path_limits(run: Execution, node: ProcedureCall) -> None:
+def _path_limits(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("AccLim", "DecelLim"), ("AccMax", "DecelMax"))
     first, second = args.required
     change(
@@ -151,27 +148,27 @@ def _path_limits(run: Execution, node: ProcedureCall) -> None:
     )
 
 
-def _limit(run: Execution, node: ProcedureCall, switch: Expression, args: Arguments, name: str) -> float | None:
-    if not condition(run, switch):
+def _limit(run: Context, node: ProcedureCall, switch: Expression, args: Arguments, name: str) -> float | None:
+    if not run.condition(switch):
         return None
     value = args.optional.get(name.lower())
     if value is None:
         raise run.error(switch, f"{node.name} TRUE needs \\{name} in m/s2")
-    limit = number(run, value)
+    limit = run.number(value)
     if not limit >= _LEAST_PATH_LIMIT - _NUM:
         message = f"{node.name} takes \\{name} of at least {_LEAST_PATH_LIMIT:g} m/s2, found {limit:.6g}; a controller "
         raise run.fault(value, "ERR_ACC_TOO_LOW", f"{message}stops with ERR_ACC_TOO_LOW")
     return limit
 
 
-def _positive(run: Execution, node: ProcedureCall, value: Expression) -> float:
-    limit = number(run, value)
+def _positive(run: Context, node: ProcedureCall, value: Expression) -> float:
+    limit = run.number(value)
     if not limit > 0:
         raise run.error(value, f"{node.name} takes an acceleration above 0 m/s2, found {limit:.6g}")
     return limit
 
 
-def _world_limit(run: Execution, node: ProcedureCall) -> None:
+def _world_limit(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, (), ("On", "Off"))
     value = args.optional.get("on")
     if "on" in args.optional and value is None:
@@ -180,20 +177,22 @@ def _world_limit(run: Execution, node: ProcedureCall) -> None:
     change(run, replace(run.settings, world_acceleration=limit))
 
 
-def _grip_load(run: Execution, node: ProcedureCall) -> None:
+def _grip_load(run: Context, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("Load",)).required
     change(run, replace(run.settings, load=load(run, argument)))
 
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    "ConfJ": _conf_j,
-    "ConfL": _conf_l,
-    "AccSet": _acceleration,
-    "VelSet": _velocity,
-    "SpeedRefresh": _refresh,
-    "SingArea": _singularity,
-    "PathAccLim": _path_limits,
-    "WorldAccLim": _world_limit,
-    "GripLoad": _grip_load,
-    "CirPathMode": _circle,
+INSTRUCTIONS: Topic = {
+    Effect.RUN: {
+        "ConfJ": _conf_j,
+        "ConfL": _conf_l,
+        "AccSet": _acceleration,
+        "VelSet": _velocity,
+        "SpeedRefresh": _refresh,
+        "SingArea": _singularity,
+        "PathAccLim": _path_limits,
+        "WorldAccLim": _world_limit,
+        "GripLoad": _grip_load,
+        "CirPathMode": _circle,
+    }
 }

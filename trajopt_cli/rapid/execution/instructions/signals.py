@@ -2,80 +2,76 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.motion import SignalEvent, Written
 from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
 from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def _event(run: Execution, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+def _event(run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
     run.motions.append(SignalEvent(source=run.source(node), written=written, signal=signal, value=value, delay=delay))
 
 
-def _change(run: Execution, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
-    run.world.set(signal, value)
+def _change(run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+    run.external.set(signal, value)
     _event(run, node, signal, value, delay)
 
 
-def _set(run: Execution, node: ProcedureCall) -> None:
+def _set(run: Context, node: ProcedureCall) -> None:
     (signal,) = bind(run, node, ("Signal",)).required
     _change(run, node, run.signal(signal), 1.0)
 
 
-def _reset(run: Execution, node: ProcedureCall) -> None:
+def _reset(run: Context, node: ProcedureCall) -> None:
     (signal,) = bind(run, node, ("Signal",)).required
     _change(run, node, run.signal(signal), 0.0)
 
 
-def _set_digital(run: Execution, node: ProcedureCall) -> None:
+def _set_digital(run: Context, node: ProcedureCall) -> None:
     """Everything but 0 is 1, as on a controller."""
     args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
     signal, value = args.required
-    run.world.digital(run, signal, run.signal(signal))
-    _change(run, node, run.signal(signal), float(number(run, value) != 0), _seconds(run, args, "SDelay"))
+    run.check_digital(signal, run.signal(signal))
+    _change(run, node, run.signal(signal), float(run.number(value) != 0), _seconds(run, args, "SDelay"))
 
 
-def _set_group(run: Execution, node: ProcedureCall) -> None:
+def _set_group(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("Signal", "Value"), ("SDelay",))
-    signal, value = run.signal(args.required[0]), number(run, args.required[1])
+    signal, value = run.signal(args.required[0]), run.number(args.required[1])
     if value < 0 or value != int(value):
         message = f"{node.name} {signal} needs a whole number, 0 or more, found {value:.15g}"
         raise run.fault(args.required[1], "ERR_GO_LIM", message)
     _change(run, node, signal, value, _seconds(run, args, "SDelay"))
 
 
-def _set_analog(run: Execution, node: ProcedureCall) -> None:
+def _set_analog(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("Signal", "Value"))
     signal, value = args.required
-    _change(run, node, run.signal(signal), number(run, value))
+    _change(run, node, run.signal(signal), run.number(value))
 
 
-def _pulse(run: Execution, node: ProcedureCall) -> None:
+def _pulse(run: Context, node: ProcedureCall) -> None:
     r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
     args = bind(run, node, ("Signal",), ("High", "PLength"))
     signal = run.signal(args.required[0])
     _seconds(run, args, "PLength")
-    _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - run.world.now(signal))
+    _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - run.external.now(signal))
 
 
-def _invert(run: Execution, node: ProcedureCall) -> None:
+def _invert(run: Context, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("Signal",)).required
     signal = run.signal(argument)
-    _change(run, node, signal, 1.0 - run.world.now(signal))
+    _change(run, node, signal, 1.0 - run.external.now(signal))
 
 
-def _seconds(run: Execution, args: Arguments, name: str) -> float:
+def _seconds(run: Context, args: Arguments, name: str) -> float:
     node = args.value(name.lower())
-    seconds = number(run, node) if node is not None else 0.0
+    seconds = run.number(node) if node is not None else 0.0
     if node is not None and not seconds >= 0:
         raise run.error(node, f"\\{name} of {seconds:.6g} s must not be negative")
     return seconds
@@ -84,29 +80,29 @@ def _seconds(run: Execution, args: Arguments, name: str) -> float:
 # ------------------------------------------------------------------------------------------------------ other names
 
 
-def _alias(run: Execution, node: ProcedureCall) -> None:
+def _alias(run: Context, node: ProcedureCall) -> None:
     """From here on the alias stands for the signal."""
     original, alias = bind(run, node, ("FromSignal", "ToSignal")).required
     _rename(run, alias, _signal_name(run, original))
 
 
-def _alias_reset(run: Execution, node: ProcedureCall) -> None:
+def _alias_reset(run: Context, node: ProcedureCall) -> None:
     (alias,) = bind(run, node, ("Signal",)).required
     _rename(run, alias, None)
 
 
-def _signal_name(run: Execution, node: Expression) -> str:
+def _signal_name(run: Context, node: Expression) -> str:
     """A signal given as such or by a text that is its name."""
     if isinstance(node, Name):
         place = run.find(node.name)
         if place is None or getattr(place, "type", STRING) != STRING:
             return run.signal(node)
     if isinstance(node, (String, Call, Name)):
-        return str(evaluate(run, node, STRING).data).strip().lower()
+        return str(run.evaluate(node, STRING).data).strip().lower()
     return run.signal(node)
 
 
-def _rename(run: Execution, alias: Expression, signal: str | None) -> None:
+def _rename(run: Context, alias: Expression, signal: str | None) -> None:
     if isinstance(alias, Name) and run.find(alias.name) is None:
         run.warn(
             WarningKind.ASSUMED,
@@ -114,20 +110,22 @@ def _rename(run: Execution, alias: Expression, signal: str | None) -> None:
             run.source(alias),
         )
         run.shared.data[alias.name.lower()] = Datum(TYPES["signaldi"], Value(TYPES["signaldi"], signal))
-    place = locate(run, alias)
+    place = run.locate(alias)
     if place.type.name not in SIGNALS:
         raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
     place.value = Value(place.type, signal)
 
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    "Set": _set,
-    "Reset": _reset,
-    "SetDO": _set_digital,
-    "SetGO": _set_group,
-    "SetAO": _set_analog,
-    "PulseDO": _pulse,
-    "InvertDO": _invert,
-    "AliasIO": _alias,
-    "AliasIOReset": _alias_reset,
+INSTRUCTIONS: Topic = {
+    Effect.RUN: {
+        "Set": _set,
+        "Reset": _reset,
+        "SetDO": _set_digital,
+        "SetGO": _set_group,
+        "SetAO": _set_analog,
+        "PulseDO": _pulse,
+        "InvertDO": _invert,
+        "AliasIO": _alias,
+        "AliasIOReset": _alias_reset,
+    }
 }

@@ -3,18 +3,14 @@ r"""Speed and accuracy of moves: speeddata with \V and \T, zonedata with \Z and 
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Speed, Zone
 from trajopt_cli.rapid.data.datatypes import SPEEDDATA, ZONEDATA, Data
 from trajopt_cli.rapid.execution.arguments import Arguments
-from trajopt_cli.rapid.execution.equipment import said, value_of
-from trajopt_cli.rapid.execution.evaluate import number
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.equipment import value_of
 from trajopt_cli.rapid.language.syntax import Expression, Name
 from trajopt_cli.units import DEG, MM
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 FINE = Zone("fine", stop=True)
 # stoppointdata that every controller has.
@@ -26,18 +22,18 @@ STOP_POINTS = frozenset(
 )
 
 
-def speed(run: Execution, node: Expression, args: Arguments, external: bool = False) -> Speed:
+def speed(run: Context, node: Expression, args: Arguments, external: bool = False) -> Speed:
     r"""Speed in SI with VelSet applied; \V replaces the TCP speed. external: the TCP speed does not count."""
-    name, data = said(run, node), value_of(run, node, SPEEDDATA).data
+    name, data = run.text(node), value_of(run, node, SPEEDDATA).data
     override = args.optional.get("v")
-    shared = run.position.equipment.speeds
+    shared = run.position.speeds
     if override is None:
         known = shared.get(name)
         if known is not None and known[0] is data and (known[1].v_tcp > 0 or external or "t" in args.optional):
             return known[1]
     v_tcp, v_ori, v_leax, v_reax = data
     if override is not None:
-        v_tcp = number(run, override)
+        v_tcp = run.number(override)
     if not external and "t" not in args.optional and not v_tcp > 0:
         of = name if override is None else "\\V"
         raise run.error(override or node, f"TCP speed {v_tcp:.6g} mm/s of {of} must be above 0")
@@ -47,7 +43,7 @@ def speed(run: Execution, node: Expression, args: Arguments, external: bool = Fa
     return made
 
 
-def _speed(run: Execution, node: Expression, name: str, data: Data) -> Speed:
+def _speed(run: Context, node: Expression, name: str, data: Data) -> Speed:
     v_tcp, v_ori, v_leax, v_reax = data
     settings = run.settings
     share = settings.override
@@ -59,22 +55,22 @@ def _speed(run: Execution, node: Expression, name: str, data: Data) -> Speed:
     return Speed(name, *values)
 
 
-def duration(run: Execution, args: Arguments) -> float | None:
+def duration(run: Context, args: Arguments) -> float | None:
     r"""The programmed time \T [s]; VelSet slows it down as it does speeds."""
     node = args.optional.get("t")
     if node is None:
         return None
-    seconds = number(run, node)
+    seconds = run.number(node)
     if not seconds > 0:
         raise run.error(node, f"duration \\T:={seconds:.6g} s must be above 0")
     return seconds / run.settings.override
 
 
-def zone(run: Execution, node: Expression, args: Arguments) -> Zone:
+def zone(run: Context, node: Expression, args: Arguments) -> Zone:
     r"""Accuracy; \Inpos makes a stop of any zone, \Z replaces the radius of the TCP's path."""
-    name, data = said(run, node), value_of(run, node, ZONEDATA).data
+    name, data = run.text(node), value_of(run, node, ZONEDATA).data
     plain = "inpos" not in args.optional and "z" not in args.optional
-    shared = run.position.equipment.zones
+    shared = run.position.zones
     if plain:
         known = shared.get(name)
         if known is not None and known[0] is data:
@@ -85,7 +81,7 @@ def zone(run: Execution, node: Expression, args: Arguments) -> Zone:
     return made
 
 
-def _zone(run: Execution, node: Expression, args: Arguments, name: str, data: Data) -> Zone:
+def _zone(run: Context, node: Expression, args: Arguments, name: str, data: Data) -> Zone:
     finep, *sizes = data
     if "inpos" in args.optional:
         return Zone(name, stop=True, criterion=_criterion(run, node, args))
@@ -93,7 +89,7 @@ def _zone(run: Execution, node: Expression, args: Arguments, name: str, data: Da
         return Zone(name, stop=True)
     override = args.optional.get("z")
     if override is not None:
-        sizes[0] = number(run, override)
+        sizes[0] = run.number(override)
     radius, path_ori, path_eax, ori, leax, reax = sizes
     if not radius >= 0:
         raise run.error(override or node, f"zone radius {radius:.6g} mm must not be negative")
@@ -111,11 +107,11 @@ def _zone(run: Execution, node: Expression, args: Arguments, name: str, data: Da
     )
 
 
-def _criterion(run: Execution, node: Expression, args: Arguments) -> str:
+def _criterion(run: Context, node: Expression, args: Arguments) -> str:
     given = args.optional["inpos"]
     if given is None:
         raise run.error(node, "\\Inpos needs stoppointdata, such as \\Inpos:=inpos50")
     if isinstance(given, Name) and given.name.lower() not in STOP_POINTS and run.find(given.name) is None:
         known = ", ".join(sorted(STOP_POINTS))
         raise run.error(given, f"stoppointdata '{given.name}' is not declared in the program; predefined: {known}")
-    return said(run, given)
+    return run.text(given)

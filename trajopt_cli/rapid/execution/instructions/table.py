@@ -1,58 +1,52 @@
-"""Every supported instruction by name: one handler and one line in the INSTRUCTIONS of its topic, and its effect."""
+"""Every supported instruction by name: its handler, its effect and its topic in the manual."""
 
 from __future__ import annotations
 
-from trajopt_cli.rapid.execution.arguments import Instruction
+from collections.abc import Iterator
+from types import ModuleType
+from typing import NamedTuple
+
 from trajopt_cli.rapid.execution.instructions import (
     displacement,
-    files,
     flow,
     moves,
     multimove,
-    no_effect,
-    operator,
     processes,
+    rows,
     searches,
     settings,
     signals,
-    sockets,
     symbols,
     triggers,
     units,
     variables,
     waits,
 )
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    **moves.INSTRUCTIONS,
-    **triggers.INSTRUCTIONS,
-    **searches.INSTRUCTIONS,
-    **processes.INSTRUCTIONS,
-    **displacement.INSTRUCTIONS,
-    **waits.INSTRUCTIONS,
-    **signals.INSTRUCTIONS,
-    **variables.INSTRUCTIONS,
-    **settings.INSTRUCTIONS,
-    **units.INSTRUCTIONS,
-    **flow.INSTRUCTIONS,
-    **files.INSTRUCTIONS,
-    **operator.INSTRUCTIONS,
-    **sockets.INSTRUCTIONS,
-    **symbols.INSTRUCTIONS,
-    **multimove.INSTRUCTIONS,
-    **no_effect.INSTRUCTIONS,
-}
-_TOPICS = (
-    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, files,
-    operator, sockets, symbols, multimove, no_effect,
+
+class Instruction(NamedTuple):
+    """An instruction; name as the manual spells it."""
+
+    name: str
+    topic: str
+    effect: Effect
+    handler: Handler
+
+
+def _of(module: ModuleType) -> Iterator[Instruction]:
+    """The instructions of a file; its docstring's first words are their topic."""
+    topic = (module.__doc__ or "").split("\n")[0].split(":")[0].rstrip(".")
+    for effect, handlers in module.INSTRUCTIONS.items():
+        for name, handler in handlers.items():
+            yield Instruction(name, topic, effect, handler)
+
+
+TOPICS = (
+    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, symbols,
+    multimove,
 )  # fmt: skip
-
-
-def effects(topic: object) -> dict[str, Effect]:
-    """The effect of every instruction of a topic: its own in EFFECTS, else the topic's EFFECT, else RUN."""
-    own, default = getattr(topic, "EFFECTS", {}), getattr(topic, "EFFECT", Effect.RUN)
-    return {name: own.get(name, default) for name in getattr(topic, "INSTRUCTIONS", {})}
-
-
-EFFECTS: dict[str, Effect] = {name: effect for topic in _TOPICS for name, effect in effects(topic).items()}
+INSTRUCTIONS: dict[str, Instruction] = {
+    **{one.name: one for module in TOPICS for one in _of(module)},
+    **{name: Instruction(name, topic, effect, handler) for topic, effect, name, handler in rows.INSTRUCTIONS},
+}

@@ -5,31 +5,25 @@ ActUnit and DeactUnit take effect when every axis stands, so the point before th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.rapid.data.datatypes import WOBJDATA
-from trajopt_cli.rapid.execution.arguments import Instruction, bind
+from trajopt_cli.rapid.execution.arguments import bind
+from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.equipment import data_of, load
-from trajopt_cli.rapid.execution.evaluate import number
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.waits import record, wait_for
-from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import Name, ProcedureCall
 from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
 _MOVING = "moving work objects"
 _APART = "plan the motions between such moves on their own (--entry)"
 
 
-def _switch(on: bool) -> Instruction:
-    def handler(run: Execution, node: ProcedureCall) -> None:
-        unit = unit_name(run, bind(run, node, ("MechUnit",)).required[0])
+def _switch(on: bool) -> Handler:
+    def handler(run: Context, node: ProcedureCall) -> None:
+        unit = run.unit(bind(run, node, ("MechUnit",)).required[0])
         record(run, node, 0.0, in_position=True)
         if unit.lower() in run.units.axes:
-            run.units.switch(run, node, unit.lower(), on)
+            _activate(run, node, unit.lower(), on)
         elif on and run.units.moves_by_itself(unit):
             run.refuse(_MOVING, node, f"{node.name} {unit} is for work objects that move by themselves; {_APART}")
         elif not on and run.units.rail_unnamed:
@@ -47,17 +41,34 @@ def _switch(on: bool) -> Instruction:
     return handler
 
 
+def _activate(run: Context, node: ProcedureCall, unit: str, on: bool) -> None:
+    """Activate a unit of the cell, or deactivate it. Raises InputError for two on one axis."""
+    units = run.units
+    if run.scenario.active_units is None:
+        parts = {"active": sorted(units.active), "not active": sorted(units.axes.keys() - units.active)}
+        assumed = "; ".join(f"{what}: {', '.join(names)}" for what, names in parts.items() if names)
+        text = f"mechanical units taken at the start as {assumed}; 'start: {{units: [...]}}' in the cell"
+        run.note("units at the start", WarningKind.ASSUMED, f"{text} file lists the active ones", node)
+    if on == (unit in units.active):
+        return
+    if on and (found := units.conflict(unit)) is not None:
+        other, eax = found
+        text = f"{unit} and {other} share eax_{'abcdef'[eax]}, and {other} is active; write DeactUnit {other} before it"
+        raise run.error(node, text)
+    run.position.extax = units.switch(unit, on, run.position.extax, len(run.motions))
+
+
 # ------------------------------------------------------------------------------------------------- independent axes
 
 
-def _alone(*required: str) -> Instruction:
+def _alone(*required: str) -> Handler:
     """An axis turns on its own, beside the program."""
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         options = ("ToAbsPos", "ToAbsNum", "ToRelPos", "ToRelNum", "Short", "Fwd", "Bwd", "Ramp")
         unit, axis, *_ = bind(run, node, ("MecUnit", "Axis", *required), options).required
-        name = unit_name(run, unit)
-        what = f"{node.name} makes axis {number(run, axis):g} of {name} an independent axis"
+        name = run.unit(unit)
+        what = f"{node.name} makes axis {run.number(axis):g} of {name} an independent axis"
         run.units.moving.add(name.lower())
         if name.lower() in run.units.axes or run.units.rail_unnamed:
             advice = "no plan knows where it is; use MoveExtJ, or leave it out"
@@ -72,48 +83,44 @@ def _alone(*required: str) -> Instruction:
     return handler
 
 
-def _reset(run: Execution, node: ProcedureCall) -> None:
+def _reset(run: Context, node: ProcedureCall) -> None:
     options = ("RefPos", "RefNum", "Short", "Fwd", "Bwd", "Old")
     unit, axis = bind(run, node, ("MecUnit", "Axis"), options).required
-    unit_name(run, unit), number(run, axis)
+    run.unit(unit), run.number(axis)
 
 
 # ------------------------------------------------------------------------------------------------------------- loads
 
 
-def _unit_load(run: Execution, node: ProcedureCall) -> None:
+def _unit_load(run: Context, node: ProcedureCall) -> None:
     """What a positioner's axis carries: the axis keeps the limits of the cell file with any load."""
     unit, axis, carried = bind(run, node, ("MechUnit", "AxisNo", "Load")).required
-    unit_name(run, unit), number(run, axis), load(run, carried)
+    run.unit(unit), run.number(axis), load(run, carried)
 
 
-def _identify(run: Execution, node: ProcedureCall) -> None:
+def _identify(run: Context, node: ProcedureCall) -> None:
     text = f"{node.name} moves the arm by itself to identify a load; that motion is not planned"
     run.note(node.name, WarningKind.NOT_CHECKED, text, node)
-
-
-def _hollow_wrist(run: Execution, node: ProcedureCall) -> None:
-    bind(run, node, ())
 
 
 # ------------------------------------------------------------------------------- work objects that move by themselves
 
 
-def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruction:
+def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Handler:
     """An instruction about a work object that follows a conveyor or a sensor: no plan knows where that is, or when."""
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, ("MechUnit" if unit else "WObj",), (*options, "MaxTime", "TimeFlag"))
         (what,) = args.required
         if unit:
-            moved = unit_name(run, what)
+            moved = run.unit(what)
         elif isinstance(what, Name) and run.find(what.name) is None:
             moved = ""
         else:
             moved = str(data_of(run, what, WOBJDATA, "work object", "wobj0")[2])
         if moved:
             run.units.moving.add(moved.lower())
-            run.world.lacks.pop(("assume_identity", moved.lower()), None)
+            run.external.missing.pop(("assume_identity", moved.lower()), None)
         shown = run.text(what)
         text = f"{node.name} {shown} is for work that {moved or 'a unit'} moves, and the program does not say how fast"
         run.refuse(_MOVING, node, f"{text}; {_APART}")
@@ -123,26 +130,18 @@ def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruct
     return handler
 
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    "ActUnit": _switch(True),
-    "DeactUnit": _switch(False),
-    "IndAMove": _alone("Speed"),
-    "IndCMove": _alone("Speed"),
-    "IndDMove": _alone("Delta", "Speed"),
-    "IndRMove": _alone("Speed"),
-    "IndReset": _reset,
-    "MechUnitLoad": _unit_load,
-    "LoadId": _identify,
-    "HollowWristReset": _hollow_wrist,
-    "WaitWObj": _belt("WaitWObj", True, "RelDist", "PosStop"),
-    "DropWObj": _belt("DropWObj", False),
-    "WaitSensor": _belt("WaitSensor", True, "RelDist", "PredTime", unit=True),
-    "DropSensor": _belt("DropSensor", False, unit=True),
-    "SyncToSensor": _belt("SyncToSensor", False, "MaxSync", "On", "Off", unit=True),
-}
-EFFECTS = {
-    **dict.fromkeys(("ActUnit", "DeactUnit"), Effect.WAITS),
-    **dict.fromkeys(("IndReset", "MechUnitLoad", "LoadId", "HollowWristReset"), Effect.IGNORED),
-    **dict.fromkeys(("WaitWObj", "DropWObj", "WaitSensor", "DropSensor", "SyncToSensor"), Effect.REFUSED),
-    **dict.fromkeys(("IndAMove", "IndCMove", "IndDMove", "IndRMove"), Effect.REFUSED),
+INSTRUCTIONS: Topic = {
+    Effect.WAITS: {"ActUnit": _switch(True), "DeactUnit": _switch(False)},
+    Effect.IGNORED: {"IndReset": _reset, "MechUnitLoad": _unit_load, "LoadId": _identify},
+    Effect.REFUSED: {
+        "IndAMove": _alone("Speed"),
+        "IndCMove": _alone("Speed"),
+        "IndDMove": _alone("Delta", "Speed"),
+        "IndRMove": _alone("Speed"),
+        "WaitWObj": _belt("WaitWObj", True, "RelDist", "PosStop"),
+        "DropWObj": _belt("DropWObj", False),
+        "WaitSensor": _belt("WaitSensor", True, "RelDist", "PredTime", unit=True),
+        "DropSensor": _belt("DropSensor", False, unit=True),
+        "SyncToSensor": _belt("SyncToSensor", False, "MaxSync", "On", "Off", unit=True),
+    },
 }

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, Value, is_number
 from trajopt_cli.rapid.data.scope import Place
-from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer, locate
+from trajopt_cli.rapid.execution.arguments import bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
 
-
-def _number(run: Execution, target: Expression) -> Place:
-    place = locate(run, target)
+def _number(run: Context, target: Expression) -> Place:
+    place = run.locate(target)
     if not is_number(place.type):
         raise run.error(target, f"needs a num or a dnum, found {place.type.name}")
     return place
 
 
-def _step(sign: float) -> Instruction:
-    def handler(run: Execution, node: ProcedureCall) -> None:
+def _step(sign: float) -> Handler:
+    def handler(run: Context, node: ProcedureCall) -> None:
         (target,) = bind(run, node, ("Name",)).required
         place = _number(run, target)
         run.store(place, target, Value(place.type, place.value.data + sign))
@@ -30,27 +26,27 @@ def _step(sign: float) -> Instruction:
     return handler
 
 
-def _add(run: Execution, node: ProcedureCall) -> None:
+def _add(run: Context, node: ProcedureCall) -> None:
     target, added = bind(run, node, ("Name", "AddValue")).required
     place = _number(run, target)
-    value = evaluate(run, added, DNUM if place.type is DNUM else NUM)
+    value = run.evaluate(added, DNUM if place.type is DNUM else NUM)
     run.store(place, target, Value(place.type, place.value.data + value.data))
 
 
-def _clear(run: Execution, node: ProcedureCall) -> None:
+def _clear(run: Context, node: ProcedureCall) -> None:
     (target,) = bind(run, node, ("Name",)).required
     place = _number(run, target)
     run.store(place, target, Value(place.type, 0.0))
 
 
-def _bit(on: bool) -> Instruction:
+def _bit(on: bool) -> Handler:
     """Set or clear a bit of a byte (of a dnum: of its 52 bits); the lowest is 1."""
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         target, where = bind(run, node, ("BitData", "BitPos")).required
         place = _number(run, target)
         bits = 52 if place.type is DNUM else 8
-        value, position = integer(run, target, "BitData"), integer(run, where, "BitPos")
+        value, position = run.integer(target, "BitData"), run.integer(where, "BitPos")
         if not 0 <= value < 2**bits:
             raise run.fault(target, "ERR_ARGVALERR", f"BitData is {value}, and must lie in 0..{2**bits - 1}")
         if not 1 <= position <= bits:
@@ -61,11 +57,13 @@ def _bit(on: bool) -> Instruction:
     return handler
 
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    "Incr": _step(1.0),
-    "Decr": _step(-1.0),
-    "Add": _add,
-    "Clear": _clear,
-    "BitSet": _bit(True),
-    "BitClear": _bit(False),
+INSTRUCTIONS: Topic = {
+    Effect.RUN: {
+        "Incr": _step(1.0),
+        "Decr": _step(-1.0),
+        "Add": _add,
+        "Clear": _clear,
+        "BitSet": _bit(True),
+        "BitClear": _bit(False),
+    }
 }

@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import takewhile
-from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Hold, Move, Wait, Written
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
+from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.answers import root
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate, locate, number
-from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.loops import never
 from trajopt_cli.rapid.language.syntax import (
     Binary,
@@ -37,12 +37,9 @@ from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import LONGEST_WAIT, condition_key, yaml_name
 from trajopt_cli.warnings import WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-
 
 def record(
-    run: Execution, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
+    run: Context, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
 ) -> None:
     """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
     if in_position:
@@ -66,10 +63,10 @@ _HALTS = frozenset(  # the robot stands for them, whatever runs beside a move
 )
 
 
-def hold_up(run: Execution, node: ProcedureCall | Call, name: str) -> None:
+def hold_up(run: Context, node: ProcedureCall | Call, name: str) -> None:
     """A wait in an instruction or a function that is none by itself (Effect.STOPS); its name is the wait's. Where the
     robot stands for it already, as in a loop that reads a file, no time more is no wait more."""
-    least = run.world.least(name)
+    least = run.external.least(name)
     if least is None:
         what = f"{name} cannot time out here, only waits for signals and conditions can; give it a least time"
         raise run.error(node, f"{what}: 'waits: {{{name}: 0}}'")
@@ -81,9 +78,9 @@ def hold_up(run: Execution, node: ProcedureCall | Call, name: str) -> None:
 # ------------------------------------------------------------------------------------------------- time, standstill
 
 
-def _wait_time(run: Execution, node: ProcedureCall) -> None:
+def _wait_time(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("Time",), ("InPos",))
-    seconds = number(run, args.required[0])
+    seconds = run.number(args.required[0])
     if not seconds >= 0:
         raise run.error(args.required[0], f"WaitTime {seconds:.6g} s must not be negative")
     if seconds > LONGEST_WAIT:
@@ -92,7 +89,7 @@ def _wait_time(run: Execution, node: ProcedureCall) -> None:
     record(run, node, seconds, in_position="inpos" in args.optional)
 
 
-def _wait_robot(run: Execution, node: ProcedureCall) -> None:
+def _wait_robot(run: Context, node: ProcedureCall) -> None:
     if bind(run, node, (), ("InPos", "ZeroSpeed")).optional:
         record(run, node, 0.0, in_position=True)
     else:
@@ -111,14 +108,14 @@ _SWITCHES = {"lt": "<", "gt": ">", "noteq": "<>"}
 _TIMEOUT = ("MaxTime", "TimeFlag")
 
 
-def _signal_wait(*switches: str, digital: bool = False) -> Instruction:
+def _signal_wait(*switches: str, digital: bool = False) -> Handler:
     options = (*switches, *_TIMEOUT, "ValueAtTimeout", "Visualize", "Header", "Message")
 
-    def handler(run: Execution, node: ProcedureCall) -> None:
+    def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, ("Signal", "Value"), options)
-        signal, wanted = run.signal(args.required[0]), number(run, args.required[1])
+        signal, wanted = run.signal(args.required[0]), run.number(args.required[1])
         if digital:
-            run.world.digital(run, args.required[0], signal)
+            run.check_digital(args.required[0], signal)
         test = next((_SWITCHES[name] for name in _SWITCHES if name in args.optional), "=")
         text = f"{test} {wanted:.15g}"
         shown = f"{run.text(args.required[0])} {text}"
@@ -128,9 +125,9 @@ def _signal_wait(*switches: str, digital: bool = False) -> Instruction:
     return handler
 
 
-def _await(run: Execution, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
+def _await(run: Context, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
     fits = _TESTS[test]
-    left = run.world.awaited(signal, lambda value: fits(value, wanted), wanted if test == "=" else None)
+    left = run.external.awaited(signal, lambda value: fits(value, wanted), wanted if test == "=" else None)
     if left:
         values = ", ".join(f"{value:.15g}" for value in left[:7]) + (", ..." if len(left) > 7 else "")
         raise run.error(
@@ -142,17 +139,17 @@ def _await(run: Execution, node: ProcedureCall, signal: str, test: str, wanted: 
 
 
 def _over(
-    run: Execution, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
+    run: Context, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
 ) -> bool:
     r"""Record a wait and say whether it came true; if not, \TimeFlag is set.
 
     names: of the wait in the cell file. possible: whether it can come true at all.
     """
     limit, flag = args.value("maxtime") or args.value("timeout"), args.value("timeflag")
-    longest = number(run, limit) if limit is not None else None
+    longest = run.number(limit) if limit is not None else None
     if longest is not None and longest > LONGEST_WAIT:
         raise run.error(node, f"\\MaxTime of {longest:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value")
-    least = run.world.least(*names) if possible else None
+    least = run.external.least(*names) if possible else None
     if not possible and longest is None:
         raise run.error(node, f"waits for {shown}: this condition can never come true, and \\MaxTime is not given")
     record(run, node, (longest or 0.0) if least is None else least, shown, "inpos" in args.optional)
@@ -172,7 +169,7 @@ def _over(
 # ------------------------------------------------------------------------------------------------------- conditions
 
 
-def _wait_until(run: Execution, node: ProcedureCall) -> None:
+def _wait_until(run: Context, node: ProcedureCall) -> None:
     options = ("InPos", *_TIMEOUT, "PollRate", "Visualize", "Header", "Message")
     args = bind(run, node, ("Cond",), options)
     (wanted,) = args.required
@@ -193,21 +190,19 @@ def _wait_until(run: Execution, node: ProcedureCall) -> None:
             _assume(run, node, term, shown)
 
 
-def _from_outside(
-    run: Execution, node: ProcedureCall, wanted: Expression, terms: list[_Term] | None, shown: str
-) -> bool:
+def _from_outside(run: Context, node: ProcedureCall, wanted: Expression, terms: list[_Term] | None, shown: str) -> bool:
     """Let what the condition reads come from outside as the cell file says, or ask for it; whether it holds then."""
 
     def holds() -> bool:
-        return run.world.poll(lambda: condition(run, wanted))
+        return run.external.poll(lambda: run.condition(wanted))
 
-    parts = [part for part in _parts(run, wanted) if isinstance(locate(run, part).type, Atomic)]
+    parts = [part for part in _parts(run, wanted) if isinstance(run.locate(part).type, Atomic)]
     told = [place for name in dict.fromkeys(root(run, part).lower() for part in parts) if (place := _given(run, name))]
     if not told:
         if terms is None and not holds():
-            run.outside.ask(run, node, parts, _unknown(run, wanted), _values(run, wanted, parts), shown, holds)
+            external_data.ask(run, node, parts, _unknown(run, wanted), _values(run, wanted, parts), shown, holds)
         return False
-    if run.outside.awaited(told, holds):
+    if external_data.awaited(run, told, holds):
         return True
     if terms is None or any(isinstance(run.scenario.data[one.name].value, tuple) for one in told):
         names = ", ".join(one.name for one in told)
@@ -219,12 +214,12 @@ def _from_outside(
     return False
 
 
-def _given(run: Execution, name: str) -> Told | None:
+def _given(run: Context, name: str) -> Told | None:
     place = run.find(name)
-    return place if isinstance(place, Told) and run.outside.gives(place.name) else None
+    return place if isinstance(place, Told) and run.external.gives(place.name) else None
 
 
-def _parts(run: Execution, node: Expression) -> Iterator[Expression]:
+def _parts(run: Context, node: Expression) -> Iterator[Expression]:
     """The data in a condition that the program may change, each part as written."""
     if isinstance(node, Name | Component | Element):
         if _variable(run, node) is not None:
@@ -245,11 +240,11 @@ def _operands(node: Expression) -> list[Expression]:
     return []
 
 
-def _unanswered(run: Execution, node: Expression, type_: Type) -> bool:
+def _unanswered(run: Context, node: Expression, type_: Type) -> bool:
     """Whether a condition calls functions that nobody knows or answers for: they lack, each in the type that its place
     has."""
     if isinstance(node, Call) and not run.knows(node.name):
-        if run.world.known(node.name):
+        if run.external.known(node.name):
             return False
         run.call_function(node, type_)
         return True
@@ -259,30 +254,30 @@ def _unanswered(run: Execution, node: Expression, type_: Type) -> bool:
     return any([_unanswered(run, one, NUM if isinstance(node, Call) else BOOL) for one in _operands(node)])
 
 
-def _kind(run: Execution, node: Expression) -> Type:
+def _kind(run: Context, node: Expression) -> Type:
     """The type of what a function is held against; a number's where only a run tells."""
     if isinstance(node, Boolean):
         return BOOL
     return STRING if isinstance(node, String) else _variable(run, node) or NUM
 
 
-def _unknown(run: Execution, node: Expression) -> list[Name]:
+def _unknown(run: Context, node: Expression) -> list[Name]:
     """The names in a condition that nothing declares."""
     if isinstance(node, Name):
         return [node] if run.find(node.name) is None else []
     return [name for one in _operands(node) for name in _unknown(run, one)]
 
 
-def _values(run: Execution, wanted: Expression, parts: list[Expression]) -> list[Data]:
+def _values(run: Context, wanted: Expression, parts: list[Expression]) -> list[Data]:
     """Values to try for data of a condition: what it is held against, and a little more or less."""
     held = [node.value for node in walk(wanted) if isinstance(node, Number | String)]
-    held += [locate(run, part).value.data for part in parts]
+    held += [run.locate(part).value.data for part in parts]
     numbers = [float(value) for value in held if isinstance(value, float)]
     near = [value + step for step in (0.0, 1.0, -1.0) for value in numbers]
     return [True, False, 1.0, 0.0, *near, *(value for value in (*held, "1") if isinstance(value, str))]
 
 
-def _contradictory(run: Execution, terms: list[_Term]) -> bool:
+def _contradictory(run: Context, terms: list[_Term]) -> bool:
     """Whether a conjunction asks one signal or variable for two values."""
     values: dict[str, Data] = {}
     for term in terms:
@@ -292,9 +287,9 @@ def _contradictory(run: Execution, terms: list[_Term]) -> bool:
     return False
 
 
-def _assume(run: Execution, node: ProcedureCall, term: _Term, shown: str) -> None:
+def _assume(run: Context, node: ProcedureCall, term: _Term, shown: str) -> None:
     """Let a variable have the value that was waited for, where it is a flag or a counter."""
-    place = locate(run, term.target)
+    place = run.locate(term.target)
     if place.value.data == term.value.data:
         return
     counter = isinstance(term.target, Name) and isinstance(place.type, Atomic)
@@ -315,7 +310,7 @@ class _Term:
     signal: str | None = None
 
 
-def _terms(run: Execution, node: Expression) -> list[_Term] | None:
+def _terms(run: Context, node: Expression) -> list[_Term] | None:
     """The parts of a plain conjunction of `signal = value`, TestDI(signal), `variable = constant` and `flag`."""
     match node:
         case Binary(operator="AND"):
@@ -331,21 +326,21 @@ def _terms(run: Execution, node: Expression) -> list[_Term] | None:
 _READERS = frozenset({"dinput", "doutput", "ginput", "goutput", "ainput", "aoutput"})
 
 
-def _true(run: Execution, node: Expression, wanted: bool) -> list[_Term] | None:
+def _true(run: Context, node: Expression, wanted: bool) -> list[_Term] | None:
     if isinstance(node, Call):
         signal = _argument(node, frozenset({"testdi"}))
         return [_Term(signal, Value(NUM, float(wanted)), run.signal(signal))] if signal else None
     return [_Term(node, Value(BOOL, wanted))] if _variable(run, node) == BOOL else None
 
 
-def _equal(run: Execution, left: Expression, right: Expression) -> list[_Term] | None:
+def _equal(run: Context, left: Expression, right: Expression) -> list[_Term] | None:
     variable = _variable(run, left)
     if variable is not None:
-        return [_Term(left, evaluate(run, right, variable))] if _steady(run, right, constant=True) else None
+        return [_Term(left, run.evaluate(right, variable))] if _steady(run, right, constant=True) else None
     signal = _argument(left, _READERS) if isinstance(left, Call) else left
     if not isinstance(signal, Name) or not _is_signal(run, signal) or not _steady(run, right, constant=False):
         return None
-    return [_Term(signal, Value(NUM, number(run, right)), run.signal(signal))]
+    return [_Term(signal, Value(NUM, run.number(right)), run.signal(signal))]
 
 
 def _argument(call: Call, functions: frozenset[str]) -> Expression | None:
@@ -353,23 +348,23 @@ def _argument(call: Call, functions: frozenset[str]) -> Expression | None:
     return call.args[0].value if call.name.lower() in functions and len(call.args) == 1 else None
 
 
-def _variable(run: Execution, node: Expression) -> Type | None:
+def _variable(run: Context, node: Expression) -> Type | None:
     """The type of data that the program may change; None for anything else."""
     base = node
     while isinstance(base, (Component, Element)):
         base = base.base
     if not isinstance(base, Name) or not isinstance(run.find(base.name), Place) or _is_signal(run, base):
         return None
-    place = locate(run, node)
+    place = run.locate(node)
     return None if place.constant else place.type
 
 
-def _is_signal(run: Execution, node: Name) -> bool:
+def _is_signal(run: Context, node: Name) -> bool:
     place = run.find(node.name)
     return place is None or (isinstance(place, Place) and place.type.name in SIGNALS)
 
 
-def _steady(run: Execution, node: Expression, constant: bool) -> bool:
+def _steady(run: Context, node: Expression, constant: bool) -> bool:
     """Whether an expression has one value during the wait: no signal in it, no call, only constants if wanted."""
     match node:
         case Number() | Boolean() | String():
@@ -395,7 +390,7 @@ def _names(node: Expression) -> list[str]:
 # -------------------------------------------------------------------------------------------------- the other waits
 
 
-def _test_and_set(run: Execution, node: ProcedureCall) -> None:
+def _test_and_set(run: Context, node: ProcedureCall) -> None:
     """Waits until a flag that tasks share is FALSE, and sets it."""
     (flag,) = bind(run, node, ("Object",)).required
     shown = f"{run.text(flag)} = FALSE"
@@ -403,29 +398,30 @@ def _test_and_set(run: Execution, node: ProcedureCall) -> None:
     run.assign(flag, Value(BOOL, True))
 
 
-def wait_for(run: Execution, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
+def wait_for(run: Context, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
     """Record a wait for something that only the cell knows; name: of it in the cell file, as shown is."""
     _over(run, node, args, shown, (shown, name))
 
 
-def _sync_task(run: Execution, node: ProcedureCall) -> None:
+def _sync_task(run: Context, node: ProcedureCall) -> None:
     """Until the other tasks have come to the same point."""
     args = bind(run, node, ("SyncID", "TaskList"), ("InPos", "TimeOut", *_TIMEOUT))
     shown = run.text(args.required[0])
     wait_for(run, node, args, f"WaitSyncTask {shown}", shown)
 
 
-EFFECT = Effect.WAITS
-INSTRUCTIONS: dict[str, Instruction] = {
-    "WaitTime": _wait_time,
-    "WaitDI": _signal_wait(digital=True),
-    "WaitDO": _signal_wait(digital=True),
-    "WaitGI": _signal_wait("NOTEQ", "LT", "GT"),
-    "WaitGO": _signal_wait("NOTEQ", "LT", "GT"),
-    "WaitAI": _signal_wait("LT", "GT"),
-    "WaitAO": _signal_wait("LT", "GT"),
-    "WaitUntil": _wait_until,
-    "WaitRob": _wait_robot,
-    "WaitTestAndSet": _test_and_set,
-    "WaitSyncTask": _sync_task,
+INSTRUCTIONS: Topic = {
+    Effect.WAITS: {
+        "WaitTime": _wait_time,
+        "WaitDI": _signal_wait(digital=True),
+        "WaitDO": _signal_wait(digital=True),
+        "WaitGI": _signal_wait("NOTEQ", "LT", "GT"),
+        "WaitGO": _signal_wait("NOTEQ", "LT", "GT"),
+        "WaitAI": _signal_wait("LT", "GT"),
+        "WaitAO": _signal_wait("LT", "GT"),
+        "WaitUntil": _wait_until,
+        "WaitRob": _wait_robot,
+        "WaitTestAndSet": _test_and_set,
+        "WaitSyncTask": _sync_task,
+    }
 }

@@ -12,75 +12,54 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.language.syntax import Name
-from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, condition_key, yaml_answer
-from trajopt_cli.warnings import WarningKind
-
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.interpreter import Execution
-    from trajopt_cli.rapid.language.syntax import Node
+from trajopt_cli.rapid.data.datatypes import Type, Value
+from trajopt_cli.rapid.data.scope import Told
+from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key
 
 _SHOWN = 7  # names in a warning
-_OUTPUTS = frozenset({"signaldo", "signalgo", "signalao"})
 
 
-class ExternalSignals:
-    """Signal values and answers as they stand now; names in lower case."""
+class External:
+    """Signal values, answers and data from outside as they stand now; names in lower case.
+
+    missing: what the scenario does not say, by section and name. data: what it gives as data, and what stands in for
+    what nothing declares. grows: the names that stand in for arrays of unknown size. fitting: of names that nothing
+    declares, values that let a wait come true. spelled: the type that the scenario writes beside data. not_digital: the
+    values of signals that are neither 0 nor 1.
+    """
 
     def __init__(self, scenario: Scenario):
         self.scenario = scenario
-        self.lacks: dict[tuple[str, str], Lack] = {}
+        self.missing: dict[tuple[str, str], Lack] = {}
         self._signals = {name.lower(): values for name, values in scenario.signals.items()}
         self._answers = {name.lower(): values for name, values in scenario.answers.items()}
         self._data = {name.lower(): given.value for name, given in scenario.data.items()}
         self._waits = {condition_key(text): seconds for text, seconds in scenario.waits.items()}
         self._values: dict[str, float] = {}
-        self.fitting: dict[str, Answer] = {}  # of names that nothing declares: values that let a wait come true
+        self.fitting: dict[str, Answer] = {}
+        self.grows: set[str] = set()
+        self.spelled = {name.lower(): given.type for name, given in scenario.data.items()}
+        self._typed: dict[tuple[str, Type, type, Answer], Value] = {}
+        self.data = {name: Told(name, self.reading) for name in self._data}
         self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
         self._trying = 0
         self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
         # Of a digital signal that would be a slip, which only the instruction that uses it can tell.
-        self._not_digital = {
+        self.not_digital = {
             name: value
             for name, given in self._signals.items()
             for value in (given if isinstance(given, tuple) else (given,))
             if value not in (0, 1)
         }
 
-    def lack(
-        self,
-        run: Execution,
-        section: str,
-        name: str,
-        node: Node,
-        reason: str,
-        value: str,
-        declared: bool = False,
-        again: bool = False,
-        close: Callable[[], str | None] | None = None,
-    ) -> None:
-        """Note that the scenario lacks something, once per name; see Lack for what the parts mean.
-
-        close: finds the name that may be meant; asked once, for a loop may lack it on every pass. again: put it in the
-        place of what was noted under the name before.
-        """
-        key = (section, name.lower())
-        if (again or key not in self.lacks) and not self._trying:
-            excerpt = run.places().excerpt(node.start)
-            meant = close() if close else None
-            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, meant)
-
     @property
-    def trying_now(self) -> bool:
-        """Whether what is unknown stands in unsaid."""
+    def trying(self) -> bool:
+        """Whether a condition is only tried: what is unknown stands in, and is not reported as missing."""
         return self._trying > 0
 
     @contextmanager
-    def trying(self) -> Iterator[None]:
-        """Nothing lacks inside: what is unknown stands in as 0 unsaid."""
+    def _trial(self) -> Iterator[None]:
         self._trying += 1
         try:
             yield
@@ -93,13 +72,6 @@ class ExternalSignals:
         """The program sets a signal, or a wait has made sure of its value."""
         self._values[signal] = value
         self._asked.add(("signals", signal))
-
-    def digital(self, run: Execution, node: Node, signal: str) -> None:
-        """A digital signal is used, name in lower case: warn where the scenario's values are not 0 or 1."""
-        if signal in self._not_digital:
-            value = self._not_digital[signal]
-            message = f"{signal} is {value:.15g} in the cell file, and a digital signal is 0 or 1"
-            run.note(f"digital {signal}", WarningKind.UNUSUAL, message, node)
 
     def unused(self) -> list[str]:
         """A sentence for each section of the scenario with names that the program never asked for."""
@@ -128,28 +100,14 @@ class ExternalSignals:
         """The program asks for something of the scenario; name in lower case."""
         self._asked.add((section, name))
 
-    def signal(self, run: Execution, node: Node, name: str) -> float:
-        """The value that a reading of a signal gives; name as the program spells it."""
-        key = name.lower()
+    def signal(self, key: str) -> float | None:
+        """The value that a reading of a signal gives; None where neither the program nor the scenario gave it one."""
         value = self._values.get(key)
-        if value is None:
-            value = self._given(run, node, name, key)
-        if abs(value) > NUM_LIMIT:
-            raise run.fault(node, "ERR_NUM_LIMIT", f"the value {value:g} of signal '{name}' is too large for a num")
-        return value
-
-    def _given(self, run: Execution, node: Node, name: str, key: str) -> float:
+        if value is not None:
+            return value
         self._asked.add(("signals", key))
         given = self._signals.get(key)
-        if given is None:
-            if _is_output(run, node):
-                return 0.0
-            reason = f"'{name}' is not declared in the program and has no value as a signal"
-            fitting = self.fitting.get(key, 0.0)
-            value = fitting if isinstance(fitting, float) else 0.0
-            self.lack(run, "signals", name, node, reason, f"{value:.15g}")
-            return value
-        return float(self._next("signals", key, given))
+        return None if given is None else float(self._next("signals", key, given))
 
     def output(self, signal: str) -> float:
         """The value that a reading of an output gives; nothing lacks."""
@@ -188,7 +146,7 @@ class ExternalSignals:
         If it does, the readings that made it true are the next ones; if not, the sequences stand where they stood.
         """
         first = dict(self._taken)
-        with self.trying():
+        with self._trial():
             while True:
                 before = dict(self._taken)
                 true = holds()
@@ -224,22 +182,11 @@ class ExternalSignals:
         self._asked.add(("answers", name.lower()))
         return name.lower() in self._answers
 
-    def answer(
-        self,
-        run: Execution,
-        node: Node,
-        name: str,
-        reason: str,
-        default: Answer,
-        close: Callable[[], str | None] | None = None,
-    ) -> Answer:
-        """The answer that is asked for under name; default stands in where the scenario has none."""
-        self._asked.add(("answers", name.lower()))
-        given = self._answers.get(name.lower())
-        if given is None:
-            self.lack(run, "answers", name, node, reason, yaml_answer(default), close=close)
-            return default
-        return self._next("answers", name.lower(), given)
+    def answer(self, key: str) -> Answer | None:
+        """The answer under a name, None where the scenario has none."""
+        self._asked.add(("answers", key))
+        given = self._answers.get(key)
+        return None if given is None else self._next("answers", key, given)
 
     def _next(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> Answer:
         if not isinstance(given, tuple):
@@ -248,10 +195,22 @@ class ExternalSignals:
         self._taken[section, key] = count + 1
         return given[min(count, len(given) - 1)]
 
-    def datum(self, name: str) -> Answer:
-        """What the next reading of data gives, name in lower case."""
-        self._asked.add(("data", name))
-        return self._next("data", name, self._data[name])
+    def gives(self, name: str) -> bool:
+        """Whether the scenario has a value for data of this name; in lower case."""
+        return name in self._data
+
+    def typed(self, told: Told, answer: Answer, value: Value) -> None:
+        """Remember one of the scenario's values for data, as a value of its type."""
+        self._typed[told.name, told.type, type(answer), answer] = value
+
+    def value(self, told: Told, answer: Answer) -> Value:
+        """One of the scenario's values for data, as a value of its type."""
+        return self._typed[told.name, told.type, type(answer), answer]
+
+    def reading(self, told: Told) -> Value:
+        """What the next reading of data gives."""
+        self._asked.add(("data", told.name))
+        return self.value(told, self._next("data", told.name, self._data[told.name]))
 
     def left(self, section: str, key: str) -> tuple[Answer, ...]:
         """The values that readings to come can give; 0 for a signal without any."""
@@ -263,9 +222,3 @@ class ExternalSignals:
     def take(self, section: str, key: str, count: int) -> None:
         """Let so many values of a sequence be behind."""
         self._taken[section, key] = self._taken.get((section, key), 0) + count
-
-
-def _is_output(run: Execution, node: Node) -> bool:
-    """Whether a name is declared as an output of the program."""
-    place = run.find(node.name) if isinstance(node, Name) else None
-    return isinstance(place, Datum) and place.type.name in _OUTPUTS

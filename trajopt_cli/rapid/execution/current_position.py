@@ -1,0 +1,122 @@
+"""Where the robot stands now: what CRobT, PDispOn, EOffsOn and searches start from."""
+
+from __future__ import annotations
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.kinematics import Kinematics
+from trajopt_cli.motion import ConfData, ExternalAxes, Move, SignalEvent, Wait, motion_name
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.poses import frame, matrix
+from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.position import Setup, merged
+from trajopt_cli.rapid.language.syntax import Node
+from trajopt_cli.warnings import WarningKind
+
+
+def the_robot(run: Context, node: Node, what: str) -> Kinematics:
+    """The robot. Raises InputError where there is none; what: who needs it, as the sentence's subject."""
+    given = run.position.kinematics
+    if given is None:
+        raise run.error(node, f"{what} needs the robot: give a cell file (--cell)")
+    return given
+
+
+def current_flange(run: Context, node: Node, what: str) -> frames.Frame:
+    """X_WF [mm]."""
+    position = run.position
+    if position.pose is not None and not position.away:
+        return position.pose.setup.flange(position.pose.target)
+    robot = the_robot(run, node, f"{what} {_after(run)}")
+    return frame(robot.forward(current_joints(run, node, what), position.extax))
+
+
+def current_target(run: Context, node: Node, what: str, setup: Setup) -> frames.Frame:
+    """The target of a setup that the robot stands at."""
+    known = run.position.known_target(setup)
+    return setup.target(current_flange(run, node, what)) if known is None else known
+
+
+def _after(run: Context) -> str:
+    position = run.position
+    if position.pose is not None:
+        return "after a move of external axes alone" if position.away else "after a move to a pose"
+    return "before the first move" if position.joints is None else "after a move to joints"
+
+
+def current_joints(run: Context, node: Node, what: str) -> Array:
+    """Arm joints (6,) in rad. Raises Fault when the last pose is out of reach."""
+    position = run.position
+    if position.joints is None:
+        robot = the_robot(run, node, f"{what} {_after(run)}")
+        if position.pose is None:
+            position.joints, extax = robot.start
+            position.extax = merged(extax, position.extax)
+        else:
+            setup, target, conf, demanded, extax = position.pose
+            flange = setup.flange(target)
+            position.joints = reach(run, node, f"the target before {what}", robot, flange, conf, demanded, extax)
+    return position.joints
+
+
+def current_conf(run: Context, node: Node, what: str) -> ConfData:
+    """The configuration: as programmed after a move to a pose, else that of the joints."""
+    pose = run.position.pose
+    if pose is not None and not run.position.away:
+        return pose.conf
+    robot = the_robot(run, node, f"{what} {_after(run)}")
+    return robot.confdata(current_joints(run, node, what))
+
+
+def reach(
+    run: Context,
+    node: Node,
+    what: str,
+    robot: Kinematics,
+    flange: frames.Frame,
+    conf: ConfData,
+    demanded: bool,
+    extax: ExternalAxes,
+) -> Array:
+    """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject.
+
+    A configuration that cannot be had is given up for the nearest posture, and said. Raises Fault for a flange pose
+    that has none at all.
+    """
+    X_WF, near = matrix(flange), run.position.near()
+    if demanded:
+        q = robot.inverse(X_WF, extax, conf, near)
+        if q is not None:
+            return q
+    q = robot.inverse(X_WF, extax, None, near)
+    if q is None:
+        x, y, z = flange[0]
+        message = f"{what} cannot be reached: the flange would stand at [{x:.6g},{y:.6g},{z:.6g}] mm in the world"
+        raise run.fault(node, "ERR_ROBLIMIT", message)
+    if demanded:
+        shown = ",".join(str(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
+        run.warn(
+            WarningKind.ASSUMED,
+            f"{what} has no posture with confdata [{shown}]; the nearest one is taken",
+            run.source(node),
+        )
+    return q
+
+
+def still_moving(run: Context) -> Move | None:
+    """The move that may still run where the program is: one with a fly-by or with \\Conc, and no stop behind it."""
+    for motion in reversed(run.motions):
+        if isinstance(motion, Wait):
+            if motion.stops and motion.beside is None:
+                return None
+        elif not isinstance(motion, SignalEvent):
+            return motion if not motion.zone.stop or run.concurrent else None
+    return None
+
+
+def read_at_rest(run: Context, node: Node, what: str) -> None:
+    """Warn where the robot should stand for something (what), but is right behind a fly-by or a move with \\Conc."""
+    motion = still_moving(run)
+    if motion is not None:
+        why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by, {motion.zone.name}"
+        text = f"{what} while it still moves ({motion_name(motion)} {why}); here that is the point. Stop there"
+        run.warn(WarningKind.ASSUMED, f"{text}: fine, or WaitRob \\InPos", run.source(node))
