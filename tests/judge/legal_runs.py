@@ -99,8 +99,8 @@ def parts_of(
 ) -> list[Part]:  # fmt: skip
     """The whole way with corners. sizes: radius and turning [m] of every corner, both 0 for none; [rad] between turns
     in place. joint: all of them are joint interpolated."""
-    ways = [way_of(plant, leg) for leg in legs]
-    edges = np.r_[0.0, np.cumsum(ways)]
+    paths = [way_of(plant, leg) for leg in legs]
+    edges = np.r_[0.0, np.cumsum(paths)]
     parts: list[Part] = []
 
     def at_poses(X: Array, twist: Array, sigma: Array) -> tuple[Array, Array]:
@@ -112,10 +112,10 @@ def parts_of(
         leg = legs[i]
 
         def axes(sigma: Array) -> tuple[Array, Array]:
-            s = np.clip((sigma - edges[i]) / ways[i], 0.0, 1.0)
+            s = np.clip((sigma - edges[i]) / paths[i], 0.0, 1.0)
             if isinstance(leg, JointMove):
-                return leg.axes(s), leg.rate(s) / ways[i]
-            return at_poses(leg.pose(s), leg.twist(s) / ways[i], sigma)
+                return leg.axes(s), leg.rate(s) / paths[i]
+            return at_poses(leg.pose(s), leg.twist(s) / paths[i], sigma)
 
         return axes
 
@@ -130,7 +130,7 @@ def parts_of(
             return lambda sigma: tuple(f((sigma - begin) / (2 * size)) / g for f, g in
                                        ((bend.axes, 1.0), (bend.rate, 2 * size)))  # fmt: skip
         if before.length == 0:
-            corner = Corner(before, after, size / ways[k - 1], size / ways[k])
+            corner = Corner(before, after, size / paths[k - 1], size / paths[k])
         else:
             corner = Corner.of_zone(before, after, *sizes[k - 1])
 
@@ -174,12 +174,12 @@ def time_at(sigma: float, length: float, v: float = 0.15, a: float = 1.0) -> flo
     return float(times_at(at, T, np.array([sigma / length]))[0])
 
 
-def times_at(at: Callable[[Array], tuple[Array, Array]], T: float, shares: Array) -> Array:
+def times_at(at: Callable[[Array], tuple[Array, Array]], T: float, fractions: Array) -> Array:
     """When a profile at of time T has come to these shares of its way, by halving."""
-    low, high = np.zeros(len(shares)), np.full(len(shares), T)
+    low, high = np.zeros(len(fractions)), np.full(len(fractions), T)
     for _ in range(45):
         middle = (low + high) / 2
-        before = at(middle)[0] < shares
+        before = at(middle)[0] < fractions
         low, high = np.where(before, middle, low), np.where(before, high, middle)
     return (low + high) / 2
 

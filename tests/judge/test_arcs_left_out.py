@@ -50,8 +50,8 @@ def said(stops: Sequence[Array], behind: Sequence[Move], **rows: object) -> list
         *behind, home(19, None),
     )  # fmt: skip
     first, last = (arm_at(PLANT, X[None], None)[0] for X in (stops[0], stops[-1]))
-    ways = [way(pair) for pair in pairwise(stops)]
-    pieces = (joint_move(PLANT, PLANT.start, first, 0.5), *ways, joint_move(PLANT, last, PLANT.start, 0.5))
+    paths = [way(pair) for pair in pairwise(stops)]
+    pieces = (joint_move(PLANT, PLANT.start, first, 0.5), *paths, joint_move(PLANT, last, PLANT.start, 0.5))
     found = verify(asked, PLANT, Case(PLANT, asked, pieces).rows(**rows), advice=False).findings
     return [one.check for one in found if not one.passed]
 

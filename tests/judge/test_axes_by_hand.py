@@ -17,7 +17,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import joints
 from trajopt_cli.judge import samples as rows_module
-from trajopt_cli.judge.joints import accelerations, check_joints
+from trajopt_cli.judge.joints import axis_accelerations, check_joints
 from trajopt_cli.judge.samples import Rows, look, unseen
 from trajopt_cli.judge.tolerances import JOINT, REST_JOINT
 from trajopt_cli.limits import CoupledRange
@@ -145,7 +145,7 @@ def between(t: Array) -> Array:
 def test_least_speeds(j: int, with_speeds: bool, marked: bool) -> None:
     """Of every lag, of the rows, of the Hermite, and of the slowest motion between two rows."""
     rows = rows_of(1, with_speeds, marked)
-    found = of_axis(j, joints._speeds(rows, 0, N - 1))
+    found = of_axis(j, joints._axis_speeds(rows, 0, N - 1))
     wanted = list(speeds(rows, j))
     if with_speeds:  # the slowest motion alone may be slower than its rows
         for k in (-2, -1):
@@ -180,7 +180,7 @@ def test_the_hermite_between_rows() -> None:
     np.testing.assert_allclose(rows.hermite_rounding[:, j], open_a, rtol=1e-9)
     np.testing.assert_allclose(rows.inner_doubt[:, j], inner, rtol=1e-9)
     granted = np.array(open_a) + rows.truncation[:, j]
-    found = of_axis(j, accelerations(rows, 0, N - 1))[-2:]
+    found = of_axis(j, axis_accelerations(rows, 0, N - 1))[-2:]
     same(found, [(t[:-1], np.abs(begin) - granted), (t[1:], np.abs(end) - granted)])
 
 
@@ -199,7 +199,7 @@ def test_least_accelerations(j: int, with_speeds: bool) -> None:
         for m, every in pairs(N):
             change = [max(abs(v[i + m] - v[i]) - off_v[i] - off_v[i + m], 0.0) for i in every]
             wanted.append((t[:-m], np.array(change) / [t[i + m] - t[i] + off_t[i] + off_t[i + m] for i in every]))
-    same(of_axis(j, accelerations(rows, 0, N - 1)), wanted)
+    same(of_axis(j, axis_accelerations(rows, 0, N - 1)), wanted)
 
 
 @pytest.mark.parametrize("j", [0, 5])

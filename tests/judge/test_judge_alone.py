@@ -73,7 +73,7 @@ def test_a_line_is_chord_and_slerp(angle: float, rng: np.random.Generator) -> No
     np.testing.assert_allclose(p_found, X_0[:3, 3] + s[:, None] * (X_1 - X_0)[:3, 3], rtol=0, atol=1e-15)
     np.testing.assert_allclose(R_found, R, rtol=0, atol=1e-11)
     np.testing.assert_allclose(line.progress(p_found, R_found), s, rtol=0, atol=1e-14)
-    assert (line.way, line.only_turns) == (pytest.approx(np.sqrt(0.2**2 + 0.6**2 + 0.4**2)), False)
+    assert (line.extent, line.only_turns) == (pytest.approx(np.sqrt(0.2**2 + 0.6**2 + 0.4**2)), False)
 
 
 @pytest.mark.parametrize("angle", [1e-3, 0.4, 3.1])
@@ -84,7 +84,7 @@ def test_a_reorientation_is_counted_in_its_angle(angle: float) -> None:
     line = Line.between(X_0, X_1, X_0[None, :3, :3])
     p, R = line.at(s)
     np.testing.assert_allclose(line.progress(p, R), s, rtol=0, atol=1e-12)
-    assert (line.way, line.only_turns) == (pytest.approx(angle, abs=1e-12), True)
+    assert (line.extent, line.only_turns) == (pytest.approx(angle, abs=1e-12), True)
 
 
 def test_the_shortest_line_is_no_reorientation() -> None:

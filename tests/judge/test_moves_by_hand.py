@@ -244,19 +244,19 @@ def test_from_when_a_rail_stands_for_long_enough(kind: str) -> None:
         tau = 0.0 if marked else 0.004
         slack = 1e-9 + 4 * tau
         first = next(i for i in range(n) if t[i] >= time - slack - 1e-13)
-        ways = {}
+        paths = {}
         for i in range(first, depart + 1):
             if t[i] + duration <= t[depart] + slack + 1e-13:
                 inside = [k for k in range(i, depart + 1) if t[k] <= t[i] + duration - 2 * tau + 1.1e-9] or [i]
                 part = d[inside[0] : inside[-1] + 1]
-                ways[i] = part.max() - part.min() - r
+                paths[i] = part.max() - part.min() - r
         found = still_from(rows, time, duration, depart)
-        still = [i for i, way in ways.items() if way <= tol.HELD]
-        if still or not ways:
+        still = [i for i, way in paths.items() if way <= tol.HELD]
+        if still or not paths:
             assert found == pytest.approx(t[still[0]] if still else time, abs=1e-12)
         else:
-            assert ways[round(found / 0.008)] == pytest.approx(min(ways.values()), abs=1e-12)
-        found_still, found_least, short = found_still + bool(still), found_least + (not still), short + (not ways)
+            assert paths[round(found / 0.008)] == pytest.approx(min(paths.values()), abs=1e-12)
+        found_still, found_least, short = found_still + bool(still), found_least + (not still), short + (not paths)
     assert min(found_still, found_least, short) > 5
 
 

@@ -189,11 +189,11 @@ def test_a_stop_that_is_rounded_is_told(overlap: float) -> None:
     X_0, X_1, X_2 = down(0.5, 0.1, 0.45), down(0.5, 0.1, 0.39), down(0.5, 0.17, 0.39)
     T, at, switches = trapezoid(4.0, 20.0)
     begin = T - overlap
-    ways = [(X - Y)[:3, 3] for X, Y in ((X_1, X_0), (X_2, X_1))]
+    paths = [(X - Y)[:3, 3] for X, Y in ((X_1, X_0), (X_2, X_1))]
 
     def both(t: Array) -> tuple[Array, Array]:
-        shares = [at(np.clip(t - start, 0, T)) for start in (0.0, begin)]
-        p, v = (sum(share[i][:, None] * way for share, way in zip(shares, ways, strict=True)) for i in (0, 1))
+        fractions = [at(np.clip(t - start, 0, T)) for start in (0.0, begin)]
+        p, v = (sum(share[i][:, None] * way for share, way in zip(fractions, paths, strict=True)) for i in (0, 1))
         X = np.tile(X_0, (len(t), 1, 1))
         X[:, :3, 3] += p
         q = arm_at(plant, X, None)

@@ -88,20 +88,20 @@ def test_which_way_and_which_zone(name: str, kind: str) -> None:
     first, last = run.visits[0].depart, run.visits[-1].arrive
     assert run.part == ((first, last) if kind == "own" else (first + 1, last - 1))
     assert run.step == (5 if kind == "own" else 1)
-    moments, p, ways = passed(run), run.places.p, ways_of(run)
-    np.testing.assert_allclose(run._passed, moments, atol=1e-6)
+    moments, p, paths = passed(run), run.places.p, ways_of(run)
+    np.testing.assert_allclose(run._passing_places, moments, atol=1e-6)
     zones = [visit.point.fly_by for visit in run.visits]
     radius = [0.0 if zone is None else zone.radius for zone in zones]
-    edges = [run.on(leg) for leg in range(len(ways))]
+    edges = [run.on(leg) for leg in range(len(paths))]
     assert edges[0].start == 0
     assert [one.stop for one in edges] == [*(one.start for one in edges[1:]), len(p)]
     in_zone = 0
     for i in range(len(p)):
         leg = sum(moment <= i for moment in moments)
         (found,) = (k for k, one in enumerate(edges) if one.start <= i < one.stop)
-        way, place = ways[leg], None
+        way, place = paths[leg], None
         margin = tol.LINE_POSITION + run.places.doubt_p[i]
-        s = run.ways[leg].progress(p[i : i + 1], run.places.R[i : i + 1])[0] if way is not None else None
+        s = run.paths[leg].progress(p[i : i + 1], run.places.R[i : i + 1])[0] if way is not None else None
         off = [float(np.linalg.norm(p[i] - run.X_WT[k, :3, 3])) for k in (leg, leg + 1)]
         inside = [k for k, one in zip((leg, leg + 1), off, strict=True) if radius[k] > 0 and one <= radius[k] + margin]
         if s is not None:
@@ -115,9 +115,9 @@ def test_which_way_and_which_zone(name: str, kind: str) -> None:
         assert run.zone[i] == place, i
         in_zone += place >= 0
         if s is None:
-            assert np.isnan(run.shares[i])
+            assert np.isnan(run.fractions[i])
         else:
-            assert run.shares[i] == pytest.approx(s, abs=1e-12)
+            assert run.fractions[i] == pytest.approx(s, abs=1e-12)
     assert 3 < in_zone < len(p)
 
 
@@ -128,9 +128,9 @@ def test_places_beside_small_zones_between_two_rows(name: str) -> None:
     case = contour(60, Z0) if name == "contour" else joint_line(Z0)
     line, frames = seen(case, case.rows(step=0.02, grid_only=True), None)
     run = max(runs_of(line, frames), key=lambda one: len(one.visits))
-    moments, p, R, ways = run._passed, run.places.p, run.places.R, run.ways
+    moments, p, R, paths = run._passing_places, run.places.p, run.places.R, run.paths
     radius, before, open_ones = run.zones("radius"), 0, 0
-    own = np.array([next(leg for leg in range(len(ways)) if run.on(leg).start <= i < run.on(leg).stop)
+    own = np.array([next(leg for leg in range(len(paths)) if run.on(leg).start <= i < run.on(leg).stop)
                     for i in range(len(p))])  # fmt: skip
     for i in np.flatnonzero(~run.sure):
         least, most = sum(m <= i - 1 for m in moments), sum(m < i + 1 for m in moments)
@@ -139,11 +139,11 @@ def test_places_beside_small_zones_between_two_rows(name: str) -> None:
                   if radius[k] > 0 and np.linalg.norm(p[i] - run.X_WT[k, :3, 3]) <= radius[k] + margin]  # fmt: skip
         off = {}
         for leg in range(least, most + 1):
-            if (way := ways[leg]) is not None:
+            if (way := paths[leg]) is not None:
                 s = np.clip(way.progress(p[i : i + 1], R[i : i + 1]), 0, 1)
                 off[leg] = float(np.linalg.norm(p[i] - way.at(s)[0][0]))
         explained = [leg for leg, one in off.items() if one <= margin]
-        joint = [leg for leg in range(least, most + 1) if ways[leg] is None]
+        joint = [leg for leg in range(least, most + 1) if paths[leg] is None]
         wanted = sphere[0] if sphere else [*explained, *joint, *sorted(off, key=off.__getitem__)][0]
         assert own[i] == max(wanted, own[i - 1] if i else 0)
         assert run.zone[i] == (sphere[0] if sphere else -1)
@@ -167,7 +167,7 @@ def test_zones_along_a_way(name: str, kind: str) -> None:
             assert run.zones(kind_of).tolist() == sizes
             wanted = []
             for i in range(part.start, part.stop):
-                done = run.shares[i] * way.length
+                done = run.fractions[i] * way.length
                 along = leg if done <= sizes[leg] else leg + 1 if way.length - done <= sizes[leg + 1] else -1
                 wanted.append(run.zone[i] if isinstance(way, PlannedLine) and run.zone[i] >= 0 else along)
             np.testing.assert_array_equal(run.beyond(leg, kind_of), np.array(wanted) < 0)
@@ -210,7 +210,7 @@ def test_how_far_places_are_off_their_way(name: str, kind: str) -> None:
             continue
         line, word = run.visits[leg + 1].point.source.line, "arc" if isinstance(way, PlannedArc) else "line"
         at = np.arange(len(places.t))[run.on(leg)]
-        X = way.pose(np.clip(run.shares[at], 0.0, 1.0))
+        X = way.pose(np.clip(run.fractions[at], 0.0, 1.0))
         free, doubt = run.zone[at] < 0, places.doubt_p[at]
         off = np.linalg.norm(places.p[at] - X[:, :3, 3], axis=1) - doubt
         agrees(told(found, f"{word} position", line), np.where(free, off, 0.0), places.t[at], tol.LINE_POSITION)
@@ -220,7 +220,7 @@ def test_how_far_places_are_off_their_way(name: str, kind: str) -> None:
         turned = turned - places.doubt_angle[at] - angle / way.length * doubt
         agrees(told(found, f"{word} rotation", line), np.where(run.beyond(leg, "turning"), turned, 0.0), places.t[at],
                tol.LINE_ROTATION)  # fmt: skip
-        done, farthest, back = run.shares[at] * way.length, -np.inf, []
+        done, farthest, back = run.fractions[at] * way.length, -np.inf, []
         for one, counts in zip(done, free, strict=True):
             farthest = max(farthest, one) if counts else farthest
             back.append(farthest - one if counts else 0.0)
@@ -232,9 +232,9 @@ def test_how_far_places_are_outside_their_corner(name: str, kind: str) -> None:
     """Between two lines from the triangle of entry, point and exit; of any two ways their orientations, as rotation
     vectors seen from the point, but for a sixteenth of the turns' cross product and a hair at the edge."""
     _, run, found = run_of(name, kind)
-    places, ways = run.places, ways_of(run)
+    places, paths = run.places, ways_of(run)
     for k in range(1, len(run.visits) - 1):
-        line, before, after = run.visits[k].point.source.line, ways[k - 1], ways[k]
+        line, before, after = run.visits[k].point.source.line, paths[k - 1], paths[k]
         P, R = run.X_WT[k, :3, 3], run.X_WT[k, :3, :3]
         here = np.flatnonzero(run.zone == k)
         if isinstance(before, PlannedLine) and isinstance(after, PlannedLine):
@@ -264,13 +264,13 @@ def test_how_far_a_rail_is_out_of_proportion(kind: str) -> None:
     in proportion to the way."""
     _, run, found = run_of("rail", kind)
     rows, a_rail = run.rows, float(run.rows.plant.limits.acceleration[0])
-    for leg, way in enumerate(run.ways):
+    for leg, way in enumerate(run.paths):
         before, visit = run.visits[leg : leg + 2]
         at = [i for i in range(run.on(leg).start, run.on(leg).stop) if i % run.step == 0]
         outside = run.beyond(leg, "external")
         at = np.array([i for i in at if outside[i - run.on(leg).start]])
         where = run.part[0] + at // run.step
-        s, d = run.shares[at], rows.q[where, 0]
+        s, d = run.fractions[at], rows.q[where, 0]
         (s_0, d_0), (s_1, d_1) = (s[0], d[0]), (s[-1], d[-1])
         if before.point.fly_by is None:
             s_0, d_0 = 0.0, rows.q[before.depart, 0]
@@ -280,7 +280,7 @@ def test_how_far_a_rail_is_out_of_proportion(kind: str) -> None:
         tau = max((rows.open_time[row] for one, row in ((before, before.depart), (visit, visit.arrive))
                    if one.point.fly_by is None), default=0.0)  # fmt: skip
         ends = max(rows.doubt_q[before.depart, 0], rows.doubt_q[visit.arrive, 0]) / 2 + a_rail * tau**2 / 2
-        granted = ends + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * run.places.doubt_p[at] / way.way
+        granted = ends + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * run.places.doubt_p[at] / way.extent
         off = np.abs(d - d_0 - (np.clip(s, 0.0, 1.0) - s_0) * slope) - granted
         word = "arc" if isinstance(way, Arc) else "line"
         agrees(told(found, f"rail along {word}", visit.point.source.line), off, rows.t[where], tol.JOINT_TARGET)
@@ -357,10 +357,10 @@ def test_in_a_corner_the_higher_of_both_speeds_holds(faster: int) -> None:
             assert "at MoveL p_1 fast allows" in one.message
             assert one.source == motions[1].source
     assert ("programmed speed", "TCP") in found
-    ways = [float(np.linalg.norm(b.X_WT[:3, 3] - a.X_WT[:3, 3])) for a, b in pairwise(motions[:3])]
-    ways[1] *= np.pi / 2  # half a circle
+    paths = [float(np.linalg.norm(b.X_WT[:3, 3] - a.X_WT[:3, 3])) for a, b in pairwise(motions[:3])]
+    paths[1] *= np.pi / 2  # half a circle
     top = found["programmed speed", "TCP"].value
-    for i, way in enumerate(ways, 1):  # a time is the speed that takes so long over the whole way
+    for i, way in enumerate(paths, 1):  # a time is the speed that takes so long over the whole way
         for allowed in (0.08, 1.1 * top):
             timed = list(motions)
             timed[i] = replace(timed[i], duration=way / allowed)

@@ -77,7 +77,7 @@ def test_a_line_may_be_a_reorientation(length: float, angle: float) -> None:
     assert line.only_turns == only
     assert line.length == pytest.approx(length, abs=1e-15)
     assert line.angle == pytest.approx(angle, abs=1e-12)
-    assert line.way == pytest.approx(angle if only else length, abs=1e-12)
+    assert line.extent == pytest.approx(angle if only else length, abs=1e-12)
     s = rng.uniform(-0.1, 1.1, 20)
     p, R = line.at(s)
     np.testing.assert_allclose(p, X_0[:3, 3] + s[:, None] * (X_1 - X_0)[:3, 3], atol=1e-15)
@@ -106,7 +106,7 @@ def test_places_beside_an_arc(sweep: float) -> None:
     line = Line.between(pose(tilt, ends[0]), pose(tilt @ rotation_about([0, 0, 1], 0.3), ends[1]), tilt[None])
     arc = Arc.through(line, via)
     assert arc is not None
-    assert (arc.way, arc.angle, arc.only_turns) == (arc.length, line.angle, False)
+    assert (arc.extent, arc.angle, arc.only_turns) == (arc.length, line.angle, False)
     left = 2 * np.pi - sweep
     phi = np.r_[np.linspace(0, sweep, 7), -0.49 * left, sweep + 0.49 * left, -0.01, sweep + 0.01]
     for r in (radius, 0.5 * radius, 1.7 * radius):

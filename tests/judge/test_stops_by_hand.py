@@ -102,8 +102,8 @@ def test_how_fast_a_stop_may_be(kind: str, over: float) -> None:
     limit = tol.REST_LINEAR + A_TCP * tau
     at_stop = slice(ride.first[1], ride.last[1] + 1)
     # a turned Jacobian counts at the speed of all axes, here the rail's
-    shares = doubt_V + over * limit * doubt_V if KINDS[kind][1] else doubt_V
-    fast = moved(ride.rows(), at_stop, 0, qd=over * limit + shares)
+    fractions = doubt_V + over * limit * doubt_V if KINDS[kind][1] else doubt_V
+    fast = moved(ride.rows(), at_stop, 0, qd=over * limit + fractions)
     rest = one_of(stops_of([there(11, 0.5)], fast, KINDS[kind][0], steps_of(kind)), "stop rest", 11)
     assert (rest.value, rest.limit, rest.unit) == (pytest.approx(over * limit, rel=1e-5), pytest.approx(limit), "m/s")
     assert rest.passed == (over < 1)

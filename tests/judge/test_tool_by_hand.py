@@ -101,7 +101,7 @@ def test_the_tool_without_speeds(tool: str) -> None:
     rows, p, R = frame.rows, frame.p, frame.R[:]
     alpha = float(PLANT.limits.acceleration[1:].sum())
     assert angular_acceleration(rows) == pytest.approx(alpha)
-    for top, least, ways in (
+    for top, least, paths in (
         (PLANT.tcp.acceleration, frame.least_speed, lambda i, k: np.linalg.norm(p[k] - p[i]) - off(i) - off(k)),
         (alpha, frame.least_turning, lambda i, k: angle(R[i], R[k]) - turned(i) - turned(k)),
     ):
@@ -115,7 +115,7 @@ def test_the_tool_without_speeds(tool: str) -> None:
         mean = []
         for i in range(N - 1):
             h = rows.t[i + 1] - rows.t[i] + (rows.step_t[i] + rows.step_t[i + 1]) / 2
-            mean.append(max(max(ways(i, i + 1), 0.0) / h - top * h / 2, 0.0))
+            mean.append(max(max(paths(i, i + 1), 0.0) / h - top * h / 2, 0.0))
         np.testing.assert_allclose(least, [max(mean[max(i - 1, 0) : i + 1]) for i in range(N)], atol=1e-7)
     long = rows.gaps + (rows.step_t[1:] + rows.step_t[:-1]) / 2
     reach = PLANT.tcp.acceleration * long**2 / 8 + np.maximum(frame.doubt_p[1:], frame.doubt_p[:-1])
@@ -184,11 +184,11 @@ def test_least_speeds_and_accelerations_of_the_tool(tool: str, speeds: bool) -> 
         at_rows = [(t[a : b + 1], frame.least_speed[a : b + 1])]
         turning = [(t[a : b + 1], frame.least_turning[a : b + 1])]
         ride = [(t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0])]
-    same(caps._speeds(frame, a, b, None), chords + at_rows)
+    same(caps._tcp_speeds(frame, a, b, None), chords + at_rows)
     same(caps._tcp(frame, a, b), chords + at_rows)
     same(caps._turning(frame, a, b), angles + turning)
-    same(caps._rail(frame, a, b), rail + ride)
-    same(caps.accelerations(frame, a, b, None), bends + pulls)
+    same(caps._rail_speeds(frame, a, b), rail + ride)
+    same(caps.tcp_accelerations(frame, a, b, None), bends + pulls)
 
 
 @pytest.mark.parametrize("tool", TOOLS)
@@ -221,7 +221,7 @@ def test_the_tool_between_rows(tool: str) -> None:
         np.testing.assert_allclose(found, np.linalg.norm(part, axis=1) - doubt, atol=1e-8)
     for one, name in ((caps._tcp, "speed"), (caps._turning, "turning")):
         same(list(one(frame, first, last))[-1:], [(times, getattr(inner, name))])
-    same(list(caps._speeds(frame, first, last, inner))[-1:], [(times, inner.speed)])
+    same(list(caps._tcp_speeds(frame, first, last, inner))[-1:], [(times, inner.speed)])
     open_a = (linear[every] * rows.hermite_rounding[first:last]).sum(axis=1)
     beyond = (linear[every] * rows.truncation[first:last]).sum(axis=1) - tol.TCP / 2 * PLANT.tcp.acceleration
     open_a = open_a + np.maximum(beyond, 0.0)
@@ -234,7 +234,7 @@ def test_the_tool_between_rows(tool: str) -> None:
         a = np.linalg.norm(forward_acceleration(robot, rows.q[at], rows.qd[at], bend, X_FT)[:, :3], axis=1)
         wanted.append((when, a - open_a))
     same(inner.accelerations, wanted)
-    same(list(caps.accelerations(frame, first, last, inner))[-3:], wanted)
+    same(list(caps.tcp_accelerations(frame, first, last, inner))[-3:], wanted)
 
 
 def test_a_place_alone_is_its_row() -> None:

@@ -155,7 +155,7 @@ def test_mean_torques(speeds: bool) -> None:
                 value = mean(states, a, open_a, i, c)
                 values.append(value)
             wanted.append((t[first + m : last + 1 - m], np.array(values)))
-    same(torques._means(rows, carried, first, last), wanted)
+    same(torques._mean_torques(rows, carried, first, last), wanted)
 
 
 def test_what_each_move_carries() -> None:

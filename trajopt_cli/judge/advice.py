@@ -75,7 +75,7 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: TcpMotion) -> Finding:
     line = Line.between(X_0, X_1, frame.R[part])
     s = line.progress(frame.p[part], frame.R[part])
     along = X_0[:3, :3] @ line.turn if line.only_turns else line.chord
-    rate = (V[:, 3:] if line.only_turns else V[:, :3]) @ along / line.way**2
+    rate = (V[:, 3:] if line.only_turns else V[:, :3]) @ along / line.extent**2
     length, angle = line.length, line.angle
     obeys = obeys_programmed_speed(stop, rows.plant)
     v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori or np.inf) if obeys else (np.inf, np.inf)
@@ -91,9 +91,9 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: TcpMotion) -> Finding:
             "line tightness", "TCP", float("nan"), TIGHT_LINE, "of its time", False, float(t[0]), stop.source,
             f"{stop.source}: TOPP-RA finds no timing for {stop.name} from the speeds at its ends",
         )  # fmt: skip
-    share = (taken - best) / taken
+    fraction = (taken - best) / taken
     note = f": {stop.name} takes {taken:.4f} s, TOPP-RA {best:.4f} s on the same path"
-    return finding("line tightness", "TCP", share, TIGHT_LINE, "of its time", share <= TIGHT_LINE,
+    return finding("line tightness", "TCP", fraction, TIGHT_LINE, "of its time", fraction <= TIGHT_LINE,
                    time=float(t[0]), source=stop.source, note=note)  # fmt: skip
 
 

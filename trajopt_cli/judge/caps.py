@@ -116,8 +116,8 @@ def check_caps(
         todo = deque(moves)
         for a, b in windows(first, last):
             inner = Inner(frame, a, b) if frame.exact and b > a else None
-            speeds.add(_speeds(frame, a, b, inner))
-            accelerated.add(accelerations(frame, a, b, inner))
+            speeds.add(_tcp_speeds(frame, a, b, inner))
+            accelerated.add(tcp_accelerations(frame, a, b, inner))
             while todo and todo[0][1].arrive <= b:
                 before, visit = todo.popleft()
                 programmed.extend(_programmed(frame, before, visit))
@@ -169,17 +169,17 @@ def _stretches(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[Stret
     yield first, last_row, frame, moves
 
 
-def _speeds(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
+def _tcp_speeds(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
     """Least TCP speeds: chords over all lags, the rows' own, and between rows."""
     rows = frame.rows
-    yield from _means(frame, first, last, frame.mean_speeds)
+    yield from _mean_over_lags(frame, first, last, frame.mean_speeds)
     if rows.qd is not None:
         yield rows.t[first : last + 1], frame.least_speed[first : last + 1]
     if inner is not None:
         yield inner.t, inner.speed
 
 
-def accelerations(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
+def tcp_accelerations(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
     """Least TCP accelerations: second divided differences of the position, speed differences, and between rows.
 
     All are means of the acceleration vector, never longer than its greatest length.
@@ -201,7 +201,7 @@ def accelerations(frame: TcpMotion, first: int, last: int, inner: Inner | None) 
 
 def _tcp(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """TCP speeds at least, from row a to row b: times and values."""
-    yield from _means(frame, a, b, frame.mean_speeds)
+    yield from _mean_over_lags(frame, a, b, frame.mean_speeds)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_speed[a : b + 1]
     if frame.exact:
@@ -211,7 +211,7 @@ def _tcp(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
 
 def _turning(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """Angular speeds of the tool."""
-    yield from _means(frame, a, b, frame.mean_turnings)
+    yield from _mean_over_lags(frame, a, b, frame.mean_turnings)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_turning[a : b + 1]
     if frame.exact:
@@ -219,19 +219,19 @@ def _turning(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
         yield inner.t, inner.turning
 
 
-def _rail(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+def _rail_speeds(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """Speeds of the rail."""
     rows = frame.rows
     for m in LAGS:
         if a + m <= b:
             here, after = slice(a, b + 1 - m), slice(a + m, b + 1)
-            way = np.abs(rows.q[after, 0] - rows.q[here, 0]) - mean_of(rows.doubt_q, here, after)[:, 0]
-            yield rows.t[a : b + 1 - m], np.maximum(way, 0.0) / _times(rows, a, b, m)
+            path = np.abs(rows.q[after, 0] - rows.q[here, 0]) - mean_of(rows.doubt_q, here, after)[:, 0]
+            yield rows.t[a : b + 1 - m], np.maximum(path, 0.0) / _times(rows, a, b, m)
     if rows.qd is not None:
         yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0]
 
 
-def _means(frame: TcpMotion, a: int, b: int, means: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
+def _mean_over_lags(frame: TcpMotion, a: int, b: int, means: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
     for m in LAGS:
         if a + m <= b:
             yield frame.rows.t[a : b + 1 - m], means(m)[a : b + 1 - m]
@@ -271,11 +271,11 @@ class _Programmed:
                         source=point.source, bound=words)]  # fmt: skip
 
 
-def _parts(plant: Machine, has_rail: bool) -> list[_Programmed]:
+def _programmed_caps(plant: Machine, has_rail: bool) -> list[_Programmed]:
     parts = [
         _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _tcp, partial(_cap, "v_tcp")),
         _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _turning, partial(_cap, "v_ori")),
-        _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _rail, _rail_cap),
+        _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _rail_speeds, _rail_cap),
     ]  # fmt: skip
     return parts if has_rail else parts[:2]
 
@@ -332,7 +332,7 @@ def _of_the_rail_alone(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bo
             rests[-1].append(visit)
         else:
             rests.append([before, visit])
-    rows, part = line.rows, _parts(line.rows.plant, True)[-1]
+    rows, part = line.rows, _programmed_caps(line.rows.plant, True)[-1]
     for before, *visits in rests:
         caps = [(part.cap(before, visit, rows.plant) or np.inf, visit.point) for visit in visits]
         waits = not rapid and any(hold.wait.duration > 0 for visit in (before, *visits) for hold in visit.holds)
@@ -354,7 +354,7 @@ def _programmed(frame: TcpMotion, before: Visit, visit: Visit) -> Iterator[Findi
     beside its rests left out where they may belong to another motion."""
     rows, point = frame.rows, visit.point
     assert point.move is not None
-    for part in _parts(rows.plant, rows.mechanism.has_rail):
+    for part in _programmed_caps(rows.plant, rows.mechanism.has_rail):
         a, b = outside_zones(frame, before, visit, part.zone)
         limit = part.cap(before, visit, rows.plant)
         if limit is not None and b > a:
@@ -367,7 +367,7 @@ def _in_the_corner(frame: TcpMotion, first: int, before: Visit, visit: Visit, af
     rows = frame.rows
     assert visit.point.move is not None
     assert after.point.move is not None
-    for part in _parts(rows.plant, rows.mechanism.has_rail):
+    for part in _programmed_caps(rows.plant, rows.mechanism.has_rail):
         a = max(outside_zones(frame, before, visit, part.zone)[1], first)
         b = min(outside_zones(frame, visit, after, part.zone)[0], rows_of_move(rows, visit, after)[1])
         caps = [part.cap(*ends, rows.plant) for ends in ((before, visit), (visit, after))]

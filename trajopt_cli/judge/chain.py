@@ -68,7 +68,7 @@ class KinematicChain:
     def flange(self, q: Array) -> tuple[Array, Array]:
         """Flange poses (n, 4, 4) and Jacobians (n, 6, k) in world axes, linear rows first, at q (n, k)."""
         X, J = _poses(len(q)), np.empty((len(q), 6, q.shape[1]))
-        for part in _parts(len(q)):
+        for part in _batches(len(q)):
             frames = self._placed(q[part], X[part])
             z, p = (np.stack([frame[i] for frame in frames[:-1]]) for i in (2, 3))
             linear = _cross(z, frames[-1][3] - p)
@@ -83,7 +83,7 @@ class KinematicChain:
         a x r + w x (w x r). A joint that slides adds its own speed v and acceleration, and 2 w x v.
         """
         X, V, A = _poses(len(q)), np.empty((len(q), 6)), np.empty((len(q), 6))
-        for part in _parts(len(q)):
+        for part in _batches(len(q)):
             frames = self._placed(q[part], X[part])
             z = np.stack([frame[2] for frame in frames[:-1]])
             w, a = (z * np.ascontiguousarray(x[part].T)[:, None] for x in (qd, qdd))
@@ -129,7 +129,7 @@ def _with_z(axis: Array) -> Array:
     return np.stack([x, np.cross(axis, x), axis], axis=1)
 
 
-def _parts(n: int) -> Iterator[slice]:
+def _batches(n: int) -> Iterator[slice]:
     yield from (slice(i, i + _AT_ONCE) for i in range(0, n, _AT_ONCE))
 
 

@@ -97,7 +97,7 @@ class InterpolatedMotion:
         self._trajectory = trajectory
         self.last = len(trajectory.t) - 1
         starts = np.arange(0, self.last, BLOCK)
-        bounds = [self._bounds(part, np.minimum(part + BLOCK, self.last)) for part in _parts(starts)]
+        bounds = [self._bounds(part, np.minimum(part + BLOCK, self.last)) for part in _batches(starts)]
         # level L: over 2^L blocks from each one on
         self._low, self._high = ([np.concatenate(side)] for side in zip(*bounds, strict=True))
         while len(self._low[-1]) > (step := 2 ** (len(self._low) - 1)):
@@ -124,7 +124,7 @@ class InterpolatedMotion:
             third = (s_1 - s_0)[part, None] / 3
             control = np.stack([q_0, q_0 + third * v_0, q_1 - third * v_1, q_1])
             low[part], high[part] = control.min(axis=0), control.max(axis=0)
-        for nodes in _parts(np.flatnonzero(~part)):
+        for nodes in _batches(np.flatnonzero(~part)):
             low[nodes], high[nodes] = self._over(s_0[nodes].astype(np.intp), s_1[nodes].astype(np.intp))
         return np.asarray(np.maximum(high - q, q - low))
 
@@ -168,7 +168,7 @@ class InterpolatedMotion:
         return q_0, delta, qd[i] * h, qd[i + 1] * h
 
 
-def _parts(x: IndexArray) -> Iterator[IndexArray]:
+def _batches(x: IndexArray) -> Iterator[IndexArray]:
     """x (m,) in parts, so that no more than a few MB are looked at at once."""
     yield from (x[i : i + _AT_ONCE] for i in range(0, len(x), _AT_ONCE))
 
@@ -283,7 +283,7 @@ class Sweep:
             if (left := left - len(nodes)) < 0:
                 return replace(best, proven=False)
             middle = np.empty(len(nodes))
-            for part in _parts(np.arange(len(nodes))):
+            for part in _batches(np.arange(len(nodes))):
                 look = _Look(self._mechanism, self._course, nodes[part])
                 middle[part] = look.middle
                 bounds = []
@@ -314,7 +314,7 @@ class Sweep:
             if (left := left - len(nodes)) < 0:
                 return None if first is None else replace(first, proven=False)
             middle = np.empty(len(nodes))
-            for part in _parts(np.arange(len(nodes))):
+            for part in _batches(np.arange(len(nodes))):
                 look = _Look(self._mechanism, self._course, nodes[part])
                 middle[part] = look.middle
                 for column, pair in enumerate(pairs):

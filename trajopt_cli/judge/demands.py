@@ -13,11 +13,10 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
-from trajopt_cli.judge.caps import Inner
-from trajopt_cli.judge.caps import accelerations as tcp_accelerations
+from trajopt_cli.judge.caps import Inner, tcp_accelerations
 from trajopt_cli.judge.findings import Columns, Worst, axis_unit, finding, worse
 from trajopt_cli.judge.geometry import lengths
-from trajopt_cli.judge.joints import accelerations as axis_accelerations
+from trajopt_cli.judge.joints import axis_accelerations
 from trajopt_cli.judge.samples import LAGS, second_differences
 from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones
@@ -78,17 +77,18 @@ def _looser(one: Settings, other: Settings) -> Settings:
 
 def _axes(line: Timeline, visit: Visit, first: int, last: int, settings: Settings) -> Iterator[Finding]:
     """The axis that uses most of its share."""
-    limits, share = line.rows.plant.limits, settings.acceleration
-    if share >= 1.0:
+    limits, fraction = line.rows.plant.limits, settings.acceleration
+    if fraction >= 1.0:
         return
-    found = Columns(share * limits.acceleration)
+    found = Columns(fraction * limits.acceleration)
     found.add(axis_accelerations(line.rows, first, last))
     each = [found.worst(j) for j in range(len(limits.names))]
     j = int(np.argmax([worst.ratio for worst in each]))
     name, worst = limits.names[j], each[j]
     passed = worst.value <= worst.limit * (1 + JOINT)
+    bound = f"AccSet {fraction * 100:g} allows"
     yield finding("AccSet", name, worst.value, worst.limit, f"{axis_unit(name)}/s2", passed, time=worst.time,
-                  source=visit.point.source, bound=f"AccSet {share * 100:g} allows", words="acceleration")  # fmt: skip
+                  source=visit.point.source, bound=bound, words="acceleration")  # fmt: skip
 
 
 def _tool(frame: TcpMotion, visit: Visit, first: int, last: int, settings: Settings, corner: bool) -> Iterator[Finding]:
@@ -110,7 +110,7 @@ def _tool(frame: TcpMotion, visit: Visit, first: int, last: int, settings: Setti
         if along is not None and (found := _along(frame, (first, last), sign, straight)) is not None:
             checks.append(("PathAccLim", "PathAccLim", found, along))
     for check, word, places, cap in checks:
-        worst = _worst(places, cap)
+        worst = _worst_place(places, cap)
         yield finding(check, "TCP", worst.value, cap, "m/s2", worst.value <= cap * (1 + TCP), time=worst.time,
                       source=visit.point.source, bound=f"{word} allows", words="acceleration")  # fmt: skip
 
@@ -120,11 +120,11 @@ def _along(frame: TcpMotion, part: tuple[int, int], sign: int, line: bool) -> It
     without, what second differences have along a line; None for other moves and in corners, whose bends hide it."""
     rows, (first, last) = frame.rows, part
     t, here = rows.t[first : last + 1], slice(first, last + 1)
-    way = frame.p[last] - frame.p[first]
+    path = frame.p[last] - frame.p[first]
     if rows.qd is None:
-        if not line or np.linalg.norm(way) == 0:
+        if not line or np.linalg.norm(path) == 0:
             return None
-        ahead = sign * way / np.linalg.norm(way)
+        ahead = sign * path / np.linalg.norm(path)
         found = second_differences(t, frame.p[here], frame.doubt_p[here, None], rows.step_t[here], True)
         return [(t[m : len(t) - m], value @ ahead - doubt[:, 0]) for m, value, doubt in found]
     off_t = rows.step_t[here]
@@ -140,7 +140,7 @@ def _along(frame: TcpMotion, part: tuple[int, int], sign: int, line: bool) -> It
     ]
 
 
-def _worst(places: Iterable[Places], limit: float) -> Worst:
+def _worst_place(places: Iterable[Places], limit: float) -> Worst:
     worst: Worst | None = None
     for times, values in places:
         if len(values):

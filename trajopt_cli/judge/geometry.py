@@ -107,12 +107,12 @@ class Line:
         return self.length < _POINT and self.length < self.angle
 
     @property
-    def way(self) -> float:
+    def extent(self) -> float:
         """What progress is counted in: the length [m], or of a reorientation the angle [rad]."""
         return self.angle if self.only_turns else self.length
 
     def progress(self, p: Array, R: Array) -> Array:
-        """Share of the way (m,) at positions p (m, 3) and rotations R (m, 3, 3), not clipped."""
+        """fraction of the path (m,) at positions p (m, 3) and rotations R (m, 3, 3), not clipped."""
         if self.length == 0.0 == self.angle:
             return np.zeros(len(p))
         if not self.only_turns:
@@ -208,12 +208,12 @@ class Arc:
         return False
 
     @property
-    def way(self) -> float:
+    def extent(self) -> float:
         """What progress is counted in: the length [m]."""
         return self.length
 
     def progress(self, p: Array, R: Array | None = None) -> Array:
-        """Share of the way (m,) at positions p (m, 3), not clipped; what the circle leaves over belongs half to its
+        """fraction of the path (m,) at positions p (m, 3), not clipped; what the circle leaves over belongs half to its
         start and half to its end. Rotations do not matter."""
         out = p - self.centre
         left_over = 2 * np.pi - self.sweep
@@ -238,14 +238,14 @@ class Arc:
         return np.asarray(self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side)
 
 
-def _nearer(A: Array, V: Array, share: float) -> Array:
+def _nearer(A: Array, V: Array, fraction: float) -> Array:
     """The rotation vector (3,) by which a turn A (3, 3) goes: of the two ways around the one that is nearer to V (3, 3)
     at a share of it, where the longer way needs to be nearer by a third of the difference in length."""
     turn = np.asarray(pin.log3(A))
     size = float(np.linalg.norm(turn))
-    ways = [turn, turn - 2 * np.pi * turn / size] if size > 0 else [turn]
-    costs = [float(angle_between(pin.exp3(share * w), V)) + float(np.linalg.norm(w)) / 3 for w in ways]
-    return ways[int(np.argmin(costs))]
+    paths = [turn, turn - 2 * np.pi * turn / size] if size > 0 else [turn]
+    costs = [float(angle_between(pin.exp3(fraction * w), V)) + float(np.linalg.norm(w)) / 3 for w in paths]
+    return paths[int(np.argmin(costs))]
 
 
 def _exponentials(turns: Array) -> Array:
@@ -255,9 +255,9 @@ def _exponentials(turns: Array) -> Array:
 
 def off_segments(p: Array, a: Array, b: Array) -> Array:
     """Distances (m,) of points p from the segments a to b, all (m, 3)."""
-    way = b - a
-    share = np.einsum("ij,ij->i", p - a, way) / np.maximum(np.einsum("ij,ij->i", way, way), 1e-300)
-    return lengths(p - a - np.clip(share, 0.0, 1.0)[:, None] * way)
+    path = b - a
+    fraction = np.einsum("ij,ij->i", p - a, path) / np.maximum(np.einsum("ij,ij->i", path, path), 1e-300)
+    return lengths(p - a - np.clip(fraction, 0.0, 1.0)[:, None] * path)
 
 
 def off_triangles(p: Array, a: Array, b: Array, c: Array) -> Array:

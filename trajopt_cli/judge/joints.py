@@ -25,7 +25,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
     tops = {"speed": limits.velocity, "acceleration": limits.acceleration}
     if limits.binding_jerk is not None:
         tops["jerk"] = limits.binding_jerk
-    series = {"speed": _speeds, "acceleration": accelerations, "jerk": _jerks}
+    series = {"speed": _axis_speeds, "acceleration": axis_accelerations, "jerk": _jerks}
     axes = range(len(limits.names))
     found = {check: Columns(top) for check, top in tops.items()}
     highest, lowest, columns = (Columns(np.ones(len(axes))) for _ in range(3))
@@ -142,7 +142,7 @@ def _position(rows: Rows, j: int, up: Worst, down: Worst, source_at: SourceAt) -
     )  # fmt: skip
 
 
-def _speeds(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
+def _axis_speeds(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
     """Times (m,) and of all axes (m, k) mean speeds over all lags; printed speeds; and the least peak speed of any
     motion between two rows.
 
@@ -153,8 +153,8 @@ def _speeds(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
     t, q, off_q, off_t = rows.t[part], rows.q[part], rows.doubt_q[part] / 2, rows.step_t[part] / 2
     for m in LAGS:
         if m < len(t):
-            way = np.maximum(np.abs(q[m:] - q[:-m]) - off_q[m:] - off_q[:-m], 0.0)
-            yield t[:-m], way / (t[m:] - t[:-m] + off_t[m:] + off_t[:-m])[:, None]
+            path = np.maximum(np.abs(q[m:] - q[:-m]) - off_q[m:] - off_q[:-m], 0.0)
+            yield t[:-m], path / (t[m:] - t[:-m] + off_t[m:] + off_t[:-m])[:, None]
     if rows.qd is None:
         return
     v, doubt_v = rows.qd[part], rows.doubt_v[part]
@@ -183,7 +183,7 @@ def _from_rest(rows: Rows) -> tuple[Array, Array]:
     return rows.t[ends + np.array([0, 1])], 2 * step / (h**2)[:, None]
 
 
-def accelerations(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
+def axis_accelerations(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
     """Least accelerations (m, k) of the axes between two rows, with their times (m,): second divided differences over
     all lags; speed differences; the Hermite's ends."""
     part, between = slice(first, last + 1), slice(first, last)

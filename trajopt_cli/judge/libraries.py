@@ -73,9 +73,9 @@ def rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> f
 
 def straight_rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> float:
     """As rest_to_rest, but all axes keep to the straight line between the points: one common profile."""
-    way = np.abs(np.asarray(q_1) - np.asarray(q_0))
-    moves = way > 0
+    path = np.abs(np.asarray(q_1) - np.asarray(q_0))
+    moves = path > 0
     if not moves.any():
         return 0.0
-    v, a = float(np.min(speed[moves] / way[moves])), float(np.min(acceleration[moves] / way[moves]))
+    v, a = float(np.min(speed[moves] / path[moves])), float(np.min(acceleration[moves] / path[moves]))
     return rest_to_rest(np.zeros(1), np.ones(1), np.array([v]), np.array([a]))

@@ -20,7 +20,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
 from trajopt_cli.judge.geometry import Arc, Line, angle_between, lengths, off_triangles, rotation_vectors
-from trajopt_cli.judge.path_segments import Indices, StopInterval, off_way, runs_of
+from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
 from trajopt_cli.judge.tcp_motion import TcpMotion
@@ -38,7 +38,7 @@ def check_shapes(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) ->
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
                 case MoveL() | MoveC():
-                    out.extend(_way(run, leg))
+                    out.extend(_path_findings(run, leg))
                     out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))
                     if rapid and line.rows.mechanism.has_rail:
@@ -60,20 +60,20 @@ def _unknown(rows: Rows, visit: Visit) -> Finding:
                    source=visit.point.source, note=note)  # fmt: skip
 
 
-def _way(run: StopInterval, leg: int) -> Iterator[Finding]:
+def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
     """Outside zones: distance from chord or circle, angle from the orientation that is wanted at the same share of the
     way, way back."""
-    way, part, places, point = run.ways[leg], run.on(leg), run.places, run.visits[leg + 1].point
-    assert way is not None
+    path, part, places, point = run.paths[leg], run.on(leg), run.places, run.visits[leg + 1].point
+    assert path is not None
     assert point.move is not None
-    kind, shape = ("arc", "circle") if isinstance(way, Arc) else ("line", "chord")
-    t, s, free = places.t[part], run.shares[part], run.zone[part] < 0
-    off = off_way(way, places.p[part], s)
-    turned = angle_between(places.R[part], way.at(np.clip(s, 0.0, 1.0))[1])
+    kind, shape = ("arc", "circle") if isinstance(path, Arc) else ("line", "chord")
+    t, s, free = places.t[part], run.fractions[part], run.zone[part] < 0
+    off = off_path(path, places.p[part], s)
+    turned = angle_between(places.R[part], path.at(np.clip(s, 0.0, 1.0))[1])
     # a doubt about the place on the way is one about the wanted angle there
     doubt_p, doubt_angle = places.doubt_p[part], places.doubt_angle[part]
-    doubt_R = doubt_angle + (0.0 if way.only_turns else way.angle / way.length) * doubt_p
-    doubt, unit = (doubt_angle, "rad") if way.only_turns else (doubt_p, "m")
+    doubt_R = doubt_angle + (0.0 if path.only_turns else path.angle / path.length) * doubt_p
+    doubt, unit = (doubt_angle, "rad") if path.only_turns else (doubt_p, "m")
     for check, value, doubts, where, limit, its_unit, words in (
         ("position", off, doubt_p, free, LINE_POSITION, "m", f"from the {shape}"),
         (
@@ -85,7 +85,7 @@ def _way(run: StopInterval, leg: int) -> Iterator[Finding]:
             "rad",
             "from the programmed orientation",
         ),
-        ("progress", _way_back(way, s, free), 2 * doubt, free, BACKWARD, unit, "backwards"),
+        ("progress", _back_along_path(path, s, free), 2 * doubt, free, BACKWARD, unit, "backwards"),
     ):
         least = np.where(where, np.maximum(value - doubts, 0.0), 0.0)
         if len(least):
@@ -96,15 +96,15 @@ def _way(run: StopInterval, leg: int) -> Iterator[Finding]:
 
 def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
     """An arc from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
-    them, so long is the tool's way from the one to the other."""
-    way, places, point = run.ways[leg], run.places, run.visits[leg + 1].point
-    if not isinstance(way, Arc):
+    them, so long is the tool's path from the one to the other."""
+    path, places, point = run.paths[leg], run.places, run.visits[leg + 1].point
+    if not isinstance(path, Arc):
         return
     a, b = run.between(leg)
     rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))
     gone = float(lengths(np.diff(places.p[a : b + 1], axis=0)).sum())
     gone += 2 * np.pi * float(run.frame.reach[rows].sum())  # around a circle between two rows
-    missing = WHOLE * (way.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
+    missing = WHOLE * (path.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
     if missing > LINE_POSITION:
         note = f" of the arc to {point.name} missing: the tool does not go around on it"
         yield finding("arc position", "TCP", missing, LINE_POSITION, "m", False, time=float(places.t[a]),
@@ -112,40 +112,40 @@ def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
 
 
 def _in_step(run: StopInterval, leg: int) -> Iterator[Finding]:
-    """Positioners that turn the work object against the share of the way that is done over it, at every row."""
-    way, frame, visit = run.ways[leg], run.frame, run.visits[leg + 1]
-    assert way is not None
-    if not isinstance(frame, TurnedFrame) or way.way < LINE_POSITION:  # no way, no share of it
+    """Positioners that turn the work object against the fraction of the path that is done over it, at every row."""
+    path, frame, visit = run.paths[leg], run.frame, run.visits[leg + 1]
+    assert path is not None
+    if not isinstance(frame, TurnedFrame) or path.extent < LINE_POSITION:  # no path, no fraction of it
         return
     here = np.arange(0, len(run.places.t), run.step)
-    doubt = LINE_POSITION + (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here]
-    off = frame.off(run.part[0] + here // run.step, run.shares[here], doubt / way.way)
+    doubt = LINE_POSITION + (run.places.doubt_angle if path.only_turns else run.places.doubt_p)[here]
+    off = frame.off(run.part[0] + here // run.step, run.fractions[here], doubt / path.extent)
     i, j = np.unravel_index(int(np.argmax(off)), off.shape)
-    kind, value = "arc" if isinstance(way, Arc) else "line", float(off[i, j])
+    kind, value = "arc" if isinstance(path, Arc) else "line", float(off[i, j])
     yield finding(f"positioner along {kind}", frame.units[int(j)].column, value, JOINT_TARGET, "rad",
                   value <= JOINT_TARGET, time=float(run.places.t[here[i]]), source=visit.point.source,
                   note=f" from its share of the way to {visit.point.name}, as it turns the work under it")  # fmt: skip
 
 
-def _way_back(way: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:
+def _back_along_path(path: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:
     """How far every place (m,) lies behind the farthest one before it; those in zones do not count."""
-    done = s * way.way
+    done = s * path.extent
     return np.maximum.accumulate(np.where(free, done, -np.inf)) - done
 
 
 def _corners(run: StopInterval) -> Iterator[Finding]:
     """Findings about every point that is passed between two lines or arcs."""
-    ways = [None, *run.ways, None]  # before and behind every visit
+    paths = [None, *run.paths, None]  # before and behind every visit
     joint = np.array([visit.point.fly_by is not None and visit.point.fly_by.joint for visit in run.visits])
-    flat = ~joint & [isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(ways)]
-    known = ~joint & [a is not None and b is not None for a, b in pairwise(ways)]
-    yield from _worst(run, run.zone, flat, _off_triangles, ("corner position", LINE_POSITION, "m"),
+    flat = ~joint & [isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(paths)]
+    known = ~joint & [a is not None and b is not None for a, b in pairwise(paths)]
+    yield from _worst_deviation(run, run.zone, flat, _off_triangles, ("corner position", LINE_POSITION, "m"),
                       "outside the triangle of its zone")  # fmt: skip
-    yield from _worst(run, run.turning_zone, known, _off_turns, ("corner rotation", LINE_ROTATION, "rad"),
+    yield from _worst_deviation(run, run.turning_zone, known, _off_turns, ("corner rotation", LINE_ROTATION, "rad"),
                       "outside the turns of its ways")  # fmt: skip
 
 
-def _worst(
+def _worst_deviation(
     run: StopInterval,
     zone: Indices,
     looked_at: NDArray[np.bool_],
@@ -203,35 +203,35 @@ def _sag(run: StopInterval, k: int) -> float:
     for where the middle is not the farthest."""
     sag, R_P = 0.0, run.X_WT[k, :3, :3]
     for leg in (k - 1, k):
-        way = run.ways[leg]
-        if isinstance(way, Arc):
-            share = run.zones("turning")[k] / way.length
-            s = share * np.array([0.5, 1.0]) if leg == k else 1.0 - share * np.array([0.5, 1.0])
-            half, whole = rotation_vectors(R_P.T @ way.at(s)[1])
+        path = run.paths[leg]
+        if isinstance(path, Arc):
+            fraction = run.zones("turning")[k] / path.length
+            s = fraction * np.array([0.5, 1.0]) if leg == k else 1.0 - fraction * np.array([0.5, 1.0])
+            half, whole = rotation_vectors(R_P.T @ path.at(s)[1])
             sag += 4 / 3 * float(np.linalg.norm(half - whole / 2))
     return sag
 
 
 def _rail_share(run: StopInterval, leg: int) -> Iterator[Finding]:
-    """The rail against its linear share of the way at every row outside the zones of external axes, between what it is
-    at the stops or at the first and last of those rows."""
-    rows, way, before, visit = run.rows, run.ways[leg], run.visits[leg], run.visits[leg + 1]
-    assert way is not None
+    """The rail against its linear fraction of the path at every row outside the zones of external axes, between where
+    it is at the stops or at the first and last of those rows."""
+    rows, path, before, visit = run.rows, run.paths[leg], run.visits[leg], run.visits[leg + 1]
+    assert path is not None
     here = np.arange(len(run.places.t))[run.on(leg)]
     here = here[run.beyond(leg, "external") & (here % run.step == 0)]
     where = run.part[0] + here // run.step
     if not len(here):
         return
-    s, d = run.shares[here], rows.q[where, 0]
+    s, d = run.fractions[here], rows.q[where, 0]
     first, last = (before.depart, visit.arrive) if visit.arrive > before.depart else run.part
     s_0, d_0 = (0.0, rows.q[first, 0]) if before.point.fly_by is None else (s[0], d[0])
     s_1, d_1 = (1.0, rows.q[last, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
     slope = (d_1 - d_0) / max(s_1 - s_0, 1e-9)
-    doubt = (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here] / way.way
+    doubt = (run.places.doubt_angle if path.only_turns else run.places.doubt_p)[here] / path.extent
     granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * doubt
     off = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0) * slope)) - granted, 0.0)
     i = int(np.argmax(off))
-    kind = "arc" if isinstance(way, Arc) else "line"
+    kind = "arc" if isinstance(path, Arc) else "line"
     yield finding(f"rail along {kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
                   bool(off[i] <= JOINT_TARGET), time=float(rows.t[where[i]]), source=visit.point.source,
                   note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
@@ -270,12 +270,12 @@ def _straight(run: StopInterval, leg: int) -> Iterator[Finding]:
     q_0 = rows.q[before.depart if before.point.fly_by is None else where[0]]
     q_1 = rows.q[visit.arrive if visit.point.fly_by is None else where[-1]]
     weight = 1 / rows.plant.limits.velocity
-    way = (q_1 - q_0) * weight
+    path = (q_1 - q_0) * weight
     q = rows.q[where]
-    share = ((q - q_0) * weight) @ way / max(float(way @ way), 1e-300)
-    off = np.abs(q - (q_0 + np.clip(share, 0, 1)[:, None] * (q_1 - q_0)))
+    fraction = ((q - q_0) * weight) @ path / max(float(path @ path), 1e-300)
+    off = np.abs(q - (q_0 + np.clip(fraction, 0, 1)[:, None] * (q_1 - q_0)))
     # rounding of all axes enters the share
-    doubt_share = (rows.doubt_q[where] / 2 * weight) @ np.abs(way) / max(float(way @ way), 1e-300)
+    doubt_share = (rows.doubt_q[where] / 2 * weight) @ np.abs(path) / max(float(path @ path), 1e-300)
     granted = rows.doubt_q[where] / 2 + 2 * _end_doubt(rows, before, visit) + doubt_share[:, None] * np.abs(q_1 - q_0)
     least = np.maximum(off - granted, 0.0)
     i, j = np.unravel_index(int(np.argmax(least)), least.shape)

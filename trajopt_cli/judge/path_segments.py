@@ -1,4 +1,4 @@
-"""One motion from stop to stop: which of its places are on which way, and which in the zone of a point that is passed.
+"""One motion from stop to stop: which of its places are on which path, and which in the zone of a point that is passed.
 
 The points are passed where the polyline through the places comes nearest to them, in order; what lies between two of
 them is on the way between. A place beside such a moment may be before it or after it: the polyline does not tell on
@@ -30,7 +30,7 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class StopInterval:
-    """Visits 0..n from one stop, or corner in which the tool changes, to the next, with places (m) between them; way l
+    """Visits 0..n from one stop, or corner in which the tool changes, to the next, with places (m) between them; path l
     leads from visit l to visit l + 1. within: first and last row, None where the stops tell."""
 
     rows: Rows
@@ -72,11 +72,11 @@ class StopInterval:
         return () if move is None else turned_under(move)
 
     @cached_property
-    def ways(self) -> tuple[Line | Arc | None, ...]:
+    def paths(self) -> tuple[Line | Arc | None, ...]:
         """What the moves prescribe; None for joint moves."""
-        return tuple(self._way(leg) for leg in range(len(self.visits) - 1))
+        return tuple(self._wanted_path(leg) for leg in range(len(self.visits) - 1))
 
-    def _way(self, leg: int) -> Line | Arc | None:
+    def _wanted_path(self, leg: int) -> Line | Arc | None:
         before, visit = self.visits[leg : leg + 2]
         R = self.frame.R[before.depart : max(visit.arrive, before.depart) + 1]
         match visit.point.move:
@@ -101,7 +101,7 @@ class StopInterval:
         return np.array([visit.point.fly_by is not None and visit.point.fly_by.in_place for visit in self.visits])
 
     @cached_property
-    def _passed(self) -> Array:
+    def _passing_places(self) -> Array:
         """Where the points 1..n-1 are passed (n - 1,), in places and shares of the chord to the next; ascending."""
         out: list[float] = []
         first, last = self.part
@@ -115,61 +115,61 @@ class StopInterval:
             if not len(chords):
                 out.append(float(a))
                 continue
-            distance, share = off_chords(self.places.p, self.X_WT[k, :3, 3], chords)
+            distance, fraction = off_chords(self.places.p, self.X_WT[k, :3, 3], chords)
             if self._turned[k]:
-                distance, share = angle_between(self.places.R[chords], self.X_WT[k, :3, :3]), np.zeros(len(chords))
+                distance, fraction = angle_between(self.places.R[chords], self.X_WT[k, :3, :3]), np.zeros(len(chords))
             i = int(np.argmin(distance))
-            out.append(max(float(chords[i] + share[i]), out[-1] if out else 0.0))
+            out.append(max(float(chords[i] + fraction[i]), out[-1] if out else 0.0))
         return np.array(out)
 
     def between(self, leg: int) -> tuple[int, int]:
         """The places before and behind a leg."""
-        ends = [0.0, *self._passed, len(self.places.t) - 1.0]
+        ends = [0.0, *self._passing_places, len(self.places.t) - 1.0]
         return int(np.floor(ends[leg])), int(np.ceil(ends[leg + 1]))
 
     @cached_property
     def _found(self) -> tuple[Indices, Indices, NDArray[np.bool_]]:
-        """The way (m,) every place is on, the visit (m,) in whose zone it lies, -1 for none, and whether both are
+        """The path (m,) every place is on, the visit (m,) in whose zone it lies, -1 for none, and whether both are
         sure."""
         m, order = len(self.places.t), np.arange(len(self.places.t))
-        way = np.searchsorted(self._passed, order, side="right")
-        least = np.searchsorted(self._passed, order - 1, side="right")
-        most = np.searchsorted(self._passed, order + 1, side="left")
-        zone = self._zone_of(order, way)
+        path = np.searchsorted(self._passing_places, order, side="right")
+        least = np.searchsorted(self._passing_places, order - 1, side="right")
+        most = np.searchsorted(self._passing_places, order + 1, side="left")
+        zone = self._zone_of(order, path)
         open_ones = (least < most) & (zone < 0)
         for i in np.flatnonzero(open_ones):
-            way[i], zone[i] = self._settled(int(i), int(max(least[i], way[i - 1] if i else 0)), int(most[i]))
-        assert len(way) == m
-        return np.maximum.accumulate(way), zone, ~open_ones
+            path[i], zone[i] = self._settled(int(i), int(max(least[i], path[i - 1] if i else 0)), int(most[i]))
+        assert len(path) == m
+        return np.maximum.accumulate(path), zone, ~open_ones
 
-    def _zone_of(self, order: Indices, way: Indices) -> Indices:
-        """The visit in whose zone places (m,) on ways (m,) lie: of the one behind in the first half of a way, of the
+    def _zone_of(self, order: Indices, path: Indices) -> Indices:
+        """The visit in whose zone places (m,) on paths (m,) lie: of the one behind in the first half of a path, of the
         one ahead in the second; -1 for none."""
         radius, P, p = self.zones("radius"), self.X_WT[:, :3, 3], self.places.p[order]
-        s = self._shares(order, way)
+        s = self._shares(order, path)
         margin = LINE_POSITION + self.places.doubt_p[order]
-        behind, ahead = (lengths(p - P[k]) for k in (way, way + 1))
+        behind, ahead = (lengths(p - P[k]) for k in (path, path + 1))
         if self._turned.any():
             R, doubt = self.places.R[order], LINE_ROTATION + self.places.doubt_angle[order]
-            for off, k in ((behind, way), (ahead, way + 1)):
+            for off, k in ((behind, path), (ahead, path + 1)):
                 at = np.flatnonzero(self._turned[k])
                 off[at] = angle_between(R[at], self.X_WT[k[at], :3, :3]) + margin[at] - doubt[at]
-        in_first = (behind <= radius[way] + margin) & ~(s >= 0.5) & (radius[way] > 0)
-        in_second = (ahead <= radius[way + 1] + margin) & ~(s < 0.5) & (radius[way + 1] > 0)
+        in_first = (behind <= radius[path] + margin) & ~(s >= 0.5) & (radius[path] > 0)
+        in_second = (ahead <= radius[path + 1] + margin) & ~(s < 0.5) & (radius[path + 1] > 0)
         first = in_first & (~in_second | (behind < ahead))
-        return np.where(first, way, np.where(in_second, way + 1, -1))
+        return np.where(first, path, np.where(in_second, path + 1, -1))
 
-    def _shares(self, order: Indices, way: Indices) -> Array:
+    def _shares(self, order: Indices, path: Indices) -> Array:
         """Shares (m,) of places on their ways, not clipped; nan on joint moves."""
         s = np.full(len(order), np.nan)
-        edges = np.searchsorted(way, np.arange(len(self.ways) + 1))
-        for one, a, b in zip(self.ways, edges[:-1], edges[1:], strict=True):
+        edges = np.searchsorted(path, np.arange(len(self.paths) + 1))
+        for one, a, b in zip(self.paths, edges[:-1], edges[1:], strict=True):
             if one is not None and b > a:
                 s[a:b] = one.progress(self.places.p[order[a:b]], self.places.R[order[a:b]])
         return s
 
     def _settled(self, i: int, least: int, most: int) -> tuple[int, int]:
-        """Way and zone of a place that is in no zone of the way it seems to be on: the first way that explains it,
+        """Way and zone of a place that is in no zone of the path it seems to be on: the first path that explains it,
         else the one it is nearest to."""
         p, R = self.places.p[i : i + 1], self.places.R[i : i + 1]
         margin = LINE_POSITION + self.places.doubt_p[i]
@@ -181,10 +181,10 @@ class StopInterval:
                 return k, k
         off = []
         for leg in range(least, most + 1):
-            way = self.ways[leg]
-            off.append(np.inf if way is None else float(off_way(way, p, way.progress(p, R))[0]))
+            path = self.paths[leg]
+            off.append(np.inf if path is None else float(off_path(path, p, path.progress(p, R))[0]))
         explained = [leg for leg, distance in zip(range(least, most + 1), off, strict=True) if distance <= margin]
-        joint = [leg for leg in range(least, most + 1) if self.ways[leg] is None]
+        joint = [leg for leg in range(least, most + 1) if self.paths[leg] is None]
         return next(iter([*explained, *joint, least + int(np.argmin(off))])), -1
 
     @property
@@ -194,24 +194,24 @@ class StopInterval:
 
     @property
     def sure(self) -> NDArray[np.bool_]:
-        """Places (m,) that are on one way or in one zone beyond doubt."""
+        """Places (m,) that are on one path or in one zone beyond doubt."""
         return self._found[2]
 
     @cached_property
-    def shares(self) -> Array:
+    def fractions(self) -> Array:
         """Shares (m,) of all places on their ways, not clipped; nan on joint moves."""
         return self._shares(np.arange(len(self.places.t)), self._found[0])
 
     @cached_property
     def _edges(self) -> Indices:
-        return np.searchsorted(self._found[0], np.arange(len(self.ways) + 1))
+        return np.searchsorted(self._found[0], np.arange(len(self.paths) + 1))
 
     def on(self, leg: int) -> slice:
-        """The places on a way."""
+        """The places on a path."""
         return slice(int(self._edges[leg]), int(self._edges[leg + 1]))
 
     def beyond(self, leg: int, kind: str) -> NDArray[np.bool_]:
-        """Which places on a line or an arc are outside the zones at its ends, measured along the way; at a stop there
+        """Which places on a line or an arc are outside the zones at its ends, measured along the path; at a stop there
         is none."""
         return np.asarray(self._zone_along(leg, kind) < 0)
 
@@ -219,35 +219,35 @@ class StopInterval:
     def turning_zone(self) -> Indices:
         """The visit (m,) in whose zone of orientation every place lies, -1 for none and on joint moves."""
         out = np.array(self.zone)
-        for leg, way in enumerate(self.ways):
-            if way is not None:
+        for leg, path in enumerate(self.paths):
+            if path is not None:
                 out[self.on(leg)] = self._zone_along(leg, "turning")
         return out
 
     def _zone_along(self, leg: int, kind: str) -> Indices:
         """The visit in whose zone the places on a line or an arc lie, measured along it; -1 for none."""
-        way = self.ways[leg]
-        assert way is not None
+        path = self.paths[leg]
+        assert path is not None
         part, sizes = self.on(leg), self.zones(kind)
-        done = self.shares[part] * way.way
-        further = np.where(way.way - done <= sizes[leg + 1], leg + 1, -1)
+        done = self.fractions[part] * path.extent
+        further = np.where(path.extent - done <= sizes[leg + 1], leg + 1, -1)
         further = np.where(done <= sizes[leg], leg, further)
-        if isinstance(way, Arc):  # a narrow one stays within the sphere of a zone that it has left
+        if isinstance(path, Arc):  # a narrow one stays within the sphere of a zone that it has left
             return further
         return np.where(self.zone[part] >= 0, self.zone[part], further)
 
     def edge(self, leg: int, visit: int, kind: str) -> tuple[Array, Array]:
         """Position (3,) and rotation (3, 3) where a line or an arc enters or leaves the zone of a visit at its end."""
-        way = self.ways[leg]
-        assert way is not None
-        share = self.zones(kind)[visit] / way.way
-        p, R = way.at(np.array([share if visit == leg else 1.0 - share]))
+        path = self.paths[leg]
+        assert path is not None
+        fraction = self.zones(kind)[visit] / path.extent
+        p, R = path.at(np.array([fraction if visit == leg else 1.0 - fraction]))
         return p[0], R[0]
 
 
-def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
-    """Distances (m,) of positions p (m, 3) from their places s (m,) on a way, its ends beyond them."""
-    return lengths(p - way.positions(np.clip(s, 0.0, 1.0)))
+def off_path(path: Line | Arc, p: Array, s: Array) -> Array:
+    """Distances (m,) of positions p (m, 3) from their places s (m,) on a path, its ends beyond them."""
+    return lengths(p - path.positions(np.clip(s, 0.0, 1.0)))
 
 
 def runs_of(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[StopInterval]:

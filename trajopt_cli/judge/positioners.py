@@ -151,11 +151,11 @@ class TurnedFrame(TcpMotion):
         first = before.arrive + max(int(under_way[0]) - 1, 0)
         return first, min(before.arrive + int(last) + 1, visit.depart)
 
-    def off(self, here: IndexArray, share: Array, doubt: Array) -> Array:
+    def off(self, here: IndexArray, fraction: Array, doubt: Array) -> Array:
         """How far the units (n, m) are at least, at rows here (n,), from where they should be at shares (n,) of the
         way. doubt (n,): about the shares."""
         angles = np.array([unit.angle for unit in self.units])
-        away = np.abs(self._theta[here] - share[:, None] * angles)
+        away = np.abs(self._theta[here] - fraction[:, None] * angles)
         return np.asarray(np.maximum(away - doubt[:, None] * np.abs(angles) - self.rows.tables_step[0] / 2, 0.0))
 
 
@@ -164,8 +164,8 @@ def _cubic(tables: Trajectory, t: Array, first: int) -> Array:
     assert tables.qd is not None
     i = np.clip(np.searchsorted(tables.t, t, side="right") - 1, first, len(tables.t) - 2)
     h = np.diff(tables.t)[i, None]
-    u, way, v_0, v_1 = (t - tables.t[i])[:, None] / h, np.diff(tables.q, axis=0)[i], tables.qd[i], tables.qd[i + 1]
-    bent = u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
+    u, path, v_0, v_1 = (t - tables.t[i])[:, None] / h, np.diff(tables.q, axis=0)[i], tables.qd[i], tables.qd[i + 1]
+    bent = u * u * (3 - 2 * u) * path + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
     return np.asarray(tables.q[i] + bent)
 
 
@@ -363,16 +363,16 @@ def _astray(q: Array, start: float, units: Sequence[UnitMove], granted: float) -
     first, begin, worst, off = 0, start, (0, float(q[0])), 0.0
     for unit in units:
         sign, span = (1.0 if unit.end > begin else -1.0), abs(unit.end - begin)
-        way = sign * (q[first:] - begin)
-        there = np.flatnonzero(way >= span - granted - JOINT_TARGET)
-        way = way[: there[0] + 1] if len(there) else way
-        may = np.minimum(np.maximum.accumulate(np.maximum(way, 0.0)), span)
-        i = int(np.argmax(np.abs(way - may)))
-        if abs(way[i] - may[i]) > off:
-            worst, off = (first + i, begin + sign * float(may[i])), abs(float(way[i] - may[i]))
-        if not len(there) and span - way.max() > off:
-            worst, off = (first + int(np.argmax(way)), unit.end), span - float(way.max())
-        first, begin = first + (len(way) - 1 if len(there) else int(np.argmax(way))), unit.end
+        path = sign * (q[first:] - begin)
+        there = np.flatnonzero(path >= span - granted - JOINT_TARGET)
+        path = path[: there[0] + 1] if len(there) else path
+        may = np.minimum(np.maximum.accumulate(np.maximum(path, 0.0)), span)
+        i = int(np.argmax(np.abs(path - may)))
+        if abs(path[i] - may[i]) > off:
+            worst, off = (first + i, begin + sign * float(may[i])), abs(float(path[i] - may[i]))
+        if not len(there) and span - path.max() > off:
+            worst, off = (first + int(np.argmax(path)), unit.end), span - float(path.max())
+        first, begin = first + (len(path) - 1 if len(there) else int(np.argmax(path))), unit.end
     i = first + int(np.argmax(np.abs(q[first:] - begin)))
     return (i, begin) if first < len(q) - 1 and abs(q[i] - begin) > off else worst
 

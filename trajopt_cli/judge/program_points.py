@@ -107,7 +107,7 @@ def points_of(
     tool to it or on from it; between two reorientations its zone is an angle. All others are passed. A MoveAbsJ that
     is passed and leaves the rail open (9E9) is where the rail was programmed last.
     """
-    points = [_start(program, plant)]
+    points = [_start_point(program, plant)]
     alone = set[int]()  # points beside external axes that move alone
     rail, holds = points[0].rail, list[list[tuple[int, Wait]]]([[]])
     for i, motion in enumerate(program.motions):
@@ -118,19 +118,19 @@ def points_of(
             continue
         if isinstance(motion, MoveExtJ):
             alone |= {len(points) - 1, len(points)}
-            if _rail(plant, motion.extax) is None:
+            if _programmed_rail(plant, motion.extax) is None:
                 alone -= {len(points)}
                 if motion.least:  # it moves no axis that this robot has, which waits for the positioner
                     time = max(motion.duration or 0.0, motion.least)
                     holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=time)))
                 continue
-        points.append(_point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
+        points.append(_end_of_move(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
     points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
-    return _passed(plant, points, alone, rail)
+    return _with_zones(plant, points, alone, rail)
 
 
-def _start(program: Program, plant: Machine) -> ProgramPoint:
+def _start_point(program: Program, plant: Machine) -> ProgramPoint:
     moves = [m for m in program.motions if not isinstance(m, Wait | SignalEvent | MoveExtJ)]
     X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
     mechanism = mechanism_of(plant)
@@ -140,9 +140,9 @@ def _start(program: Program, plant: Machine) -> ProgramPoint:
     )
 
 
-def _point(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> ProgramPoint:
+def _end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> ProgramPoint:
     """A move's end; X_FT: the tool before it, which a MoveExtJ keeps."""
-    name, wanted = f"{type(motion).__name__} {motion.target}", _rail(plant, motion.extax)
+    name, wanted = f"{type(motion).__name__} {motion.target}", _programmed_rail(plant, motion.extax)
     if isinstance(motion, MoveExtJ):
         return ProgramPoint(index, motion, motion.source, name, None, X_FT, None, wanted, optional)
     X_FT = np.asarray(motion.tool.X_FT)
@@ -161,27 +161,30 @@ def _at_joints(plant: Machine, arm: Array, rail: float | None) -> Array | None:
     return mechanism.flange_pose(np.r_[[rail] if mechanism.has_rail else [], arm])
 
 
-def _passed(
+def _with_zones(
     plant: Machine, points: Sequence[ProgramPoint], alone: Collection[int], rail: float | None
 ) -> list[ProgramPoint]:
     """The same points with their circles and, where they are passed, their zones and places."""
     placed: list[ProgramPoint] = []  # as if all fly-bys were passed
     for point in points:
-        rail = next((d for d in (_rail(plant, point.move.extax) if point.move else None, rail) if d is not None), None)
+        rail = next(
+            (d for d in (_programmed_rail(plant, point.move.extax) if point.move else None, rail) if d is not None),
+            None,
+        )
         if point.arm is not None and point.X_WF is None and _programmed_fly_by(point):
             point = replace(point, X_WF=_at_joints(plant, point.arm, rail))
         if isinstance(point.move, MoveC) and placed[-1].X_WF is not None:
             point = replace(point, circle=arc_to(placed[-1].X_WF, point))
         point = replace(point, written=rail if point.rail is None else None)
         placed.append(point)
-    ways = [_way(a, b) for a, b in pairwise(placed)]
+    paths = [_path_length(a, b) for a, b in pairwise(placed)]
     out: list[ProgramPoint] = []
     for k, point in enumerate(points):
         fly_by = None
         turning = any(one.move is not None and one.move.units for one in points[k : k + 2])  # a stop on both sides
         if 0 < k < len(points) - 1 and k not in alone and not turning:
             turns = [_turn(a, b) for a, b in pairwise(placed[k - 1 : k + 2])]
-            fly_by = _fly_by(point, ways[k - 1 : k + 1], turns)
+            fly_by = _fly_by(point, paths[k - 1 : k + 1], turns)
             joint = _other_frame(point.move, points[k + 1].move)
             fly_by = None if joint is None or fly_by is None else fly_by._replace(joint=joint)
         point = replace(point, written=placed[k].written if fly_by is None else None)
@@ -193,12 +196,12 @@ def _passed(
     return out
 
 
-def _fly_by(point: ProgramPoint, ways: Sequence[float | None], turns: Sequence[float | None]) -> FlyBy | None:
+def _fly_by(point: ProgramPoint, paths: Sequence[float | None], turns: Sequence[float | None]) -> FlyBy | None:
     """The zone of a point between two ways [m]; None where it is a stop. turns [rad]: of ways that only turn the tool,
     between which the zone is zone_ori. Else angular and linear sizes (zone_ori, zone_leax), which make its parts for
     orientation and external axes smaller at most, are not counted."""
     waits = any(wait.duration > 0 or wait.in_position or stands_for(wait) for _, wait in point.holds)
-    half = min((way for way in ways if way is not None), default=np.inf) / 2
+    half = min((path for path in paths if path is not None), default=np.inf) / 2
     if point.move is None or not _programmed_fly_by(point) or waits:
         return None
     zone = point.move.zone
@@ -220,8 +223,8 @@ def _programmed_fly_by(point: ProgramPoint) -> bool:
     return point.move is not None and not isinstance(point.move, MoveExtJ) and not point.move.zone.stop
 
 
-def _way(a: ProgramPoint, b: ProgramPoint) -> float | None:
-    """The tool's way from point to point [m], along an arc, else the chord; None where only the joints know an end.
+def _path_length(a: ProgramPoint, b: ProgramPoint) -> float | None:
+    """The tool's path from point to point [m], along an arc, else the chord; None where only the joints know an end.
     Such an end makes no zone smaller."""
     if b.circle is not None:
         return b.circle.length
@@ -232,8 +235,8 @@ def _way(a: ProgramPoint, b: ProgramPoint) -> float | None:
 
 def _turn(a: ProgramPoint, b: ProgramPoint) -> float | None:
     """How far [rad] a line from point to point turns the tool whose centre point stands; None for any other move."""
-    way = _way(a, b)
-    if not isinstance(b.move, MoveL) or a.X_WF is None or way is None or way >= _NO_WAY:
+    path = _path_length(a, b)
+    if not isinstance(b.move, MoveL) or a.X_WF is None or path is None or path >= _NO_WAY:
         return None
     angle = float(angle_between((a.X_WF @ b.X_FT)[:3, :3], b.X_WT[:3, :3]))
     return angle if angle > _NO_WAY else None
@@ -288,7 +291,7 @@ def stays(stop: ProgramPoint, X_WF_before: Array) -> bool:
     return bool(np.linalg.norm(X[:3, 3] - Y[:3, 3]) < _SAME_POINT and angle < _SAME_POINT)
 
 
-def _rail(plant: Machine, extax: ExternalAxes) -> float | None:
+def _programmed_rail(plant: Machine, extax: ExternalAxes) -> float | None:
     """The rail [m] that external axes ask for, None where they leave it open or there is none."""
     value = None if plant.rail_eax is None else extax[plant.rail_eax]
     return None if value is None else value * MM

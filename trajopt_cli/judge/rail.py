@@ -65,9 +65,9 @@ def still_from(rows: Rows, time: float, duration: float, depart: int) -> float:
     ends = rows.t[begins] + duration - 2 * rows.open_time[begins]
     a = np.searchsorted(t, rows.t[begins])
     b = np.maximum(np.searchsorted(t, ends + DWELL + rows.doubt_t, side="right") - 1, a)
-    way = _highest(d - doubt, a, b) + _highest(-d - doubt, a, b)
-    still = np.flatnonzero(way <= HELD)
-    return float(rows.t[begins[still[0] if len(still) else np.argmin(way)]])
+    path = _highest(d - doubt, a, b) + _highest(-d - doubt, a, b)
+    still = np.flatnonzero(path <= HELD)
+    return float(rows.t[begins[still[0] if len(still) else np.argmin(path)]])
 
 
 def _highest(x: Array, a: Indices, b: Indices) -> Array:

@@ -332,11 +332,11 @@ class Rows:
             part = slice(a // n, b // n + 1)
             t, q_rows = self.t[part], self.q[part]
             h, u = np.diff(t)[:, None, None], np.array(INNER)[:, None]
-            q_0, way = q_rows[:-1, None], np.diff(q_rows, axis=0)[:, None]
+            q_0, path = q_rows[:-1, None], np.diff(q_rows, axis=0)[:, None]
             v_0, v_1 = v[part][:-1, None], v[part][1:, None]
-            q = q_0 + u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
-            qd = 6 * u * (1 - u) * way / h + (1 - u) * (1 - 3 * u) * v_0 + u * (3 * u - 2) * v_1
-            qdd = ((6 - 12 * u) * way / h + (6 * u - 4) * v_0 + (6 * u - 2) * v_1) / h
+            q = q_0 + u * u * (3 - 2 * u) * path + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
+            qd = 6 * u * (1 - u) * path / h + (1 - u) * (1 - 3 * u) * v_0 + u * (3 * u - 2) * v_1
+            qdd = ((6 - 12 * u) * path / h + (6 * u - 4) * v_0 + (6 * u - 2) * v_1) / h
             times, k = t[:-1, None] + np.array(INNER) * h[:, 0], len(self.trajectory.names)
             return times.ravel(), q.reshape(-1, k), qd.reshape(-1, k), qdd.reshape(-1, k)
 
@@ -456,8 +456,8 @@ def _standstill(trajectory: Trajectory) -> NDArray[np.bool_]:
     if trajectory.qd is None:
         return np.zeros(len(trajectory.t) - 1, dtype=bool)
     speed = np.abs(trajectory.qd).max(axis=1)
-    way = np.maximum(speed[1:], speed[:-1]) * np.diff(trajectory.t)
-    return np.asarray((way <= COMPUTED) & (np.abs(np.diff(trajectory.q, axis=0)).max(axis=1) <= COMPUTED))
+    path = np.maximum(speed[1:], speed[:-1]) * np.diff(trajectory.t)
+    return np.asarray((path <= COMPUTED) & (np.abs(np.diff(trajectory.q, axis=0)).max(axis=1) <= COMPUTED))
 
 
 def unseen(rows: Rows, row: int) -> float:

@@ -35,7 +35,7 @@ def check_stops(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> 
     rows = line.rows
     yield 0, _ends(rows, 0, "start", rows.plant.start, None)
     for i, visit in enumerate(line.visits):
-        yield visit.depart, [*_point(line, frames[np.asarray(visit.point.X_FT).tobytes()], i, rapid)]
+        yield visit.depart, [*_findings_of_visit(line, frames[np.asarray(visit.point.X_FT).tobytes()], i, rapid)]
     last = line.visits[-1]
     out = _ends(rows, len(rows.t) - 1, "end", None, last.point.source)
     if last.event is not None:
@@ -49,19 +49,19 @@ def check_stops(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> 
     yield len(rows.t), out
 
 
-def _point(line: Timeline, frame: TcpMotion, i: int, rapid: bool) -> Iterator[Finding]:
+def _findings_of_visit(line: Timeline, frame: TcpMotion, i: int, rapid: bool) -> Iterator[Finding]:
     """All findings about visit i."""
     rows, visit, before = line.rows, line.visits[i], line.visits[max(i - 1, 0)]
     if i > 0 and visit.point.beside > 0 and None not in (visit.event, before.event):
         yield _beside(rows, before, visit)
     if visit.point.fly_by is not None:
-        yield _passed(rows, visit, frame, line, i)
+        yield _fly_by_passed(rows, visit, frame, line, i)
         return
     if i > 0:
         yield _reached(rows, visit, frame, line, i)
     if visit.event is None:
         return
-    yield from _rail(rows, visit)
+    yield from _rail_at_target(rows, visit)
     # in a run the moves beside a point share the time of its corner
     if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
         yield _duration(rows, before, visit, _rest_over(line, i))
@@ -106,7 +106,7 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
     return out
 
 
-def _passed(rows: Rows, visit: Visit, frame: TcpMotion, line: Timeline, i: int) -> Finding:
+def _fly_by_passed(rows: Rows, visit: Visit, frame: TcpMotion, line: Timeline, i: int) -> Finding:
     """Whether a point was passed in program order, no farther away than its zone reaches."""
     point = visit.point
     assert point.fly_by is not None
@@ -170,7 +170,7 @@ def _off(rows: Rows, visit: Visit, frame: TcpMotion, row: int) -> tuple[float, f
     return d_R, STOP_ROTATION, "rad"
 
 
-def _rail(rows: Rows, visit: Visit) -> list[Finding]:
+def _rail_at_target(rows: Rows, visit: Visit) -> list[Finding]:
     """The rail at its programmed value, where the program fixes it."""
     stop = visit.point
     if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:

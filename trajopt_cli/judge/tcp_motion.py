@@ -150,9 +150,9 @@ class TcpMotion:
             return self._small[4]
         return self._from_neighbours(self.angles(1).pieces.whole()[0], angular_acceleration(self.rows))
 
-    def _from_neighbours(self, way: Array, top: float) -> Array:
+    def _from_neighbours(self, path: Array, top: float) -> Array:
         h = np.diff(self.rows.t) + self.rows.unsure(slice(None, -1), slice(1, None))
-        return both_sides(np.maximum(way / h - top * h / 2, 0.0)[:, None])[:, 0]
+        return both_sides(np.maximum(path / h - top * h / 2, 0.0)[:, None])[:, 0]
 
     @cached_property
     def stop_boxes(self) -> Boxes:
@@ -194,8 +194,8 @@ class TcpMotion:
 
         def make(a: int, b: int) -> tuple[Array, Array]:
             here, after = slice(a, b), slice(a + lag, b + lag)
-            way = np.maximum(between(here, after), 0.0)
-            return way, way / (t[after] - t[here] + unsure(here, after))
+            path = np.maximum(between(here, after), 0.0)
+            return path, path / (t[after] - t[here] + unsure(here, after))
 
         if lag not in known:
             known[lag] = Along(Pieces(len(self.rows.t) - lag, make))

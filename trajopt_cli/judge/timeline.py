@@ -173,7 +173,7 @@ def build_timeline(
     rows: Rows, frames: dict[bytes, TcpMotion], start: ProgramPoint, matches: Sequence[Match], rapid: bool
 ) -> Timeline:
     """Walk through the stops in order. rapid: every axis must stand at the end of every wait."""
-    visits = [_start(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
+    visits = [_first_stop(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
     for k, m in enumerate(matches):
         behind = (matches[i].event for i in range(k + 1, len(matches)))
         after = next((event for event in behind if event is not None and event is not m.event), None)
@@ -198,7 +198,7 @@ def build_timeline(
     return Timeline(rows, tuple(visits))
 
 
-def _start(rows: Rows, frame: TcpMotion, start: ProgramPoint, rapid: bool) -> Visit:
+def _first_stop(rows: Rows, frame: TcpMotion, start: ProgramPoint, rapid: bool) -> Visit:
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
     here = ProgramPoint(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)

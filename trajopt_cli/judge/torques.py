@@ -36,7 +36,7 @@ def check_torques(program: Program, line: Timeline) -> list[Finding]:
         return []
     carried = _Carried(program, line)
     found = [Series(float(top)) for top in limit]
-    look = _exact if rows.exact else _means
+    look = _exact if rows.exact else _mean_torques
     for part in windows(0, len(rows.t) - 1):
         looks = [*look(rows, carried, *part)]
         for j, series in enumerate(found):
@@ -115,7 +115,7 @@ def _exact(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
         yield times, carried.least(i, i + 1, torque)
 
 
-def _means(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
+def _mean_torques(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
     """Least means of torques between two rows, with their times."""
     part = slice(first, last + 1)
     t, q = rows.t[part], rows.q[part]

@@ -44,7 +44,7 @@ from trajopt_cli.motion import MoveExtJ
 _AS_WRITTEN = 1e-6  # worth of a rail as the program writes it, where it is free
 _GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
 
-WHOLE = 0.9  # share of a way that rows on it show at least: they are the corners of a polyline
+WHOLE = 0.9  # fraction of a path that rows on it show at least: they are the corners of a polyline
 
 Mask = NDArray[np.bool_]
 
@@ -202,11 +202,11 @@ def passages(rows: Rows, frame: TcpMotion, point: ProgramPoint) -> tuple[Event, 
     close = at[_squares_off(frame, P, at) <= (size + reach) ** 2 + 1e-9]
     if not len(close):
         return ()
-    distance, share = off_chords(frame.p, P, close)
+    distance, fraction = off_chords(frame.p, P, close)
     near = distance <= size + frame.reach[close]
     away = close[:0]
     if point.circle is not None:
-        nearest = frame.p[close] + share[:, None] * (frame.p[close + 1] - frame.p[close])
+        nearest = frame.p[close] + fraction[:, None] * (frame.p[close + 1] - frame.p[close])
         first_half = point.circle.progress(nearest) < 0.5
         away, near = close[first_half], near & ~first_half
     close, distance = close[near], distance[near]
@@ -287,9 +287,9 @@ def never_near(rows: Rows, frames: dict[bytes, TcpMotion], points: Sequence[Prog
 def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Array]:
     """Distances (m,) of a point P (3,) from the chords that begin at places p[chords], and the share of each where it
     is nearest."""
-    a, way = p[chords], p[chords + 1] - p[chords]
-    share = np.clip(((P - a) * way).sum(axis=1) / np.maximum((way * way).sum(axis=1), 1e-300), 0.0, 1.0)
-    return lengths(a + share[:, None] * way - P), share
+    a, path = p[chords], p[chords + 1] - p[chords]
+    fraction = np.clip(((P - a) * path).sum(axis=1) / np.maximum((path * path).sum(axis=1), 1e-300), 0.0, 1.0)
+    return lengths(a + fraction[:, None] * path - P), fraction
 
 
 def match(rows: Rows, frames: dict[bytes, TcpMotion], points: Sequence[ProgramPoint], rapid: bool) -> list[Match]:
@@ -335,7 +335,7 @@ def _cut(
             continue
         frame, P, parts = frames[np.asarray(point.X_FT).tobytes()], point.X_WT[:3, 3], list[Event]()
         chord = float(np.linalg.norm(stop.X_WT[:3, 3] - P))
-        way = (chord if stop.circle is None else stop.circle.length) - point.fly_by.radius
+        path = (chord if stop.circle is None else stop.circle.length) - point.fly_by.radius
         for event in own:
             first = event.first
             for end in (one.end for one in events[k + 1] if len(one.good) and one.end <= event.best):
@@ -343,7 +343,7 @@ def _cut(
                     continue
                 best = first + int(np.argmin(off_chords(frame.p, P, np.arange(first, end))[0]))
                 gone = lengths(np.diff(frame.p[best : end + 1], axis=0)).sum()
-                if gone > WHOLE * way:
+                if gone > WHOLE * path:
                     parts.append(Event(first, end, np.array([max(best - 1, 0)]), best))
                     first = end
             parts.append(event if first == event.first else Event(first, event.last, event.good, event.best))
