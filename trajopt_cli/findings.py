@@ -44,6 +44,7 @@ class GridResolution:
     rest: float
 
 
+CLEARANCE, SELF_CLEARANCE = "clearance", "self clearance"
 COARSE = ("printed resolution", "row spacing")
 """Checks of the file itself: one that fails them cannot be judged."""
 
@@ -68,6 +69,30 @@ class Report:
         """True when nothing is wrong but that the file is too coarse to be judged."""
         failed = [finding for finding in self.findings if not finding.passed]
         return bool(failed) and all(finding.check in COARSE for finding in failed)
+
+    @property
+    def worst(self) -> Finding:
+        """The failed finding that is farthest beyond its limit."""
+        return min((finding for finding in self.findings if not finding.passed), key=lambda finding: finding.margin)
+
+    @property
+    def collisions(self) -> tuple[Finding, ...]:
+        """What is hit or too close, in time order, where that is all that is wrong; else none."""
+        hits, failed = collisions(self.findings), sum(not finding.passed for finding in self.findings)
+        return hits if len(hits) == failed else ()
+
+    @property
+    def refusal(self) -> str:
+        """Why the motion is not legal, as the end of a sentence: what it hits, or an error in trajopt."""
+        if hits := self.collisions:
+            return f"collides: {hits[0].message}"
+        return f"is not legal: {self.worst.message}: an error in trajopt; please report it"
+
+
+def collisions(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """The findings that say the robot hits something or comes too close, in time order."""
+    missed = [one for one in findings if one.check in (CLEARANCE, SELF_CLEARANCE) and not one.passed]
+    return tuple(sorted(missed, key=lambda one: one.time or 0.0))
 
 
 def failures(findings: Iterable[Finding]) -> list[str]:

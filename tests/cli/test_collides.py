@@ -18,8 +18,8 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 
 HIT = "link_1 self clearance -0.1 m at t = 0.200 s, limit 0"
-OF_STREAM = f"stream: the plan is the rapid plan: a stream plan that was found collides: {HIT}"
-OF_RAPID = f"rapid: the plan is the program as written: a faster one collides: {HIT}"
+OF_STREAM = f"stream: the plan is the rapid plan: the stream plan that was found collides: {HIT}"
+OF_RAPID = f"rapid: the plan is the program as written: the rapid plan that was found collides: {HIT}"
 
 
 @pytest.fixture
@@ -101,8 +101,8 @@ class Spoiling(Planner):
 @pytest.mark.parametrize(
     ("spoiled", "notes"),
     [
-        (["stream"], [("stream", "the plan is the rapid plan: a stream plan that was found is not legal")]),
-        (["rapid"], [("rapid", "the plan is the program as written: a faster one is not legal")]),
+        (["stream"], [("stream", "the plan is the rapid plan: the stream plan that was found is not legal")]),
+        (["rapid"], [("rapid", "the plan is the program as written: the rapid plan that was found is not legal")]),
         (["stream", "rapid"], [("stream", "the plan is the rapid plan"), ("rapid", "the plan is the program as")]),
     ],
 )

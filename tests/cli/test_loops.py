@@ -13,9 +13,9 @@ from unrefined import coarse_search
 from trajopt_cli.cli import run
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline import planning
-from trajopt_cli.pipeline.planning import NoPlan, changes_of, may_change
+from trajopt_cli.pipeline.planning import changes_of, may_change
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Target
 from trajopt_cli.runs.results import Judged
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")

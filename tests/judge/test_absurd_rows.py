@@ -10,11 +10,11 @@ import pytest
 from small_cells import plant_without_rail, rapid
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.findings import Finding
+from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding
 from trajopt_cli.geometry import pose
 from trajopt_cli.joint_csv import ABSURD, check_reach, write_csv_text
 from trajopt_cli.judge import clearance, continuous_collision
-from trajopt_cli.judge.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance
+from trajopt_cli.judge.clearance import check_clearance
 from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import Box, Solid

@@ -13,10 +13,10 @@ from legal_motion import HOME, plant_with_rail, plant_without_rail, program, rap
 from legal_motion import home as home_move
 from link_poses import link_poses
 
-from trajopt_cli.findings import Finding
+from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding, collisions
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
-from trajopt_cli.judge.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance, collisions, least_clearance
+from trajopt_cli.judge.clearance import check_clearance, least_clearance
 from trajopt_cli.judge.continuous_collision import (
     BLOCK,
     COARSE,

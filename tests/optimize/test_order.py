@@ -12,8 +12,8 @@ from unrefined import coarse_search
 
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Program
-from trajopt_cli.pipeline.planning import out_of_order, streamed
 from trajopt_cli.plan import initial_plan, optimize
+from trajopt_cli.plan.ladder import instead_of, out_of_order
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.problem import Problem
@@ -94,8 +94,8 @@ def test_a_rapid_plan_that_is_faster_is_the_stream_plan() -> None:
     slow, fast = known(0, FIXED_RAIL), known(0, EVERYTHING)
     assert isinstance(slow, Plan)
     assert isinstance(fast, Plan)
-    assert streamed(slow, fast) is None
-    stream = streamed(fast, replace(slow, lower_bound=1.0))
+    assert instead_of(fast, slow, Target.STREAM) is None
+    stream = instead_of(replace(slow, lower_bound=1.0), fast, Target.STREAM)
     assert stream is not None
     assert (stream.target, stream.lower_bound, stream.duration) == (Target.STREAM, 1.0, fast.duration)
     assert stream.notes == ("the plan is the rapid plan: nothing faster was found",)

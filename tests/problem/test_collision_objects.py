@@ -9,8 +9,9 @@ import pytest
 from some_motions import BENCH, RAIL, move_abs_j, move_j, plant, program, wait
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.findings import collisions
 from trajopt_cli.job import read_job
-from trajopt_cli.judge.clearance import check_start, collisions
+from trajopt_cli.judge.clearance import check_start
 from trajopt_cli.motion import SignalEvent, Tool
 from trajopt_cli.problem.collision_objects import bodies_on
 from trajopt_cli.proximity.pair import Pair

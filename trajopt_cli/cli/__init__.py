@@ -89,9 +89,9 @@ def _root(
 
 def run(arguments: list[str]) -> int:
     """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
-    own_process()
     begin()
     try:
+        own_process()
         _check_arguments(arguments)
         code = _commands()(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
         sys.stdout.flush()

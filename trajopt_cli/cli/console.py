@@ -16,8 +16,7 @@ from trajopt_cli.cli.listing import terminal_width
 
 if TYPE_CHECKING:
     from trajopt_cli.pipeline.optimize import Collides, Illegal
-    from trajopt_cli.pipeline.planning import NoPlan
-    from trajopt_cli.problem.plan import Infeasible
+    from trajopt_cli.problem.plan import Infeasible, NoPlan
 
 _UNBOUND = 100_000  # columns where nobody tells: a log has lines of any length
 _DEEPER = "    "  # before what follows the first line of a text that takes several
@@ -83,8 +82,7 @@ def no(lines: Iterable[str], as_json: bool, feasible: bool | None = False, **rec
 def answer_no(answer: Infeasible | NoPlan | Illegal | Collides, as_json: bool = False) -> NoReturn:
     """Say why there is no result, and stop with exit code 1."""
     from trajopt_cli.pipeline.optimize import Collides, Illegal
-    from trajopt_cli.pipeline.planning import NoPlan
-    from trajopt_cli.problem.plan import Infeasible
+    from trajopt_cli.problem.plan import Infeasible, NoPlan
 
     match answer:
         case Infeasible():

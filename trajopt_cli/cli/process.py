@@ -8,7 +8,6 @@ import resource
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from importlib.abc import MetaPathFinder
 from pathlib import Path
 
 import typer
@@ -16,34 +15,18 @@ import typer
 from trajopt_cli.rapid.execution.recursion_limit import FRAMES
 
 
+LEAST_MEMORY = 300_000_000  # bytes of address space: below, OpenBLAS ends the process in words and a code of its own
+
+
 def own_process() -> None:
-    """Set up a process that does nothing but one command."""
+    """Set up a process that does nothing but one command. Raises MemoryError where `ulimit -v` leaves too little."""
     for library in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         # both targets are solved side by side on two cores; more threads inside would only wait for each other
         os.environ.setdefault(library, "1")
     sys.setrecursionlimit(max(sys.getrecursionlimit(), FRAMES))
     limit = _address_space()
-    if limit is not None and not any(isinstance(one, _Room) for one in sys.meta_path):
-        sys.meta_path.insert(0, _Room(limit))
-
-
-_LIBRARIES = {"numpy": 100, "pinocchio": 200, "scipy": 200, "casadi": 200, "llvmlite": 200, "matplotlib": 100}
-"""MB that must be left where a library is imported first: it takes up to half of that, and OpenBLAS, which two of them
-bring, asks again and again for what it does not get, without end."""
-
-
-class _Room(MetaPathFinder):
-    """Finds nothing; raises MemoryError where a library would not find room under `ulimit -v`. limit: in bytes."""
-
-    def __init__(self, limit: int):
-        self._limit = limit
-
-    def find_spec(self, fullname: str, path: object = None, target: object = None) -> None:
-        wanted, used = _LIBRARIES.get(fullname), Path("/proc/self/statm")
-        if wanted is not None and used.exists():
-            left = self._limit - int(used.read_text().split()[0]) * resource.getpagesize()
-            if left < wanted * 10**6:
-                raise MemoryError(f"{fullname} needs {wanted} MB, and {left // 10**6} MB are left")
+    if limit is not None and limit < LEAST_MEMORY:
+        raise MemoryError(f"trajopt needs {LEAST_MEMORY // 10**6} MB")
 
 
 def _address_space() -> int | None:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from trajopt_cli.findings import Finding
+from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding
 from trajopt_cli.judge.continuous_collision import LOOKS, OVERLOOKED, Body, Closest, Near, Sweep
 from trajopt_cli.judge.findings import SourceAt
 from trajopt_cli.judge.machine import Machine
@@ -21,15 +21,6 @@ from trajopt_cli.judge.scene import BodyInterval, shape_of, standing_still
 from trajopt_cli.motion import Move, Program, Source, motion_name
 from trajopt_cli.shapes import TOOL, Capsule, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
-
-CLEARANCE = "clearance"
-SELF_CLEARANCE = "self clearance"
-
-
-def collisions(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """The findings that say the robot hits something or comes too close, in time order."""
-    missed = [one for one in findings if one.check in (CLEARANCE, SELF_CLEARANCE) and not one.passed]
-    return tuple(sorted(missed, key=lambda one: one.time or 0.0))
 
 
 def least_clearance(findings: Iterable[Finding]) -> Finding | None:

@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
+from trajopt_cli.findings import Finding, Report, collisions
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Wait
-from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, changes_of, may_change, touches, worst
+from trajopt_cli.pipeline.planning import Clock, Listener, changes_of, may_change, plan_all
 from trajopt_cli.problem.constant_speed import Stretch, constant_speed
 from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, for_the_other
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs import REPORT, SUMMARY
@@ -41,7 +42,6 @@ from trajopt_cli.workers import cores
 
 if TYPE_CHECKING:
     from trajopt_cli.exporters.rapid_write import RapidExport
-    from trajopt_cli.findings import Finding
 
 _ROBOT = f"{INPUT}robot/"
 _ROUNDING = 1e-6  # s
@@ -62,6 +62,12 @@ class Collides:
 
     label: str
     hits: tuple[Finding, ...]
+
+
+def refused(target: Target, report: Report) -> Illegal | Collides:
+    """The answer where the judge forbids the plan of a target."""
+    hits = report.collisions
+    return Collides(target.value, hits) if hits else Illegal(target.value, report.worst)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +110,7 @@ def optimise(
     target's plan; where the other one takes longer than a given time, it takes its least.
     Raises InputError where folder may not be replaced.
     """
-    from trajopt_cli.judge.clearance import check_start, collisions
+    from trajopt_cli.judge.clearance import check_start
     from trajopt_cli.nlp.block_cache import evaluation_notices
 
     check_replaceable(folder)
@@ -122,15 +128,14 @@ def optimise(
     judged: dict[Target, Judged] = {}
     asked = {one: objective if one is target else for_the_other(objective) for one in Target}
     kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
-    answers, written, estimate = all_three(
+    answers, written, estimate = plan_all(
         job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept, kept_written
     )
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
-            hits = touches(answer)
-            return Collides(one.value, hits) if hits else Illegal(one.value, worst(answer.report))
+            return refused(one, answer.report)
         judged[one] = answer
     listen("results", Progress("loops"))
     with clock.phase("loops"):

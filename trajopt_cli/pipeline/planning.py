@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from functools import partial
 from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
@@ -16,35 +16,21 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Changes, Loops, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.results import (
-    CSV,
-    NOT_TIMED,
-    Judged,
-)
+from trajopt_cli.runs.results import CSV, NOT_TIMED, Judged
 from trajopt_cli.runs.rows import RowsFile, without_rows
 from trajopt_cli.workers import Worker, give_back
 
 if TYPE_CHECKING:
     from trajopt_cli import findings
-    from trajopt_cli.findings import Finding
-    from trajopt_cli.plan import Memory
+    from trajopt_cli.plan import Answer, Memory
     from trajopt_cli.problem.plant import Plant
 
-_ROUNDING = 1e-6  # of a cycle time: rows are a few of them longer where switches would not stand apart
 _WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
-
-
-@dataclass(frozen=True)
-class NoPlan:
-    """The solver failed on a program that can be done: neither an answer nor the user's mistake."""
-
-    label: str
-    message: str
 
 
 @dataclass
@@ -109,7 +95,7 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
     return text_changes(job.program, job.plant, reading, loops)
 
 
-def all_three(
+def plan_all(
     job: Job,
     listen: Listener,
     clock: Clock,
@@ -119,95 +105,77 @@ def all_three(
     asked: Mapping[Target, Objective],
     kept: Mapping[Target, RowsFile],
     kept_written: RowsFile | None = None,
-) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str, float | None]:
-    """Both targets with what is asked of them, the program as written, and what the chain takes [s] that the rapid plan
-    began with, in up to `jobs` processes. A stream that cannot be done ends the run at once. A plan that collides, or
-    that the judge rejects, gives way to the next one that may change less and is legal. kept: where the rows of each
-    target go; kept_written: those of the program as written, of which else the first and the last alone are known."""
-    from trajopt_cli.plan import Memory
+) -> tuple[dict[Target, Answer], Plan | str, float | None]:
+    """Both targets and the program as written, in up to `jobs` processes.
+
+    A target whose plan is refused, not found or slower takes what the ladder has below it (plan.ladder).
+
+    Args:
+        changes: what plans of each target may change.
+        patience: how long a faster plan is looked for.
+        asked: the objective of each target. One that cannot be done in the time given has no slower plan.
+        kept: where the rows of each target's plan go.
+        kept_written: where those of the program as written go; None: only its first and last row are kept.
+
+    Returns:
+        The answers by target, a stream that cannot be done alone; the program as written, or why it cannot be driven;
+        what the chain takes [s] that the rapid plan began with.
+    """
+    from trajopt_cli.plan import Memory, first_legal, out_of_order
 
     stream, rapid = Target.STREAM, Target.RAPID
 
-    def refused(target: Target, answer: Judged | Infeasible | NoPlan) -> bool:
-        """Whether the answer is no to a time that was asked for: no slower plan will do."""
-        return isinstance(answer, Infeasible) and isinstance(asked[target], LeastEffort)
+    def settled(target: Target, found: Answer, below: Plan | None, clock: Clock) -> Answer:
+        if isinstance(found, Infeasible) and isinstance(asked[target], LeastEffort):
+            return found
+        rows = kept[target]
+        slow = partial(_slow_plan, job, target, changes[target], clock)
+        return first_legal(target, found, below, lambda plan: _judged(job, rows.keep(plan), rows, clock), slow)
 
-    def second(
-        tell: Callable[[Progress], None],
+    def plan_stream(listen: Listener, max_workers: Callable[[], int]) -> Answer:
+        return solve(
+            job, stream, changes[stream], listen, clock, patience, kept[stream], hands=max_workers,
+            objective=asked[stream],
+        )  # fmt: skip
+
+    def plan_rapid(
+        tell: Report,
     ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, float | None, dict[str, float]]:
         own, memory = Clock(), Memory()
-        answer = solve(
-            job,
-            rapid,
-            changes[rapid],
-            lambda _, progress: tell(progress),
-            own,
-            patience,
-            kept[rapid],
-            memory,
+        found = solve(
+            job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, kept[rapid], memory,
             objective=asked[rapid],
-        )
-        tell(Progress("as written", *((answer.plan.duration,) if isinstance(answer, Judged) else ())))
-        known = answer if isinstance(answer, Judged) else None
+        )  # fmt: skip
+        tell(Progress("as written", *((found.plan.duration,) if isinstance(found, Judged) else ())))
+        known = found if isinstance(found, Judged) else None
         written = as_written(job, changes[rapid], own, memory, kept_written, patience, known)
+        answer = settled(rapid, found, written if isinstance(written, Plan) else None, own)
+        estimate = memory.estimates.get((rapid, EVERYTHING))
         if isinstance(written, Plan):
-            if not refused(rapid, answer) and (why := instead(answer, written)) is not None:
-                note, found = f"the plan is the program as written: {why}", answer
-                plan = replace(written, notes=(note,))
-                if isinstance(found, Judged):
-                    plan = replace(plan, lower_bound=found.plan.lower_bound, seconds=found.plan.seconds)
-                answer = _judged(job, kept[rapid].keep(plan), kept[rapid], own)
             written = without_rows(written)
         if not isinstance(answer, Judged):
             return answer, written, None, own.seconds
-        estimate = memory.estimates.get((rapid, EVERYTHING))
         return (without_rows(answer.plan), answer.report), written, estimate, own.seconds
 
-    def hear(progress: Progress) -> None:
-        listen(rapid.value, progress)
+    with ExitStack() as stack:
+        hear = partial(listen, rapid.value)
+        worker = stack.enter_context(Worker(plan_rapid, hear)) if jobs > 1 else None
 
-    if jobs == 1:
-        first = solve(job, stream, changes[stream], listen, clock, patience, kept[stream], objective=asked[stream])
-        if refused(stream, first):
+        def listen_to_both(label: str, progress: Progress) -> None:
+            listen(label, progress)
+            if worker is not None:
+                worker.listen()
+
+        first = plan_stream(listen_to_both, lambda: max(1, jobs - (worker is not None and not worker.done)))
+        if isinstance(first, Infeasible) and isinstance(asked[stream], LeastEffort):
             return {stream: first}, "", None
-        found, written, estimate, seconds = second(hear)
-    else:
-        with Worker(second, hear) as beside:
-
-            def listen_to_both(label: str, progress: Progress) -> None:
-                listen(label, progress)
-                beside.listen()
-
-            first = solve(
-                job,
-                stream,
-                changes[stream],
-                listen_to_both,
-                clock,
-                patience,
-                kept[stream],
-                hands=lambda: max(1, jobs - (not beside.done)),
-                objective=asked[stream],
-            )
-            if refused(stream, first):
-                return {stream: first}, "", None
-            found, written, estimate, seconds = beside.answer()
+        found, written, estimate, seconds = plan_rapid(hear) if worker is None else worker.answer()
     clock.seconds |= seconds
     if isinstance(written, Plan) and kept_written is not None:
         written = kept_written.kept(written)
     answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
-    if not refused(rapid, answer):
-        answer = legal_or_slow(job, rapid, changes[rapid], answer, kept[rapid], clock)
-    failure = None
-    if isinstance(first, NoPlan | Infeasible):
-        failure = f"no other one was found ({said(first)}): an error in trajopt; please report it"
-    elif not first.report.legal:
-        failure = f"a stream plan that was found {forbidden(first)}"
-    if isinstance(answer, Judged) and answer.report.legal:
-        plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
-        first = first if plan is None else _judged(job, plan, answer.rows, clock)
-    else:
-        first = legal_or_slow(job, stream, changes[stream], first, kept[stream], clock)
+    legal = answer.plan if isinstance(answer, Judged) and answer.report.legal else None
+    first = settled(stream, first, legal, clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
@@ -216,86 +184,11 @@ def all_three(
     return {stream: first, rapid: answer}, written, estimate
 
 
-def said(answer: Infeasible | NoPlan) -> str:
-    """Why there is no plan, in words."""
-    return answer.message if isinstance(answer, NoPlan) else str(answer)
-
-
-def instead(answer: Judged | Infeasible | NoPlan, written: Plan) -> str | None:
-    """Why the program as written is the better answer, in words; None where it is not."""
-    if not isinstance(answer, Judged):
-        return f"no other one was found ({said(answer)}): an error in trajopt; please report it"
-    if not answer.report.legal:
-        return f"a faster one {forbidden(answer)}"
-    slower = answer.plan.eased is None and answer.plan.duration > written.duration * (1 + _ROUNDING)
-    return "what was found takes longer: an error in trajopt; please report it" if slower else None
-
-
-def legal_or_slow(
-    job: Job, target: Target, changes: Changes, answer: Judged | Infeasible | NoPlan, kept: RowsFile, clock: Clock
-) -> Judged | Infeasible | NoPlan:
-    """The answer; where that is no legal plan, a slow one that stops at every point, if that is legal. kept: where its
-    rows go then."""
+def _slow_plan(job: Job, target: Target, changes: Changes, clock: Clock, why: str) -> Plan | None:
     from trajopt_cli.plan import slow_plan
 
-    if isinstance(answer, Judged) and answer.report.legal:
-        return answer
-    why = said(answer) if not isinstance(answer, Judged) else f"the one found {forbidden(answer)}"
     with clock.phase(f"{target.value}: slow plan"):
-        slow = slow_plan(job.program, job.plant, target, changes, why)
-        if slow is None or slow.duration == 0.0:
-            return answer
-        own = RowsFile()  # the rows of the other plan are in kept
-        if not _judged(job, own.keep(slow), own, clock).report.legal:
-            return answer
-        return _judged(job, kept.keep(slow), kept, clock)
-
-
-def touches(judged: Judged) -> tuple[Finding, ...]:
-    """What a plan hits, in time order, where that is all that is wrong with it; else none."""
-    from trajopt_cli.judge.clearance import collisions
-
-    hits = collisions(judged.report.findings)
-    return hits if len(hits) == sum(not finding.passed for finding in judged.report.findings) else ()
-
-
-def forbidden(judged: Judged) -> str:
-    """What the judge says against a plan that is not legal: what it hits, or an error in trajopt."""
-    if hits := touches(judged):
-        return f"collides: {hits[0].message}"
-    return f"is not legal: {worst(judged.report).message}: an error in trajopt; please report it"
-
-
-def streamed(rapid: Plan, stream: Plan | None, failure: str | None = None) -> Plan | None:
-    """A legal RAPID plan as the stream plan, where that is faster or there is none to be had; else None. Any motion
-    that the RAPID controller makes can be streamed. failure: why the stream plan is not to be had, if so."""
-    if stream is not None and not _better(rapid, stream) and failure is None:
-        return None
-    better = "faster" if rapid.eased is None else "gentler"
-    note = f"the plan is the rapid plan: {failure or f'nothing {better} was found'}"
-    if stream is None:
-        return replace(rapid, target=Target.STREAM, lower_bound=None, notes=(note,))
-    bound, seconds, notes = stream.lower_bound, stream.seconds, (note, *stream.notes)
-    return replace(rapid, target=Target.STREAM, lower_bound=bound, seconds=seconds, notes=notes)
-
-
-def _better(one: Plan, other: Plan) -> bool:
-    """Whether a plan is faster than another; of two within a given time the gentler is better."""
-    if one.eased is None or other.eased is None:
-        return one.duration < other.duration
-    longer = one.duration > other.duration * (1 + _ROUNDING)
-    return not longer and one.eased.planned.effort < other.eased.planned.effort
-
-
-def out_of_order(plans: Mapping[str, Plan]) -> str | None:
-    """What is wrong where a plan takes longer than one behind it, which may change less; None where nothing is."""
-    for (free, plan), (bound, other) in pairwise(plans.items()):
-        if plan.duration > other.duration * (1 + _ROUNDING):
-            return (
-                f"an error in trajopt: the {free} plan takes {plan.duration:.6f} s, the {bound} plan, which may change "
-                f"less, {other.duration:.6f} s"
-            )
-    return None
+        return slow_plan(job.program, job.plant, target, changes, why)
 
 
 def solve(
@@ -309,7 +202,7 @@ def solve(
     memory: Memory | None = None,
     hands: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
-) -> Judged | Infeasible | NoPlan:
+) -> Answer:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
     meanwhile where another process may work. kept: where the rows go."""
     from trajopt_cli.plan import NoCleanPlan, optimize
@@ -437,7 +330,7 @@ def as_written(
         kept = kept or RowsFile()
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
-    return plan if report.legal else f"not legal: {worst(report).message}"
+    return plan if report.legal else f"not legal: {report.worst.message}"
 
 
 def judge(
@@ -469,8 +362,3 @@ def judge(
         error.file = error.file or file
         error.take(ErrorKind.RESULTS)
         raise
-
-
-def worst(report: findings.Report) -> Finding:
-    """The failed finding that is farthest beyond its limit."""
-    return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)

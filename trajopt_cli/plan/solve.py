@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import perf_counter
 
 import numpy as np
@@ -19,7 +19,7 @@ from trajopt_cli.nlp.driver import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
 from trajopt_cli.plan.fallback_plan import plain_motion
-from trajopt_cli.plan.initial_plan import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
+from trajopt_cli.plan.initial_plan import Legal, Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.plan.local_refinement import improved, sharpened
 from trajopt_cli.plan.min_effort import gentlest
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
@@ -117,15 +117,12 @@ def optimize(
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
     _check_lengths(program, problem, draft)
-    rows = _rows(axes, problem, draft)
-    if rows is None and eased is None:  # a limit is passed by less than is looked for between nodes
-        draft = slowed(problem, draft, HARDLY)
-        rows = _rows(axes, problem, draft)
-    for times in SLOWER if rows is None else ():
-        problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
-        rows = _rows(axes, problem, draft)
+    rows = None
+    for rung in _slower(legal, problem, draft, eased):
+        rows = _rows(axes, rung.problem, rung.draft)
         if rows is not None:
-            notes = (_SLOWED,)
+            problem, draft, eased = rung.problem, rung.draft, rung.eased
+            notes = rung.notes or notes
             break
     if rows is None:
         raise NoCleanPlan("between two rows of the file the motion would pass a limit")
@@ -149,6 +146,26 @@ def optimize(
     plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
     plan = replace(plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate)
     return _without_others(folded(plan, program, legal.detours), driven)
+
+
+@dataclass(frozen=True, eq=False)
+class _Rung:
+    """A motion whose rows may be legal. notes: what a reader should know of it instead of what is known."""
+
+    problem: Problem
+    draft: Iterate
+    eased: Eased | None = None
+    notes: tuple[str, ...] = ()
+
+
+def _slower(legal: Legal, problem: Problem, draft: Iterate, eased: Eased | None) -> Iterator[_Rung]:
+    """The motion found; it a hair slower, as a limit may be passed between the places of the dense check; and the
+    initial plan, slower and slower."""
+    yield _Rung(problem, draft, eased)
+    if eased is None:
+        yield _Rung(problem, slowed(problem, draft, HARDLY))
+    for times in SLOWER:
+        yield _Rung(legal.problem, slowed(legal.problem, legal.draft, times), notes=(_SLOWED,))
 
 
 def _plan(

@@ -173,6 +173,15 @@ class Plan:
 
 
 @dataclass(frozen=True)
+class NoPlan:
+    """The solver failed on a program that can be done: neither an answer nor the user's mistake. label: what was being
+    solved, a target or a baseline."""
+
+    label: str
+    message: str
+
+
+@dataclass(frozen=True)
 class Infeasible:
     """The answer no: which motion cannot be done, where on it, and the limit that forbids it (message, one line).
 

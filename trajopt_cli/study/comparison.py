@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.job import Job
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
-from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change, out_of_order, streamed
+from trajopt_cli.pipeline.planning import Listener, judge, may_change
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.workers import in_turns
 
@@ -255,6 +255,7 @@ class _Study:
     def ordered(self, results: Mapping[Question | str, Result]) -> dict[Question | str, Result]:
         """The answers that another one changes: a stream optimum that the RAPID optimum beats is that, as in optimize;
         and a plan that takes longer than one that may change less is none."""
+        from trajopt_cli.plan import instead_of, out_of_order
         from trajopt_cli.study.case import Attempt
 
         stream, rapid = (self.question(target, EVERYTHING) for target in (Target.STREAM, Target.RAPID))
@@ -262,7 +263,11 @@ class _Study:
         names = {stream: "optimum stream", rapid: "optimum rapid", written: "as-written"}
         plans = {one: plan for one in names if (plan := _legal_plan(results.get(one))) is not None}
         out: dict[Question | str, Result] = {}
-        if stream in results and rapid in plans and (plan := streamed(plans[rapid], plans.get(stream))) is not None:
+        if (
+            stream in results
+            and rapid in plans
+            and (plan := instead_of(plans.get(stream), plans[rapid], Target.STREAM))
+        ):
             out[stream] = self._judged(names[stream], Target.STREAM, Attempt(self.job.program, plan.trajectory, plan))
             plans = {stream: plan} | plans | {stream: plan}
         if wrong := out_of_order({names[one]: plan for one, plan in plans.items()}):

@@ -8,8 +8,7 @@ import math
 from typing import Any
 
 from trajopt_cli.findings import Report, failures
-from trajopt_cli.pipeline.planning import NoPlan
-from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plan import Infeasible, NoPlan
 from trajopt_cli.study.comparison import Comparison, Step, Tried
 
 _COLUMNS = (

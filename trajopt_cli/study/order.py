@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from trajopt_cli.pipeline.optimize import inputs_of
-from trajopt_cli.pipeline.planning import Listener, judge, may_change, touches, worst
+from trajopt_cli.pipeline.planning import Listener, judge, may_change
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -22,7 +22,6 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import ORDER, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json
-from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.order_text import Group
 from trajopt_cli.workers import cores, in_turns
@@ -251,16 +250,16 @@ class _Work:
         if isinstance(plan, Infeasible):
             return Tour(one.order, one.model, one.estimate, why=str(plan))
         rows = RowsFile()
-        kept = rows.keep(plan)
+        plan = rows.keep(plan)
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
         driven, left_out = held_against(program, job.plant, target, plan.detours, dropped)
         report = judge(job.plant, driven, rows.text, target.value, left_out, target, advice=False)
         tell(None)
         if not report.legal:
-            hits = touches(Judged(kept, rows, report))
-            why = f"collides: {hits[0].message}" if hits else worst(report).message
+            hits = report.collisions
+            why = f"collides: {hits[0].message}" if hits else report.worst.message
             return Tour(one.order, one.model, one.estimate, why=why)
-        return Tour(one.order, one.model, one.estimate, kept.duration)
+        return Tour(one.order, one.model, one.estimate, plan.duration)
 
 
 # ------------------------------------------------------------------------------------------------------------ records

@@ -16,13 +16,12 @@ from pathlib import Path
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Source
-from trajopt_cli.pipeline.planning import Listener, judge, may_change, touches, worst
+from trajopt_cli.pipeline.planning import Listener, judge, may_change
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
@@ -325,14 +324,14 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
 def _illegal(job: Job, plan: Plan, target: Target, offset: Offset) -> Tried | None:
     """What the judge says against a plan; None for a legal one."""
     rows = RowsFile()
-    kept = rows.keep(plan)
+    rows.keep(plan)
     dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
     program, left_out = held_against(job.program, job.plant, target, plan.detours, dropped)
     report = judge(job.plant, program, rows.text, target.value, left_out, target, advice=False)
     if report.legal:
         return None
-    hits = touches(Judged(kept, rows, report))
-    found = hits[0] if hits else worst(report)
+    hits = report.collisions
+    found = hits[0] if hits else report.worst
     motion = "" if found.source is None else _line(found.source)
     return Tried(offset, why=f"collides: {found.message}" if hits else found.message, motion=motion)
 

@@ -12,12 +12,12 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.pipeline.folder import plans_of_results
-from trajopt_cli.pipeline.optimize import Collides, Illegal, inputs_of
-from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, may_change, touches, worst
+from trajopt_cli.pipeline.optimize import Collides, Illegal, inputs_of, refused
+from trajopt_cli.pipeline.planning import Clock, Listener, may_change, plan_all
 from trajopt_cli.problem.detours import Detour, Numbering, unfolded, with_detours
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.objective import LEAST_TIME
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
@@ -128,14 +128,13 @@ def sensitivity(
         plans = plans_of_results(results, job)
     else:
         question, kept = dict.fromkeys(Target, LEAST_TIME), {one: RowsFile() for one in Target}
-        answers, _, _ = all_three(job, listen, Clock(), changes, Patience(), hands, question, kept)
+        answers, _, _ = plan_all(job, listen, Clock(), changes, Patience(), hands, question, kept)
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
                 return answer
             if not answer.report.legal:
-                hits = touches(answer)
-                return Collides(target.value, hits) if hits else Illegal(target.value, worst(answer.report))
+                return refused(target, answer.report)
             plans[target] = answer.plan
     return asked(job, changes, {one: plans[one] for one in targets}, listen, hands, search)
 

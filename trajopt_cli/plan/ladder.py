@@ -1,0 +1,110 @@
+"""The ladder of plans: from the fastest that is found for a target down to the first that the judge accepts.
+
+1. The initial plan, refined: `solve.optimize`, which itself goes back to the initial plan, slower and slower, where
+   rows of the file would pass a limit.
+2. The plan of the rung below, which may change less: the RAPID plan for a stream, the program as written for RAPID.
+3. The fallback plan, which stops at every point: `solve.slow_plan`.
+
+So cycle times are ordered, stream <= rapid <= as written; `out_of_order` asserts it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from itertools import pairwise
+
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
+from trajopt_cli.runs.results import Judged
+
+Answer = Judged | Infeasible | NoPlan
+"""Of one target: a plan that was judged, why the program cannot be done, or why no plan was found."""
+
+BELOW = {Target.STREAM: "rapid plan", Target.RAPID: "program as written"}
+"""Which plan a target can always have, as it may change less."""
+
+_ROUNDING = 1e-6  # of a cycle time: rows are a few of them longer where switches would not stand apart
+
+
+def first_legal(
+    target: Target,
+    found: Answer,
+    below: Plan | None,
+    judged: Callable[[Plan], Judged],
+    slow_plan: Callable[[str], Plan | None],
+) -> Answer:
+    """The answer for a target: the plan found for it, that of the rung below, or the fallback plan.
+
+    Args:
+        target: whose plan is wanted.
+        found: what the planner answered.
+        below: a legal plan that may change less; None where there is none.
+        judged: writes a plan's rows and has them judged.
+        slow_plan: the fallback plan, told why it is wanted; None where there is none.
+
+    Returns:
+        The first legal plan of the three; found where none is.
+    """
+    failure = _failure(target, found)
+    if below is not None:
+        plan = found.plan if isinstance(found, Judged) else None
+        better = instead_of(plan, below, target, failure)
+        return found if better is None else judged(better)
+    if failure is None:
+        return found
+    slow = slow_plan(f"the one found {found.report.refusal}" if isinstance(found, Judged) else _said(found))
+    if slow is None or slow.duration == 0.0:
+        return found
+    last = judged(slow)
+    return last if last.report.legal else found
+
+
+def instead_of(plan: Plan | None, below: Plan, target: Target, failure: str | None = None) -> Plan | None:
+    """A plan that may change less, as the one of a target; None where the target's own plan is as good.
+
+    Args:
+        plan: the target's own, None where there is none.
+        below: the other plan, which this target can have as well.
+        target: whose plan is wanted.
+        failure: why the own plan cannot be had, in words; None where it can.
+    """
+    if plan is not None and failure is None and not _better(below, plan):
+        return None
+    word = "faster" if below.eased is None else "gentler"
+    note = f"the plan is the {BELOW[target]}: {failure or f'nothing {word} was found'}"
+    if plan is None:
+        return replace(below, target=target, lower_bound=None, notes=(note,))
+    notes = (note, *plan.notes) if target is Target.STREAM else (note,)
+    return replace(below, target=target, lower_bound=plan.lower_bound, seconds=plan.seconds, notes=notes)
+
+
+def out_of_order(plans: Mapping[str, Plan]) -> str | None:
+    """What is wrong where a plan takes longer than the next one, which may change less; None where nothing is.
+
+    plans: by name, those that may change most first: stream, rapid, as written.
+    """
+    for (free, plan), (bound, other) in pairwise(plans.items()):
+        if plan.duration > other.duration * (1 + _ROUNDING):
+            return (
+                f"an error in trajopt: the {free} plan takes {plan.duration:.6f} s, the {bound} plan, which may change "
+                f"less, {other.duration:.6f} s"
+            )
+    return None
+
+
+def _better(one: Plan, other: Plan) -> bool:
+    """Whether a plan is faster than another; of two within a given time, whether it is gentler."""
+    if one.eased is None or other.eased is None:
+        return other.eased is None and one.duration < other.duration * (1 - _ROUNDING)
+    return one.duration <= other.duration * (1 + _ROUNDING) and one.eased.planned.effort < other.eased.planned.effort
+
+
+def _failure(target: Target, found: Answer) -> str | None:
+    """Why an answer is no legal plan, in words; None where it is one."""
+    if not isinstance(found, Judged):
+        return f"no other one was found ({_said(found)}): an error in trajopt; please report it"
+    return None if found.report.legal else f"the {target} plan that was found {found.report.refusal}"
+
+
+def _said(answer: Infeasible | NoPlan) -> str:
+    return answer.message if isinstance(answer, NoPlan) else str(answer)
