@@ -38,7 +38,7 @@ from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.graph_search.ik_tables import IkTable, station_table
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.joint_csv import write_csv_text
-from trajopt_cli.pipeline.planning import judge, may_change, worst
+from trajopt_cli.pipeline.planning import judge, may_change
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
@@ -515,7 +515,7 @@ def answer(job: Job, name: str) -> dict[str, dict[str, object]]:
             out[one] = {"seconds": seconds, "says": "", "time": motion}
         else:
             report = judge(job.plant, job.program, write_csv_text(motion), "rows", (), target, advice=False)
-            says = "legal" if report.legal else f"ILLEGAL: {worst(report).message}"
+            says = "legal" if report.legal else f"ILLEGAL: {report.worst.message}"
             out[one] = {"seconds": seconds, "says": says, "time": motion.duration}
     return out
 

@@ -18,9 +18,9 @@ from legal_motion import (
     rapid_case,
 )
 
-from trajopt_cli.findings import Report
+from trajopt_cli.findings import Report, collisions
 from trajopt_cli.geometry import Array, pose
-from trajopt_cli.judge.clearance import check_clearance, collisions
+from trajopt_cli.judge.clearance import check_clearance
 from trajopt_cli.judge.continuous_collision import OVERLOOKED
 from trajopt_cli.judge.scene import legs_of
 from trajopt_cli.judge.verify import verify

@@ -14,7 +14,6 @@ import typer
 
 from trajopt_cli.rapid.execution.recursion_limit import FRAMES
 
-
 LEAST_MEMORY = 300_000_000  # bytes of address space: below, OpenBLAS ends the process in words and a code of its own
 
 
