@@ -13,7 +13,7 @@ from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 
-IMPROVED = "trajopt_cli.plan.solve.improved"
+IMPROVED = "trajopt_cli.plan.solve.refine"
 
 
 def as_it_comes(axes: Axes, legal: Legal, *_: object) -> tuple[Problem, Iterate, tuple[str, ...]]:

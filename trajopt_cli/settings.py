@@ -160,16 +160,10 @@ WINDOW = 24  # legs of the nonlinear program at most. Measured on 26 legs of a r
 # processor time, windows of 14 legs 9.897 s in 45 s, of 9 legs 9.874 s in 71 s; so one solve as long as it converges.
 OVERLAP = 12  # legs of the windows over the others' borders, about. Measured on 100 moves of a pallet: 8 gave 34.824 s,
 # 12 34.818 s, as many as the others have 34.820 s.
-EVEN_PARTS = 4  # windows at most into which what is left of a piece is cut evenly. Not measured.
 FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken, on grids that are doubled once more.
 # Measured on nine random programs: the first start that gained was up to 5 % slower than another; on 100 moves of a
 # pallet the coarser grids cost 0.13 % of the cycle and save 30 to 40 % of the solver's time. In longer ones the best
 # of two first answers: on 50, 100 and 200 moves of a pallet 0.4, 0 and 0 % less for 20, 8 and 4 % more time.
-RIVAL = 1.003  # times the best rough answer up to which others are solved to the end as well. Measured: of two 0.22 %
-# apart the one behind ended 0.5 % ahead; 1 % cost hinge_cell 0.6 s for nothing.
-SAME_END = 2e-4  # share by which rough answers differ that lead to the same end. Measured: of two 8e-4 apart the one
-# behind ended 0.5 % ahead.
-LEAST_WINDOW = 1  # legs of the halves of one that does not. Measured: with 4 all windows of some slow programs failed.
 SWEEPS = 6  # of windows over one another's borders at most. Not measured.
 SWEEP_GAIN = (
     1e-2  # share that the windows over a window's borders must have saved before it is solved again. Measured on 200

@@ -138,8 +138,8 @@ def in_turns(
     it is done in any process.
     """
     names = list(tasks)
-    hands = min(jobs or cores(), len(names))
-    if hands < 2:
+    max_workers = min(jobs or cores(), len(names))
+    if max_workers < 2:
         return {name: task(hear) for name, task in tasks.items()}
     taken = multiprocessing.get_context("fork").Value("i", 0)
 
@@ -154,7 +154,7 @@ def in_turns(
             done[i] = tasks[names[i]](tell)
 
     with ExitStack() as stack:
-        others = [stack.enter_context(Worker(work, hear)) for _ in range(hands - 1)]
+        others = [stack.enter_context(Worker(work, hear)) for _ in range(max_workers - 1)]
 
         def hear_all(message: Any) -> None:
             hear(message)

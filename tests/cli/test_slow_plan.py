@@ -59,7 +59,7 @@ def _disconnected(program: object, *_: object, **__: object) -> Infeasible:
 FAILURES: dict[str, tuple[str, Callable[..., object]]] = {
     "the search finds no chain": ("trajopt_cli.plan.initial_plan.search", _none),
     "no law drives a run": ("trajopt_cli.plan.detour_planner.timed", _not_driven),
-    "windows fail": ("trajopt_cli.plan.solve.improved", _no_clean_plan),
+    "windows fail": ("trajopt_cli.plan.solve.refine", _no_clean_plan),
     "rows are not legal": ("trajopt_cli.plan.solve._rows", None),  # but those of the slow plan
     "the whole optimiser says that there is no way": ("trajopt_cli.plan.optimize", _disconnected),
     "the whole optimiser fails": ("trajopt_cli.plan.optimize", _no_clean_plan),

@@ -15,7 +15,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.nlp.block_cache import Maps, library
 from trajopt_cli.plan.initial_plan import Legal, legal_of
-from trajopt_cli.plan.local_refinement import improved
+from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.plan.solve import _rows
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
@@ -107,7 +107,7 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
     assert isinstance(found, Legal)
     draft = found.draft
     if not problem.coordinated:
-        _, draft, _ = improved(axes, found, Patience(), lambda _: None, seconds)
+        _, draft, _ = refine(axes, found, Patience(), lambda _: None, seconds)
     rows = _rows(axes, problem, draft)
     assert rows is not None
     return rows[0]

@@ -11,7 +11,7 @@ from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import pose
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan.initial_plan import Legal, Memory, Question, legal_motion
-from trajopt_cli.plan.local_refinement import improved
+from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.plan.solve import optimize
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.plan import Plan, Target
@@ -78,7 +78,7 @@ def test_points_of_an_earlier_plan_are_the_programs_own(legal: Legal) -> None:
 
 
 def test_free_axes_go_around_faster_than_by_points(legal: Legal) -> None:
-    problem, draft, _ = improved(AXES, legal, Patience(), lambda _: None, {})
+    problem, draft, _ = refine(AXES, legal, Patience(), lambda _: None, {})
     assert clear(AXES, problem, draft)
     assert duration(draft) < 0.97 * legal.duration
 

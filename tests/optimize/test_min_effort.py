@@ -14,7 +14,7 @@ from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.local_refinement import improved
+from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.plan.min_effort import spread
 from trajopt_cli.problem.objective import GENTLE, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, Target
@@ -69,7 +69,7 @@ def streamed() -> Streams:
     found = []
 
     def once(*args: Any) -> object:
-        found[:] = found or [improved(*args)]
+        found[:] = found or [refine(*args)]
         return found[0]
 
     with pytest.MonkeyPatch.context() as patch:

@@ -21,7 +21,7 @@ from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import subproblems
 from trajopt_cli.plan.initial_plan import Legal, legal_of
-from trajopt_cli.plan.local_refinement import improved
+from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
@@ -107,9 +107,8 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
     monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", solve)
-    monkeypatch.setattr("trajopt_cli.plan.local_refinement.search", lambda *_: None)
     base = legal()
-    _, draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
+    _, draft, notes = refine(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
     assert duration(draft) < base.duration
     assert draft.legs[-1] is base.draft.legs[-1]
     assert notes == ("stopped by Ctrl-C: the best plan so far; the search for a faster one was not finished",)

@@ -18,8 +18,8 @@ from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import local_refinement, subproblems
 from trajopt_cli.plan.initial_plan import Legal, legal_of
-from trajopt_cli.plan.local_refinement import Sweeps, Tally, improved
-from trajopt_cli.plan.subproblems import Span, Window, colours, pieces
+from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, refine
+from trajopt_cli.plan.subproblems import Span, Window, pieces, red_black
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
@@ -54,7 +54,7 @@ def base(*places: float, home: str = "") -> Legal:
 @cache
 def whole() -> Iterate:
     """One window over two stations."""
-    _, draft, notes = improved(AXES, base(0, 300), Patience(), lambda _: None, {})
+    _, draft, notes = refine(AXES, base(0, 300), Patience(), lambda _: None, {})
     assert notes == ()
     return draft
 
@@ -79,15 +79,17 @@ def quicker(problem: Problem, draft: Iterate) -> Iterate:
     return replace(draft, legs=tuple(legs))
 
 
-def swept(legal: Legal, tally: Tally | None = None) -> Iterate:
-    return Sweeps(AXES, LONG, Patience(), {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
+def swept(legal: Legal, tally: SweepReport | None = None) -> Iterate:
+    return WindowSweeps(AXES, LONG, Patience(), {}).run(
+        legal.problem, legal.draft, tally or SweepReport(), lambda _: None
+    )
 
 
 @pytest.mark.parametrize("most", [4, 5, 14])
 def test_windows_cover_the_whole_and_one_anothers_borders(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subproblems, "WINDOW", most)
     problem = problem_of(program(0, 300, 600, 0), plant_with_rail())
-    even, odd = colours(problem)
+    even, odd = red_black(problem)
     assert [first for first, _ in even] + [13] == [0] + [last for _, last in even]
     assert max(last - first for first, last in even) <= most
     if most == 14:
@@ -99,20 +101,11 @@ def test_windows_cover_the_whole_and_one_anothers_borders(most: int, monkeypatch
     assert all(a[1] <= b[0] for a, b in pairwise(odd))
 
 
-def test_repeated_passes_have_equal_windows(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Passes of six legs: windows of seven begin with a pass, but for those into which the end is cut evenly."""
-    monkeypatch.setattr(subproblems, "WINDOW", 7)
-    problem = problem_of(program(*([0, 300] * 8)), plant_with_rail())
-    even, odd = colours(problem)
-    assert even[:4] == [(0, 6), (6, 12), (12, 18), (18, 24)]
-    assert odd[:3] == [(3, 9), (9, 15), (15, 21)]
-
-
 def test_no_window_leaves_its_piece(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subproblems, "WINDOW", 2)
     problem = problem_of(program(0, 300, home="MoveAbsJ j_home, v2500, fine, tool0;\n"), plant_with_rail())
     assert pieces(problem) == [(0, 4), (4, 8)]
-    assert all(last <= 4 or first >= 4 for spans in colours(problem) for first, last in spans)
+    assert all(last <= 4 or first >= 4 for spans in red_black(problem) for first, last in spans)
 
 
 def test_a_window_is_held_where_and_as_fast_as_the_motion_passes_its_ends(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -141,9 +134,9 @@ def test_a_window_that_fails_changes_nothing(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(subproblems, "WINDOW", 4)
     stand_in(monkeypatch, solve)
     legal = base(0, 300, 600)
-    even, _ = colours(legal.problem)
+    even, _ = red_black(legal.problem)
     assert even == [(0, 3), (3, 6), (6, 10)]
-    tally = Tally()
+    tally = SweepReport()
     found = swept(legal, tally)
     assert duration(found) < legal.duration
     assert all(a is b for a, b in zip(found.legs[6:], legal.draft.legs[6:], strict=True))
@@ -161,7 +154,7 @@ def test_a_window_that_is_slower_changes_nothing(monkeypatch: pytest.MonkeyPatch
 
     stand_in(monkeypatch, slower)
     legal = base(0, 300)
-    tally = Tally()
+    tally = SweepReport()
     assert swept(legal, tally) is legal.draft
     assert list(tally.notes(False, Patience())) == [
         "each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found"
@@ -203,10 +196,10 @@ def test_the_order_of_windows_side_by_side_does_not_matter(monkeypatch: pytest.M
     forth = swept(legal)
 
     def backwards(problem: Problem) -> tuple[list[Span], list[Span]]:
-        even, odd = colours(problem)
+        even, odd = red_black(problem)
         return even[::-1], odd[::-1]
 
-    monkeypatch.setattr(local_refinement, "colours", backwards)
+    monkeypatch.setattr(local_refinement, "red_black", backwards)
     back = swept(legal)
     assert [motion.T for motion in forth.legs if motion] == [motion.T for motion in back.legs if motion]
 
@@ -223,7 +216,7 @@ def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = stand_in(monkeypatch, solve)
     legal = base(0, 300, 600)
     swept(legal)
-    even, odd = colours(legal.problem)
+    even, odd = red_black(legal.problem)
     assert len(even) + len(odd) == 5
     assert 5 < len(asked) <= 10  # the even ones again, which gain nothing, and so the odd ones are not
 
@@ -232,9 +225,9 @@ def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(subproblems, "WINDOW", 4)
     stand_in(monkeypatch, quicker)
     legal, found = base(0, 300, 600), []
-    for hands in (1, 3):
+    for max_workers in (1, 3):
         told: list[float] = []
-        sweeps = Sweeps(AXES, LONG, Patience(), {}, lambda hands=hands: hands)
-        found.append(sweeps.run(legal.problem, legal.draft, None, Tally(), told.append))
+        sweeps = WindowSweeps(AXES, LONG, Patience(), {}, lambda max_workers=max_workers: max_workers)
+        found.append(sweeps.run(legal.problem, legal.draft, SweepReport(), told.append))
         assert told[-1] == pytest.approx(duration(found[-1]))
     assert [motion.T for motion in found[0].legs if motion] == [motion.T for motion in found[1].legs if motion]

@@ -134,7 +134,7 @@ def plan_all(
 
     def plan_stream(listen: Listener, max_workers: Callable[[], int]) -> Answer:
         return solve(
-            job, stream, changes[stream], listen, clock, patience, kept[stream], hands=max_workers,
+            job, stream, changes[stream], listen, clock, patience, kept[stream], max_workers=max_workers,
             objective=asked[stream],
         )  # fmt: skip
 
@@ -200,7 +200,7 @@ def solve(
     patience: Patience,
     kept: RowsFile,
     memory: Memory | None = None,
-    hands: Callable[[], int] = lambda: 1,
+    max_workers: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
 ) -> Answer:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
@@ -223,7 +223,7 @@ def solve(
                 changes=changes,
                 memory=memory,
                 patience=patience,
-                hands=hands,
+                max_workers=max_workers,
                 objective=objective,
             )
         if isinstance(plan, Infeasible):
@@ -234,7 +234,7 @@ def solve(
         with clock.phase(f"{label}: judge"):
             plan = kept.keep(plan)
         give_back()
-        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, hands)
+        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
     for phase, spent in judged.plan.seconds.items():
@@ -250,7 +250,7 @@ def _bounded_and_judged(
     tell: Report,
     clock: Clock,
     patience: Patience,
-    hands: Callable[[], int],
+    max_workers: Callable[[], int],
 ) -> Judged:
     """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
     where the plan refutes the bound."""
@@ -264,7 +264,7 @@ def _bounded_and_judged(
         asked = not patience.interrupted
         if asked:
             tell(Progress("bound", plan.duration))
-        beside = stack.enter_context(Worker(bound, tell)) if asked and hands() > 1 else None
+        beside = stack.enter_context(Worker(bound, tell)) if asked and max_workers() > 1 else None
         known = bounded(plan, *bound(tell)) if asked and beside is None else plan
         tell(Progress("judge", known.duration, known.lower_bound))
         judged = _judged(job, known, kept, clock)

@@ -1,7 +1,7 @@
 """A legal motion made faster by the nonlinear program, window by window: whatever one does, the motion stays legal.
 
 A window's answer counts where its dense check is clean and it is faster than what it replaces. Windows are swept until
-little is gained; what was asked before is not asked again.
+little is gained; equal ones are solved once.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -18,18 +17,17 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import joined
 from trajopt_cli.collision.motion_collision import clear
-from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import Legal, add
-from trajopt_cli.plan.subproblems import Span, Window, colours, middle
+from trajopt_cli.plan.subproblems import Span, Window, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import FEW_LEGS, LEAST_GAIN, LEAST_WINDOW, RIVAL, SAME_END, SWEEP_GAIN, SWEEPS, WORTH_TRYING
+from trajopt_cli.settings import FEW_LEGS, LEAST_GAIN, SWEEP_GAIN, SWEEPS, WORTH_TRYING
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import cost
 from trajopt_cli.trajectories.iterate import Iterate
@@ -37,11 +35,103 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes
 from trajopt_cli.trajectories.route import Route
 from trajopt_cli.workers import in_turns
 
-Best = Callable[[float], None]
+Tell = Callable[[float], None]
+
+
+def refine(
+    axes: Axes,
+    legal: Legal,
+    patience: Patience,
+    tell: Report,
+    seconds: dict[str, float],
+    max_workers: Callable[[], int] = lambda: 1,
+) -> tuple[Problem, Iterate, tuple[str, ...]]:
+    """The initial plan made faster by the nonlinear program.
+
+    Runs with corners stay as they are, and so do their ends; but where joint moves meet at a fly-by, a stop there is
+    tried, too. Joint moves by points that were added are one leg each, without the points.
+
+    Args:
+        axes: of the plant.
+        legal: the initial plan.
+        patience: ends the search for a faster one.
+        tell: hears of faster plans.
+        seconds: time spent, by phase; what is spent here is added.
+        max_workers: how many processes may work now.
+
+    Returns:
+        The problem that is solved, its motion, and what a reader should know of it, one line each.
+    """
+    if not axes.robot.closed_form:
+        why = (
+            f"{axes.robot.name}'s wrist has an offset: its plan is searched and timed, no nonlinear program improves it"
+        )
+        return legal.problem, legal.draft, (why,)
+    problem, merged = joined(axes, legal.problem, legal.draft, legal.detours)
+    if patience.over:
+        why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
+        return problem, merged, (why,)
+    bases = [(problem, merged)]
+    if any(problem.passes(k) for k in range(len(problem.waypoints))):
+        bases = [joined(axes, *one, legal.detours) for one in _with_stops(axes, legal.problem, legal.chain)]
+    sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
+    solved, best = problem, merged
+    for one, base in bases:
+        found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)))
+        if duration(found) < duration(best) - LEAST_GAIN:
+            solved, best = one, found
+    return solved, best, tuple(report.notes(best is not merged, patience))
+
+
+def refine_laws(
+    axes: Axes,
+    legal: Legal,
+    patience: Patience,
+    seconds: dict[str, float],
+    max_workers: Callable[[], int] = lambda: 1,
+) -> Iterate:
+    """The initial plan of axes that share one progress under jerk limits, with faster laws on its lines and arcs.
+    Arguments as in refine."""
+    problem, draft = legal.problem, legal.draft
+    rails = axes.layout.place(draft.q)
+    held = (
+        replace(point, q=q, rail=(float(d), float(d)))
+        for point, q, d in zip(problem.waypoints, draft.q, rails, strict=True)
+    )
+    pinned = replace(problem, waypoints=tuple(held), ties=())
+    sweeps = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers)
+    return sweeps.run(pinned, draft, SweepReport(), lambda _: None)
+
+
+def _tell_best(tell: Report, known: float, now: float) -> None:
+    """Tell the best of two cycle times [s]."""
+    tell(Progress("solve", min(known, now)))
+
+
+def _with_stops(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
+    """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
+    for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
+        try:
+            draft = timed(axes, one, chain)
+            if clear(axes, one, draft):
+                yield with_fixed_runs(one, chain), draft
+        except NotDriven:
+            continue
+
+
+def with_fixed_runs(problem: Problem, chain: Route) -> Problem:
+    """The problem with the ends of every run with corners at rest where the chain has them."""
+    layout = problem.plant.robot.layout
+    waypoints = list(problem.waypoints)
+    for first, last in problem.runs:
+        for k in range(first, last + 1) if last > first + 1 else ():
+            rail = float(layout.place(chain.q[k]))
+            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
+    return replace(problem, waypoints=tuple(waypoints))
 
 
 @dataclass(frozen=True, eq=False)
-class Outcome:
+class _Outcome:
     """What came of a window: its motion where that counts; whether any solve was clean; seconds per phase; whether
     patience ended before it was solved."""
 
@@ -52,7 +142,7 @@ class Outcome:
 
 
 @dataclass
-class Tally:
+class SweepReport:
     """Windows that were tried, and those of which no solve was clean; whether patience ended first."""
 
     tried: set[Span] = field(default_factory=set)
@@ -70,225 +160,126 @@ class Tally:
             yield f"{count} of {len(self.tried)} windows failed to converge: {parts} as found without them"
 
 
-def improved(
-    axes: Axes,
-    legal: Legal,
-    patience: Patience,
-    tell: Report,
-    seconds: dict[str, float],
-    hands: Callable[[], int] = lambda: 1,
-) -> tuple[Problem, Iterate, tuple[str, ...]]:
-    """The legal motion, or a faster one, with the problem it solves, and what a reader should know of it. hands: how
-    many processes may work now.
-
-    Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
-    as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too. Joint
-    moves by points that were added are one leg each, without the points.
-    """
-    if not axes.robot.closed_form:
-        why = (
-            f"{axes.robot.name}'s wrist has an offset: its plan is searched and timed, no nonlinear program improves it"
-        )
-        return legal.problem, legal.draft, (why,)
-    problem, known = joined(axes, legal.problem, legal.draft, legal.detours)
-    best = known
-    solved, bases = problem, [(problem, best)]
-    hopes: Route | None = None
-    if patience.over:
-        why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
-        return problem, best, (why,)
-    if any(problem.passes(k) for k in range(len(problem.waypoints))):
-        bases = [joined(axes, *one, legal.detours) for one in _stopping(axes, legal.problem, legal.chain)]
-    elif axes.layout.has_rail and problem.freedom.through_stops:
-        start = perf_counter()
-        hopes = search(axes, problem)
-        add(seconds, "search", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, Grids.of(problem), patience, seconds, hands), Tally()
-    for one, base in bases:
-        found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
-        if duration(found) < duration(best) - LEAST_GAIN:
-            solved, best = one, found
-    return solved, best, tuple(tally.notes(best is not known, patience))
-
-
-def sharpened(
-    axes: Axes,
-    legal: Legal,
-    patience: Patience,
-    seconds: dict[str, float],
-    hands: Callable[[], int] = lambda: 1,
-) -> Iterate:
-    """The legal motion of axes that share one progress under jerk limits, with faster laws on its lines and arcs."""
-    problem, draft = legal.problem, legal.draft
-    rails = axes.layout.place(draft.q)
-    held = (
-        replace(point, q=q, rail=(float(d), float(d)))
-        for point, q, d in zip(problem.waypoints, draft.q, rails, strict=True)
-    )
-    pinned = replace(problem, waypoints=tuple(held), ties=())
-    return Sweeps(axes, Grids.of(problem), patience, seconds, hands).run(pinned, draft, None, Tally(), lambda _: None)
-
-
-def _tell_best(tell: Report, known: float, now: float) -> None:
-    """Tell the best of two cycle times [s]."""
-    tell(Progress("solve", min(known, now)))
-
-
-def _stopping(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
-    """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
-    for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
-        try:
-            draft = timed(axes, one, chain)
-            if clear(axes, one, draft):
-                yield frozen(one, chain), draft
-        except NotDriven:
-            continue
-
-
-def frozen(problem: Problem, chain: Route) -> Problem:
-    """The problem with the ends of every run with corners at rest where the chain has them."""
-    layout = problem.plant.robot.layout
-    waypoints = list(problem.waypoints)
-    for first, last in problem.runs:
-        for k in range(first, last + 1) if last > first + 1 else ():
-            rail = float(layout.place(chain.q[k]))
-            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
-    return replace(problem, waypoints=tuple(waypoints))
-
-
-class Sweeps:
+class WindowSweeps:
     """Sweeps windows over the motions of one plant's problems, and remembers what came of each."""
 
     def __init__(
         self, axes: Axes, grids: Grids, patience: Patience, seconds: dict[str, float],
-        hands: Callable[[], int] = lambda: 1,
+        max_workers: Callable[[], int] = lambda: 1,
     ):  # fmt: skip
-        self._grids, self._hands = grids, hands
+        self._grids, self._max_workers = grids, max_workers
         self._axes, self._patience, self._seconds, self._formulation = axes, patience, seconds, Formulation(axes)
-        self._known: dict[bytes, Outcome] = {}
+        self._cache: dict[bytes, _Outcome] = {}
 
-    def run(self, problem: Problem, base: Iterate, hopes: Route | None, tally: Tally, tell: Best) -> Iterate:
-        """The legal motion base, faster where a window found something. hopes: where the search would begin. tell: is
-        told the cycle time [s] after every window."""
+    def run(self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell) -> Iterate:
+        """The legal motion base, faster where a window found something. tell: is told the cycle time [s] after every
+        window."""
         if not self._axes.robot.closed_form:
             return base
-        draft, (even, odd) = base, colours(problem)
-        moved = dict.fromkeys((*even, *odd), np.inf)  # what was gained over each window's borders since it was solved
+        draft, (red, black) = base, red_black(problem)
+        gained = dict.fromkeys((*red, *black), np.inf)  # over each window's borders since it was solved, as a share
         for _ in range(SWEEPS):
-            if tally.stopped or max(moved.values()) <= SWEEP_GAIN:
+            if report.stopped or max(gained.values()) <= SWEEP_GAIN:
                 break
-            for spans, others in ((even, odd), (odd, even)):
-                due = [span for span in spans if moved[span] > SWEEP_GAIN]
-                before, asked = draft, due
-                while asked:
-                    draft = self._colour(problem, base, draft, hopes, asked, tally, tell)
-                    asked = [half for span in asked if span in tally.failed for half in _halves(problem, span, tally)]
+            for spans, others in ((red, black), (black, red)):
+                due = [span for span in spans if gained[span] > SWEEP_GAIN]
+                before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell)
                 for first, last in due:
-                    moved[first, last] = 0.0
+                    gained[first, last] = 0.0
                     was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, draft))
                     for span in others:
-                        moved[span] += (was - now) / was if first < span[1] and span[0] < last and was else 0.0
+                        gained[span] += (was - now) / was if first < span[1] and span[0] < last and was else 0.0
         return draft
 
-    def _colour(
-        self, problem: Problem, base: Iterate, draft: Iterate, hopes: Route | None, spans: Sequence[Span], tally: Tally,
-        tell: Best,
-    ) -> Iterate:  # fmt: skip
-        """The motion after windows side by side, which know nothing of one another."""
-        asked: list[tuple[Window, bytes]] = []
+    def _side_by_side(
+        self, problem: Problem, base: Iterate, draft: Iterate, spans: Sequence[Span], report: SweepReport, tell: Tell
+    ) -> Iterate:
+        """The motion after windows that share no leg, equal ones solved once."""
         few = len(problem.legs) <= FEW_LEGS
-        tasks: dict[bytes, Callable[[Callable[[Any], None]], Outcome]] = {}
+        windows: list[tuple[Window, bytes]] = []
+        tasks: dict[bytes, Callable[[Callable[[Any], None]], _Outcome]] = {}
         for window in (Window.of(problem, draft, span) for span in spans):
             if not may_gain(self._axes, window.problem, window.draft):
                 continue
             part = slice(window.first, window.last)
-            untouched = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
-            hoped = [_hoped(self._axes, problem, window, hopes, self._grids)] if hopes is not None and untouched else []
-            key = window.key(*hoped)
-            asked.append((window, key))
-            if key not in self._known:
-                tasks.setdefault(key, partial(self._solve, window, hoped, untouched, few, key))
+            initial = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
+            key = window.key()
+            windows.append((window, key))
+            if key not in self._cache:
+                tasks.setdefault(key, partial(self._solve, window, initial, few, key))
         saved = dict.fromkeys(tasks, 0.0)
 
         def hear(told: tuple[bytes, float]) -> None:
             key, gain = told
-            saved[key] = gain * sum(one == key for _, one in asked)
+            saved[key] = gain * sum(one == key for _, one in windows)
             tell(duration(draft) - sum(saved.values()))
 
-        outcomes = dict(self._known)
+        outcomes = dict(self._cache)
         if tasks and not outcomes:  # what it expresses and loads is there before other processes are forked
             begin = next(iter(tasks))
             outcomes[begin] = tasks[begin](hear)
-        outcomes |= in_turns({key: task for key, task in tasks.items() if key not in outcomes}, hear, self._hands())
-        for window, key in asked:
+        left = {key: task for key, task in tasks.items() if key not in outcomes}
+        outcomes |= in_turns(left, hear, self._max_workers())
+        for window, key in windows:
             outcome, span = outcomes[key], (window.first, window.last)
             if outcome.stopped:
-                tally.stopped = True
+                report.stopped = True
             else:
-                self._known[key] = outcome
-                tally.tried.add(span)
-                (tally.failed.discard if outcome.clean else tally.failed.add)(span)
+                self._cache[key] = outcome
+                report.tried.add(span)
+                (report.failed.discard if outcome.clean else report.failed.add)(span)
             if outcome.found is not None:
                 draft = window.put(outcome.found, draft)
-                self._known.setdefault(Window.of(problem, draft, span).key(), replace(outcome, found=None))
         for key in tasks:
             for phase, spent in outcomes[key].seconds.items():
                 add(self._seconds, phase, spent)
         return draft
 
     def _solve(
-        self, window: Window, hoped: Sequence[Iterate], untouched: bool, few: bool, key: bytes,
-        tell: Callable[[tuple[bytes, float]], None],
-    ) -> Outcome:  # fmt: skip
-        """From what the search hoped for, and from the motion at hand: where the problem has few legs from those starts
-        that lead about as far on a rough grid, else from the one with the best first answer, or the next where that
-        gains nothing. tell: its key and what it saves [s]."""
+        self, window: Window, initial: bool, few: bool, key: bytes, tell: Callable[[tuple[bytes, float]], None]
+    ) -> _Outcome:
+        """The window from the start with the best first answer, or from the next one where that gains nothing.
+
+        Args:
+            window: what is asked.
+            initial: whether its motion is that of the initial plan: then parabolas between its ends are a start, too.
+            few: whether the problem has few legs: then first answers are compared on a rough grid.
+            key: of the window.
+            tell: is told the key and what is saved [s].
+        """
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
-        near = on_grid(self._axes, problem, own, self._grids)
-        starts: list[Iterate | Stage] = [near, coarse]
-        clean, seconds, best = False, dict[str, float](), own
-        ends: list[float] = []  # where starts led to on the rough grid that were solved to the end
+        near, seconds, clean = on_grid(self._axes, problem, own, self._grids), dict[str, float](), False
         try:
-            if untouched:
+            starts: list[Iterate | Stage] = [near, coarse]
+            if initial:
                 rough = [on_grid(self._axes, problem, own, self._grids.rough)] if few else []
-                starts = [*self._ahead(problem, [*hoped, coarse, *rough], few, seconds), near]
+                starts = [*self._first_answers(problem, [coarse, *rough], few, seconds), near]
             for start in starts:
-                if best is not own and not (few and isinstance(start, Stage) and self._rivals(problem, start, ends)):
-                    continue
                 with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
-                    found = refiner.finished(start) if isinstance(start, Stage) else refiner.run(start)
+                    found = refiner.run(start) if isinstance(start, Iterate) else refiner.finished(start)
                     clean = True
-                    ends += [cost(self._axes, problem, start.draft.legs)] if isinstance(start, Stage) else []
-                    gain = cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs)
+                    gain = cost(self._axes, problem, own.legs) - cost(self._axes, problem, found.legs)
                     if gain > LEAST_GAIN and clear(self._axes, problem, found):
-                        best = found
-                        tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
-                if clean and not untouched:
+                        tell((key, gain))
+                        return _Outcome(found, clean, seconds)
+                if clean and not initial:
                     break  # from a motion found before the way leads back to it
         except Stopped:
-            return Outcome(None if best is own else best, clean, seconds, stopped=True)
-        return Outcome(None if best is own else best, clean, seconds)
+            return _Outcome(None, clean, seconds, stopped=True)
+        return _Outcome(None, clean, seconds)
 
-    def _ahead(self, problem: Problem, starts: Sequence[Iterate], few: bool, seconds: dict[str, float]) -> list[Stage]:
-        """First answers from those starts that lead to one, in a problem of few legs rough ones, the best first; one
-        where several lead to the same first answer. Raises Stopped."""
-        found: list[Stage] = []
-        firsts: list[float] = []
+    def _first_answers(
+        self, problem: Problem, starts: Sequence[Iterate], few: bool, seconds: dict[str, float]
+    ) -> list[Stage]:
+        """Stages from those starts that converge, the best first. Raises Stopped."""
+        found = []
         for start in starts:
             with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                 stage = refiner.begun(start)
-                first = cost(self._axes, problem, stage.draft.legs)
-                if not _known(first, firsts):
-                    firsts.append(first)
-                    found.append(refiner.rough(stage) if few else stage)
+                found.append(refiner.rough(stage) if few else stage)
         return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
-
-    def _rivals(self, problem: Problem, stage: Stage, ends: Sequence[float]) -> bool:
-        """Whether a rough answer is about as good as the best one that was solved to the end, and none of those."""
-        end = cost(self._axes, problem, stage.draft.legs)
-        return end < RIVAL * min(ends, default=np.inf) and not _known(end, ends)
 
     @contextmanager
     def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[Refiner]:
@@ -301,45 +292,6 @@ class Sweeps:
         finally:
             for phase, spent in refiner.seconds.items():
                 add(seconds, phase, spent)
-
-
-def _halves(problem: Problem, span: Span, tally: Tally) -> list[Span]:
-    """A window that failed in two, to be tried in its place; none where it is small."""
-    border = middle(problem, *span) if span[1] - span[0] >= 2 * LEAST_WINDOW else None
-    if border is None:
-        return []
-    tally.tried.discard(span)
-    tally.failed.discard(span)
-    return [(span[0], border), (border, span[1])]
-
-
-def _hoped(axes: Axes, problem: Problem, window: Window, chain: Route, grids: Grids) -> Iterate:
-    """The search's chain between the window's ends; stations at an end in another configuration there stay as they
-    are."""
-    at, own = slice(window.first, window.last + 1), window.draft
-    q, qd, times = chain.q[at].copy(), chain.w[at].copy(), chain.times[window.first : window.last].copy()
-    cfx = [label.cfx for label in chain.labels[at]]
-    kept: set[int] = set()
-    for end, point in ((0, window.problem.waypoints[0]), (len(cfx) - 1, window.problem.waypoints[-1])):
-        if point.q is None:
-            continue
-        kept.add(end)
-        if cfx[end] != own.cfx[end] or np.abs(q[end] - own.q[end])[axes.layout.arm].max() > np.pi:
-            first, last = next(one for one in problem.stations if one[0] <= window.first + end <= one[1])
-            kept |= {k for k in range(len(cfx)) if first <= window.first + k <= last}
-    for k in kept:
-        q[k], qd[k], cfx[k] = own.q[k], own.qd[k], own.cfx[k]
-    for k, motion in enumerate(own.legs):
-        if motion is not None and motion.T == 0.0:  # what is asked for where the motion is already
-            times[k] = 0.0
-        elif motion is not None and (k in kept or k + 1 in kept):
-            times[k] = max(times[k], motion.T)
-    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
-
-
-def _known(end: float, ends: Sequence[float]) -> bool:
-    """Whether a rough answer's cost is one of those, as far as can be told."""
-    return any(abs(end - one) <= SAME_END * one for one in ends)
 
 
 def _capped(draft: Iterate) -> frozenset[int]:

@@ -22,7 +22,7 @@ from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
 from trajopt_cli.path_timing.path_timing import Shares, Unresolved, clean
 from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
 from trajopt_cli.plan.initial_plan import Legal, add
-from trajopt_cli.plan.local_refinement import Sweeps, Tally, frozen
+from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, with_fixed_runs
 from trajopt_cli.plan.min_effort_law import gentle_law
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
@@ -160,7 +160,7 @@ def gentlest(
     asked: LeastEffort,
     patience: Patience,
     spent: dict[str, float],
-    hands: Callable[[], int],
+    max_workers: Callable[[], int],
 ) -> tuple[Iterate, tuple[str, ...]] | None:
     """The gentlest motion found in the time that is asked for, and what a reader should know of it; None where that is
     too short. legal: motions before any nonlinear program; fast: the fastest one and the problem it solves."""
@@ -173,11 +173,11 @@ def gentlest(
             base = stretched(axes, one.problem, one.draft, seconds)
             if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
                 base = eased(axes, formulation, one.problem, one.draft, seconds)
-            own = frozen(one.problem, one.chain)
+            own = with_fixed_runs(one.problem, one.chain)
             bases.append((own, base) if solved.coordinated else joined(axes, own, base, one.detours))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, Grids.of(solved), patience, spent, hands), Tally()
+    sweeps, tally = WindowSweeps(axes, Grids.of(solved), patience, spent, max_workers), SweepReport()
     if not solved.coordinated:
         bases.append((solved, stretched(axes, solved, fast, seconds)))
         bases = [(one, _swept(axes, sweeps, one, base, seconds, tally)) for one, base in bases]
@@ -186,11 +186,13 @@ def gentlest(
     return _ended(solved, best, asked.seconds)
 
 
-def _swept(axes: Axes, sweeps: Sweeps, problem: Problem, draft: Iterate, seconds: float, tally: Tally) -> Iterate:
+def _swept(
+    axes: Axes, sweeps: WindowSweeps, problem: Problem, draft: Iterate, seconds: float, tally: SweepReport
+) -> Iterate:
     """The motion with free axes made gentler window by window, and its time given anew to what it became."""
     asked = replace(problem, objective=LeastEffort(seconds))
     for _ in range(EASE_ROUNDS):
-        draft = sweeps.run(asked, draft, None, tally, lambda _: None)
+        draft = sweeps.run(asked, draft, tally, lambda _: None)
         again = stretched(axes, problem, draft, seconds)
         before, after = (float(efforts(axes, one.legs).sum()) for one in (draft, again))
         if duration(draft) >= seconds * (1 - _SAME) and after >= before:

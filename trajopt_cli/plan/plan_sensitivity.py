@@ -26,9 +26,9 @@ from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
-from trajopt_cli.plan.local_refinement import frozen, may_gain
+from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
 from trajopt_cli.plan.rail_refinement import refined
-from trajopt_cli.plan.subproblems import Span, Window, colours
+from trajopt_cli.plan.subproblems import Span, Window, red_black
 from trajopt_cli.problem.corners import passed_in
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Changes
@@ -110,13 +110,13 @@ class Again:
 
         draft = begun(FIRST)
         if not problem.coordinated and self._passed:
-            problem = frozen(problem, chain)
+            problem = with_fixed_runs(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)
         self._formulation = Formulation(axes)
         self._parts: list[_Program | _Laws] = []
         known: dict[bytes, _Program | None] = {}
         whole = 0, len(problem.legs)
-        for span in [whole] if problem.coordinated else colours(problem)[0]:
+        for span in [whole] if problem.coordinated else red_black(problem)[0]:
             window, part = self.motion.part(span)
             nlp = None
             if _free(axes, window):
@@ -209,7 +209,7 @@ class Again:
             if inside and all(np.isfinite(arm).all() for arm in ways):
                 chain = replace(before.chain, q=q)
                 if not problem.coordinated and self._passed:
-                    problem = frozen(problem, chain)
+                    problem = with_fixed_runs(problem, chain)
                 return _Motion(axes, problem, chain, Iterate(q, qd, before.draft.cfx, legs_there))
         raise NotAgain("the arm does not reach there in the plan's configuration; --search plans anew")
 

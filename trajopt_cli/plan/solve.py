@@ -20,7 +20,7 @@ from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
 from trajopt_cli.plan.fallback_plan import plain_motion
 from trajopt_cli.plan.initial_plan import Legal, Memory, NoCleanPlan, Question, calmer_motions, legal_motion
-from trajopt_cli.plan.local_refinement import improved, sharpened
+from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import gentlest
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
@@ -78,7 +78,7 @@ def optimize(
     changes: Changes | None = None,
     memory: Memory | None = None,
     patience: Patience | None = None,
-    hands: Callable[[], int] = lambda: 1,
+    max_workers: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded; or the
@@ -88,7 +88,8 @@ def optimize(
     writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
     motions of other questions about this program, plant and changes; those found here are added.
     patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
-    hands: how many processes may work, asked whenever there is work for several; the plan is the same for any number.
+    max_workers: how many processes may work, asked when there is work for several; the plan is the same for
+    any number.
     Raises NoCleanPlan when the solver fails from every start.
     """
     patience = patience or Patience()
@@ -103,14 +104,14 @@ def optimize(
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
-        problem, draft, notes = improved(axes, legal, patience, tell, seconds, hands)
+        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
     elif axes.jerk is not None:
-        draft = sharpened(axes, legal, patience, seconds, hands)
+        draft = refine_laws(axes, legal, patience, seconds, max_workers)
     least, eased = duration(draft), None
     if isinstance(objective, LeastEffort):
         tell(Progress("ease", incumbent=least))
         calmer = calmer_motions(axes, question, legal, memory, seconds)
-        found = gentlest(axes, [legal, *calmer], problem, draft, objective, patience, seconds, hands)
+        found = gentlest(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
         if found is None:
             return _too_short(program, target, objective.seconds, least)
         gentle, more = found

@@ -15,14 +15,11 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.collision.collision_scene import collision_scene_of
-from trajopt_cli.geometry import Array
-from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.turning import Turning
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.problem.decision_scope import RailFreedom
+from trajopt_cli.problem.cache_keys import stretch_name
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
-from trajopt_cli.settings import EVEN_PARTS, OVERLAP, WINDOW
+from trajopt_cli.settings import OVERLAP, WINDOW
 from trajopt_cli.trajectories.iterate import Iterate
 
 Span = tuple[int, int]  # waypoints: the first and the last
@@ -75,48 +72,18 @@ class Window:
             qdd[at] = found.qdd
         return Iterate(q, qd, tuple(cfx), tuple(legs), qdd)
 
-    def key(self, *starts: Iterate) -> bytes:
-        """Equal for windows that ask for the same motion and begin with the same ones: that at hand, and starts."""
-        parts: list[bytes] = []
-        for draft in (self.draft, *starts):
-            times = np.array([0.0 if motion is None else motion.T for motion in draft.legs])
-            parts += [
-                _digits(draft.q),
-                _digits(draft.qd),
-                _digits(draft.qd if draft.qdd is None else draft.qdd),
-                repr(draft.cfx).encode(),
-                _digits(times),
-            ]
-        for k, point in enumerate(self.problem.waypoints):
-            asked = (point.rail, self.problem.rests(k), point.q is None, point.fly_by)
-            parts += [_digits(point.X_WF), repr(asked).encode()]
-        for leg in self.problem.legs:
-            numbers = (
-                leg.v_tcp,
-                leg.a_tcp,
-                leg.v_ori,
-                leg.v_rail,
-                leg.duration,
-                leg.rail_moves,
-                leg.acceleration,
-                leg.least,
-                leg.along,
-            )
-            parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
-            if leg.load is not None:
-                parts.append(repr(leg.load.numbers).encode())
-            parts.append(repr(leg.units).encode())
-            arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
-            if isinstance(arc, Arc):  # a line is what lies between its ends
-                parts.append(_digits(arc.numbers))
-        held = self.problem.freedom.rail is RailFreedom.STATION
-        around = collision_scene_of(self.problem)
-        if around is not None:
-            parts.append(repr([around.scene(leg.motion) for leg in self.problem.legs]).encode())
-        parts.append(repr((self.problem.ties, self.problem.coupling.value, held)).encode())
-        if isinstance(self.problem.objective, LeastEffort):
-            parts.append(_digits(np.array([self.problem.objective.seconds])))
-        return b"|".join(parts)
+    def key(self) -> bytes:
+        """Equal for windows that ask for the same and have the same motion at hand."""
+        problem, draft = self.problem, self.draft
+        times = np.array([0.0 if motion is None else motion.T for motion in draft.legs])
+        given = problem.objective.seconds if isinstance(problem.objective, LeastEffort) else np.nan
+        numbers = (draft.q, draft.qd, draft.qd if draft.qdd is None else draft.qdd, times, np.array([given]))
+        scene = collision_scene_of(problem)
+        bodies = None if scene is None else [scene.scene(leg.motion) for leg in problem.legs]
+        loads = [leg.load and leg.load.numbers for leg in problem.legs]
+        asked = draft.cfx, problem.ties, [leg.units for leg in problem.legs], loads, bodies
+        parts = [(np.round(one, 12) + 0.0).tobytes() for one in numbers]  # -0 is 0
+        return b"|".join([*parts, repr(asked).encode(), stretch_name(problem, 0, len(problem.legs))])
 
 
 def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
@@ -125,13 +92,9 @@ def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
     return replace(problem.waypoints[k], q=draft.q[k], rail=(rail, rail))
 
 
-def _digits(values: Array) -> bytes:
-    return (np.round(values, 12) + 0.0).tobytes()  # -0 is 0
-
-
 def pieces(problem: Problem) -> list[Span]:
     """The parts between waypoints where nothing is left to choose, in order."""
-    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k) and _loose(problem, k)]
+    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k) and _untied(problem, k)]
     return list(pairwise(sorted({0, *marks, len(problem.waypoints) - 1})))
 
 
@@ -142,65 +105,63 @@ def _pinned(problem: Problem, k: int) -> bool:
     return stop.q is not None or (stop.rail[0] == stop.rail[1] and problem.rests(k))
 
 
-def _loose(problem: Problem, k: int) -> bool:
+def _untied(problem: Problem, k: int) -> bool:
     """Whether no tie leads over waypoint k."""
     return not any(group[0] < k < group[-1] for group in problem.ties)
 
 
-def colours(problem: Problem) -> tuple[list[Span], list[Span]]:
+def red_black(problem: Problem) -> tuple[list[Span], list[Span]]:
     """Windows that cover the whole problem, none over another, and such as lie over the borders inside long pieces; in
     order. Those of one colour can be solved in any order, or at once."""
-    even: list[Span] = []
-    odd: list[Span] = []
+    red: list[Span] = []
+    black: list[Span] = []
     for first, last in pieces(problem):
         borders = [first, *_borders(problem, first, last), last]
-        even += pairwise(borders)
-        middles = [k for a, b in pairwise(borders) if (k := middle(problem, a, b)) is not None]
-        odd += [_around(problem, borders, *one) for one in pairwise(middles)]
-    return even, odd
+        red += pairwise(borders)
+        middles = [k for a, b in pairwise(borders) if (k := _middle(problem, a, b)) is not None]
+        black += [_over_borders(problem, borders, *one) for one in pairwise(middles)]
+    return red, black
 
 
 def _borders(problem: Problem, first: int, last: int) -> Iterator[int]:
-    """Where a piece is cut into windows, none of more than WINDOW legs where there may be borders: at even steps, so
-    that a program's passes have equal windows, and what is left in equal parts."""
+    """Where a piece is cut into windows of about one size, none of more than WINDOW legs where there may be borders."""
     at = first
     while (count := -(-(last - at) // WINDOW)) > 1:
-        wanted = at + (WINDOW if count > EVEN_PARTS else (last - at) / count)
-        border = _near(problem, at, min(last, at + WINDOW + 1), wanted)
+        border = _border_near(problem, at, min(last, at + WINDOW + 1), at + (last - at) / count)
         if border is None:
-            border = min(_free(problem, at + WINDOW, last), default=None)
+            border = min(_possible_borders(problem, at + WINDOW, last), default=None)
         if border is None:
             break
         yield border
         at = border
 
 
-def _around(problem: Problem, borders: list[int], first: int, last: int) -> Span:
+def _over_borders(problem: Problem, borders: list[int], first: int, last: int) -> Span:
     """Within a span, the legs beside the borders in it: about OVERLAP of them, for one farther away changes little."""
     inside = [k for k in borders if first < k < last]
     low, high = inside[0] - OVERLAP / 2, inside[-1] + OVERLAP / 2
-    near = [k for k in _free(problem, first, last) if low <= k <= high]
+    near = [k for k in _possible_borders(problem, first, last) if low <= k <= high]
     return (
         first if first >= low else min((k for k in near if k < inside[0]), default=first),
         last if last <= high else max((k for k in near if k > inside[-1]), default=last),
     )
 
 
-def middle(problem: Problem, a: int, b: int) -> int | None:
+def _middle(problem: Problem, a: int, b: int) -> int | None:
     """A border about in the middle between waypoints a and b, None where there is none."""
-    return min(_free(problem, a, b), key=lambda k: abs(k - (a + b) / 2), default=None)
+    return min(_possible_borders(problem, a, b), key=lambda k: abs(k - (a + b) / 2), default=None)
 
 
-def _near(problem: Problem, a: int, b: int, wanted: float) -> int | None:
+def _border_near(problem: Problem, a: int, b: int, wanted: float) -> int | None:
     """The waypoint between a and b, both left out, that is nearest to where a border is wanted; rather one in front of
     a joint move, where configurations meet. None where none may be a border."""
 
     def cost(k: int) -> float:
         return abs(k - wanted) + WINDOW / 6 * (problem.legs[k].kind is not LegKind.JOINT)
 
-    return min(_free(problem, a, b), key=cost, default=None)
+    return min(_possible_borders(problem, a, b), key=cost, default=None)
 
 
-def _free(problem: Problem, a: int, b: int) -> list[int]:
+def _possible_borders(problem: Problem, a: int, b: int) -> list[int]:
     """The waypoints between a and b, both left out, that may be borders."""
-    return [k for k in range(a + 1, b) if not problem.passes(k) and _loose(problem, k)]
+    return [k for k in range(a + 1, b) if not problem.passes(k) and _untied(problem, k)]
