@@ -25,12 +25,14 @@ from trajopt_cli.workers import Worker, give_back
 
 if TYPE_CHECKING:
     from trajopt_cli import findings
-    from trajopt_cli.plan import Answer, Memory
+    from trajopt_cli.plan import Memory
     from trajopt_cli.problem.plant import Plant
 
 _WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
+# Of one target: a plan that was judged, why the program cannot be done, or why no plan was found.
+Answer = Judged | Infeasible | NoPlan
 
 
 @dataclass

@@ -13,12 +13,36 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from itertools import pairwise
+from typing import Protocol, TypeVar
 
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
-from trajopt_cli.runs.results import Judged
 
-Answer = Judged | Infeasible | NoPlan
-"""Of one target: a plan that was judged, why the program cannot be done, or why no plan was found."""
+
+class Verdict(Protocol):
+    """What the judge says, of whom planners know no more."""
+
+    @property
+    def legal(self) -> bool:
+        """Whether the plan keeps every limit."""
+
+    @property
+    def refusal(self) -> str:
+        """Why it is not legal, as the end of a sentence."""
+
+
+class JudgedPlan(Protocol):
+    """A plan with what the judge says of it."""
+
+    @property
+    def plan(self) -> Plan:
+        """The plan."""
+
+    @property
+    def report(self) -> Verdict:
+        """What the judge says."""
+
+
+Judged = TypeVar("Judged", bound=JudgedPlan)
 
 BELOW = {Target.STREAM: "rapid plan", Target.RAPID: "program as written"}
 """Which plan a target can always have, as it may change less."""
@@ -28,11 +52,11 @@ _ROUNDING = 1e-6  # of a cycle time: rows are a few of them longer where switche
 
 def first_legal(
     target: Target,
-    found: Answer,
+    found: Judged | Infeasible | NoPlan,
     below: Plan | None,
     judged: Callable[[Plan], Judged],
     slow_plan: Callable[[str], Plan | None],
-) -> Answer:
+) -> Judged | Infeasible | NoPlan:
     """The answer for a target: the plan found for it, that of the rung below, or the fallback plan.
 
     Args:
@@ -47,12 +71,12 @@ def first_legal(
     """
     failure = _failure(target, found)
     if below is not None:
-        plan = found.plan if isinstance(found, Judged) else None
+        plan = None if isinstance(found, Infeasible | NoPlan) else found.plan
         better = instead_of(plan, below, target, failure)
         return found if better is None else judged(better)
     if failure is None:
         return found
-    slow = slow_plan(f"the one found {found.report.refusal}" if isinstance(found, Judged) else _said(found))
+    slow = slow_plan(_said(found) if isinstance(found, Infeasible | NoPlan) else f"the one found {found.report.refusal}")
     if slow is None or slow.duration == 0.0:
         return found
     last = judged(slow)
@@ -101,9 +125,9 @@ def _better(one: Plan, other: Plan, target: Target) -> bool:
     return one.duration <= other.duration * (1 + _ROUNDING) and one.eased.planned.effort < other.eased.planned.effort
 
 
-def _failure(target: Target, found: Answer) -> str | None:
+def _failure(target: Target, found: JudgedPlan | Infeasible | NoPlan) -> str | None:
     """Why an answer is no legal plan, in words; None where it is one."""
-    if not isinstance(found, Judged):
+    if isinstance(found, Infeasible | NoPlan):
         return f"no other one was found ({_said(found)}): an error in trajopt; please report it"
     return None if found.report.legal else f"the {target} plan that was found {found.report.refusal}"
 
