@@ -76,7 +76,9 @@ def first_legal(
         return found if better is None else judged(better)
     if failure is None:
         return found
-    slow = slow_plan(_said(found) if isinstance(found, Infeasible | NoPlan) else f"the one found {found.report.refusal}")
+    slow = slow_plan(
+        _said(found) if isinstance(found, Infeasible | NoPlan) else f"the one found {found.report.refusal}"
+    )
     if slow is None or slow.duration == 0.0:
         return found
     last = judged(slow)
