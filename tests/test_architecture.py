@@ -251,7 +251,7 @@ def test_every_room_stands_on_a_floor() -> None:
         ("cli/export.py", "import pydantic", "pydantic lives in"),
         (
             "iiwa/task/model.py",
-            "from trajopt_cli.iiwa.controller.state import State",
+            "from trajopt_cli.iiwa.controller.lag import Lag",
             "iiwa/task imports controller, which is not under it",
         ),
         (

@@ -9,22 +9,17 @@ from scipy.spatial.transform import Rotation
 from trajopt_cli.iiwa.controller.lag import (
     deviation,
     held,
-    lag_of,
     settling,
     steady_lag,
     time_constants,
     turn_deviation,
+    worst_lag,
 )
 from trajopt_cli.iiwa.controller.regulator import response
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, RotationLaw
+from trajopt_cli.iiwa.task.equilibrium import Piece
+from trajopt_cli.iiwa.task.model import Compliance
 
 THESIS = Compliance(np.r_[[1000.0] * 3, [30.0] * 3], np.r_[[500.0] * 3, [20.0] * 3], np.r_[[25.0] * 3, [3.0] * 3])
-
-
-def sequence(pose, pieces, h=1e-3):
-    R = np.tile(np.eye(3), (len(pose), 1, 1))
-    return Equilibrium(h, pose, R, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, pieces)
 
 
 def test_deviation_is_of_the_positions_alone_and_turn_deviation_of_the_orientations() -> None:
@@ -66,17 +61,17 @@ def test_lag_says_where_the_worst_is() -> None:
     pieces = (Piece(0, 4, "a", "b"), Piece(4, 10, "b", "c"))
     x = np.zeros((14, 6))
     x[7, 1], x[3, 5] = 0.3, 0.2
-    lag = lag_of(x, sequence(pose, pieces, 0.01))
-    assert (lag.maximum, lag.row, lag.piece, lag.share) == (pytest.approx(0.3), 7, pieces[1], pytest.approx(0.5))
+    lag = worst_lag(x, pose, 0.01, pieces)
+    assert (lag.maximum, lag.row, lag.piece) == (pytest.approx(0.3), 7, pieces[1])
     assert (lag.time, lag.mean) == (pytest.approx(0.07), pytest.approx(0.3 / 14))
     assert (lag.turn_maximum, lag.turn_time) == (pytest.approx(0.2), pytest.approx(0.03))
     x[4, 1] = 0.4
-    assert lag_of(x, sequence(pose, pieces)).piece == pieces[0]
+    assert worst_lag(x, pose, 1e-3, pieces).piece == pieces[0]
     x[13, 1] = 0.5  # after the end, where the last pose is held
-    late = lag_of(x, sequence(pose, pieces))
-    assert (late.row, late.piece, late.share) == (13, pieces[1], 1.0)
+    late = worst_lag(x, pose, 1e-3, pieces)
+    assert (late.row, late.piece) == (13, pieces[1])
     with pytest.raises(ValueError, match="10 rows, the equilibrium 11"):
-        lag_of(x[:10], sequence(pose, pieces))
+        worst_lag(x[:10], pose, 1e-3, pieces)
 
 
 def test_held_and_settling() -> None:

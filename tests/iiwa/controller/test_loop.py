@@ -167,7 +167,7 @@ def test_a_model_of_gravity_alone_takes_acceleration_for_a_force(robot: SrsRobot
 def test_torque_errors_pass_for_forces(robot: SrsRobot) -> None:
     sensor = Sensor(seed=3)
     found = go(robot, replace(SETTINGS, sensor=sensor), np.tile(start_row(robot), (60, 1)))
-    errors = TorqueErrors(sensor, robot.torque, H).rows(60)
+    errors = TorqueErrors(sensor, robot.torque, H).at(np.arange(60))
     assert np.allclose(found.force_believed, force_of(robot.jacobian(found.q), -errors), rtol=0, atol=1e-8)
 
 

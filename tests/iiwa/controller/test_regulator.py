@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import cos, exp, sin, sqrt
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,8 +12,11 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller import rotations
-from trajopt_cli.iiwa.controller.regulator import Regulator, SlerpRegulator, response, response_rotation
-from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration
+from trajopt_cli.iiwa.controller.parameters import Goal, Settings
+from trajopt_cli.iiwa.controller.pose_regulator import AnglesRegulator, SlerpRegulator
+from trajopt_cli.iiwa.controller.regulator import response, response_rotation
+from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration, RotationLaw
+from trajopt_cli.robot.srs_inverse import ArmAngle
 
 H = 1e-3
 K, D, M = [1000.0, 400, 100, 30, 10, 0], [500.0, 100, 120, 20, 5, 8], [25.0, 20, 10, 3, 2, 1]
@@ -22,6 +26,13 @@ BEFORE = Compliance(np.array(K), np.array(D), np.array(M))
 def axis(k: float, d: float, m: float) -> Compliance:
     """The same three numbers on all axes."""
     return Compliance(np.full(6, k), np.full(6, d), np.full(6, m))
+
+
+def regulator(compliance: Compliance, x: Array, **more: Any) -> AnglesRegulator:
+    """At rest at x (6,), angles included."""
+    law = AnglesRegulator(Settings(compliance, H, ArmAngle.FARIA, **more), rotations.IDENTITY, tuple(x[:3].tolist()))
+    law.x = tuple(x.tolist())
+    return law
 
 
 def line(v: float, length: float, rest: float) -> Array:
@@ -180,18 +191,18 @@ def test_one_period_at_a_time_is_the_same_law(integration: Integration, feed: Fe
     x_e, F = np.cumsum(rng.normal(size=(400, 6)), axis=0) * 1e-3, rng.normal(size=(400, 6)) * 20
     after = Compliance(np.array(K) / 2, np.array(D) * 2, np.array(M) * 3)
     first = response(x_e[:201], H, BEFORE, integration=integration, feed=feed, force=F[:201])
-    law = Regulator(BEFORE, H, tuple(x_e[0].tolist()), integration=integration)
-    v_e = np.diff(x_e, axis=0) / H
+    law = regulator(BEFORE, x_e[0], integration=integration, feed=feed)
+    goals = [Goal(tuple(row)) for row in x_e]
     for k in range(200):
         assert law.x == pytest.approx(first.x[k], abs=1e-14)
-        law.step(tuple(x_e[k]), tuple(F[k]), tuple(v_e[k]) if feed is Feed.VELOCITY else None)
+        law.step(goals[k], tuple(F[k]), goals[k + 1])
     law.set(after)
     assert law.x == pytest.approx(first.x[200], abs=1e-14)
     second = response(
         x_e[200:], H, after, integration=integration, feed=feed, force=F[200:], x_0=first.x[200], v_0=first.v[200]
     )
     for k in range(200, 399):
-        law.step(tuple(x_e[k]), tuple(F[k]), tuple(v_e[k]) if feed is Feed.VELOCITY else None)
+        law.step(goals[k], tuple(F[k]), goals[k + 1])
         assert law.v == pytest.approx(second.v[k - 199], abs=1e-13)
 
 
@@ -202,11 +213,12 @@ def test_any_number_of_rows(n: int) -> None:
     growing = Compliance(np.full(6, 1000.0), np.array([0, 0.5, 500, 49e3, 5.2e4, 6e4]), np.full(6, 25.0))
     x_e, F = rng.normal(size=(n, 6)), rng.normal(size=(n, 6)) * 30
     found = response(x_e, H, growing, force=F, v_0=np.ones(6))
-    law = Regulator(growing, H, tuple(x_e[0].tolist()), (1.0,) * 6)
+    law = regulator(growing, x_e[0])
+    law.v = (1.0,) * 6
     for k in range(n):
         scale = 1 + np.abs(found.x[: k + 1]).max(axis=0)
         assert np.all(np.abs(np.array(law.x) - found.x[k]) < 1e-12 * scale)
-        law.step(tuple(x_e[k].tolist()), tuple(F[k].tolist()))
+        law.step(Goal(tuple(x_e[k].tolist())), tuple(F[k].tolist()))
 
 
 def test_wrong_shapes_are_refused() -> None:
@@ -260,11 +272,12 @@ def test_slerp_one_period_at_a_time() -> None:
     p_e, F = np.cumsum(rng.normal(size=(n, 3)), axis=0) * 1e-3, rng.normal(size=(n, 6)) * 5
     turn = response_rotation(R_e, H, K[3:], D[3:], M[3:], F[:, 3:])
     slide = response(np.hstack([p_e, np.zeros((n, 3))]), H, BEFORE, force=F)
-    law = SlerpRegulator(BEFORE, H, tuple(p_e[0]), tuple(R_e[0].ravel()))
+    settings = Settings(BEFORE, H, ArmAngle.FARIA, rotation=RotationLaw.SLERP)
+    law = SlerpRegulator(settings, tuple(R_e[0].ravel()), tuple(p_e[0]))
     for k in range(n):
-        assert law.p == pytest.approx(slide.x[k, :3], abs=1e-13)
+        assert law.x[:3] == pytest.approx(slide.x[k, :3], abs=1e-13)
         assert np.allclose(law.R, turn.R[k].ravel(), rtol=0, atol=1e-13)
-        law.step(tuple(p_e[k]), tuple(R_e[k].ravel()), tuple(F[k]))
+        law.step(Goal((*p_e[k], 0.0, 0.0, 0.0), tuple(R_e[k].ravel())), tuple(F[k]))
 
 
 def test_rotations_of_one_sample_against_scipy() -> None:

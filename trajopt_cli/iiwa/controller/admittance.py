@@ -11,11 +11,11 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
-from trajopt_cli.iiwa.controller.forces import SMALLEST, Belief, ForceMap, SingularArm, clamped
+from trajopt_cli.iiwa.controller.forces import SMALLEST, ForceMap, SingularArm, clamped, zero
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
+from trajopt_cli.iiwa.controller.pose_regulator import pose_regulator
 from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, product, rotation, transpose, turned
 from trajopt_cli.iiwa.controller.sensor import TorqueErrors
-from trajopt_cli.iiwa.controller.state import pose_state
 from trajopt_cli.iiwa.task.model import BETA_LIMIT, Change, Clamps, RotationLaw
 from trajopt_cli.iiwa.task.world import Measured, Seven, Six
 from trajopt_cli.robot.dynamics import Dynamics
@@ -50,11 +50,11 @@ class Controller:
         self._rigid = sensor is None or sensor.rigid
         self._errors = None if sensor is None else TorqueErrors(sensor, robot.torque, settings.h)
         self._force_of = ForceMap()
-        self._belief = Belief(settings.zeroing)
+        self._zeroing = settings.zeroing
         self._set_clamps(settings.clamps)
         self._changes = sorted(settings.changes, key=lambda change: change.t)
         R, p = self._kinematics.forward(q_0)
-        self._state = pose_state(settings, R, p)
+        self._state = pose_regulator(settings, R, p)
         self._R_first = R
         self._seen_from: tuple[Array, Array] | None = None  # X_W'W and X_TT' since the start, None while unchanged
         self._near: Three = (0.0, 0.0, 0.0)  # the equilibrium's angles of the row before, in the present frames
@@ -122,7 +122,7 @@ class Controller:
             tau_c = self._dynamics.gravity_torque(np.array(measured.q)).tolist()
         tau_e = [c - m for c, m in zip(tau_c, measured.tau, strict=True)]
         if self._errors is not None:
-            tau_e = [tau - error for tau, error in zip(tau_e, self._errors.at(self.k), strict=True)]
+            tau_e = [tau - error for tau, error in zip(tau_e, self._errors.at(self.k).tolist(), strict=True)]
         if not isfinite(sum(tau_e)):
             return self._stop(
                 StopKind.TORQUE, "arm", float("nan"), float("nan"), "Nm", "the measured torques are not finite"
@@ -140,7 +140,9 @@ class Controller:
         for push in self.settings.pushes:
             if push.start <= t + _SOON and t + _SOON < push.end:
                 F = [f + extra for f, extra in zip(F, push.force.tolist(), strict=True)]
-        self.force = self._belief.zero((F[0], F[1], F[2], F[3], F[4], F[5]))
+        if any(self._zeroing.zeroed):
+            F = zero(F, self._zeroing).tolist()
+        self.force = (F[0], F[1], F[2], F[3], F[4], F[5])
         return model_at
 
     def seen(self, goal: Goal) -> Goal:
@@ -156,7 +158,7 @@ class Controller:
             if change.compliance is not None:
                 self._state.set(change.compliance)
             if change.zeroing is not None:
-                self._belief = Belief(change.zeroing)
+                self._zeroing = change.zeroing
             if change.clamps is not None:
                 self._set_clamps(change.clamps)
             if change.X_FT is not None or change.X_WB is not None or change.restart:

@@ -27,7 +27,7 @@ from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, Do
 from trajopt_cli.iiwa.controller.feed_path import DosePath, coarser
 from trajopt_cli.iiwa.controller.feed_plan import ROWS, plan
 from trajopt_cli.iiwa.controller.greedy_feed import SpeedFed, State, Walk, moving_axes
-from trajopt_cli.iiwa.controller.lag import Lag, held, lag_of, settling, worst_lag
+from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import coefficients, equilibrium_rates, response, response_rotation
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.task.angles import angles_near, rotation, rotation_vector
@@ -394,7 +394,9 @@ def compare(
     for feeding, feed in ((Feeding.UNDOSED, Feed.POSITION), (Feeding.VELOCITY, Feed.VELOCITY)):
         x = response(x_e, h, compliance, integration=integration, feed=feed).x
         arrived = settling(x, x_e[-1], ARRIVED, ARRIVED_TURN, h)
-        rows.append(FeedRow(feeding, equilibrium.duration, arrived, lag_of(x, equilibrium)))
+        rows.append(
+            FeedRow(feeding, equilibrium.duration, arrived, worst_lag(x, equilibrium.pose, h, equilibrium.pieces))
+        )
     if dosed is not None:
         rows.append(FeedRow(Feeding.DOSED, dosed.duration, dosed.arrived, dosed.lag))
     return tuple(rows)

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.rotations import rotation
 from trajopt_cli.iiwa.task.model import Zeroing
-from trajopt_cli.iiwa.task.world import Six
 
 SMALLEST = 1e-5
 """Singular value of J under which no force is given: a torque error of 1 Nm would pass for about 1e5 N."""
@@ -88,25 +87,8 @@ class ForceMap:
         return F
 
 
-class Belief:
-    """The same steps for one sample in plain floats, prepared for a zeroing."""
-
-    def __init__(self, zeroing: Zeroing) -> None:
-        self._rows: list[list[float]] | None = passing(zeroing).tolist() if any(zeroing.zeroed) else None
-
-    def zero(self, F: Six) -> Six:
-        """zero() of one force."""
-        if self._rows is None:
-            return F
-        f, g, h, i, j, k = F
-        top, low = self._rows[:3], self._rows[3:]
-        x, y, z = (row[0] * f + row[1] * g + row[2] * h for row in top)
-        a, b, c = (row[3] * i + row[4] * j + row[5] * k for row in low)
-        return (x, y, z, a, b, c)
-
-
 def clamped(values: Sequence[float], bounds: Sequence[float]) -> list[float]:
-    """clamp() of one sample in plain floats; NaN stays NaN."""
+    """Values within +-bounds, in plain floats; NaN stays NaN."""
     return [
         bound if value > bound else -bound if value < -bound else value
         for value, bound in zip(values, bounds, strict=True)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.iiwa.task.angles import rotation
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.equilibrium import Piece
 from trajopt_cli.iiwa.task.model import Compliance
 
 
@@ -34,9 +34,9 @@ def turn_deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
 
 @dataclass(frozen=True)
 class Lag:
-    """The deviation's worst case: maximum [m] at time [s] in row, there share (0..1, in time) of piece is past.
+    """The deviation's worst case: maximum [m] at time [s] in row, on piece (None where the equilibrium names none).
 
-    piece is None where the equilibrium names no pieces. mean [m]: over all rows. turn_maximum [rad] at turn_time [s]:
+    mean [m]: over all rows. turn_maximum [rad] at turn_time [s]:
     the same of the angle between both orientations.
     """
 
@@ -44,19 +44,16 @@ class Lag:
     time: float
     row: int
     piece: Piece | None
-    share: float
     mean: float
     turn_maximum: float
     turn_time: float
 
 
-def lag_of(x: ArrayLike, equilibrium: Equilibrium) -> Lag:
-    """The lag of a response x (n, 6) to an equilibrium of at most n rows; its last pose is held for what is longer."""
-    return worst_lag(x, equilibrium.pose, equilibrium.h, equilibrium.pieces)
-
-
 def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> Lag:
-    """lag_of for poses (m, 6) with a row every h [s] that are no Equilibrium."""
+    """The lag of a response x (n, 6) behind poses (m, 6), a row every h [s]; the last pose is held for what is longer.
+
+    Raises ValueError for a response shorter than the poses.
+    """
     x = np.asarray(x, dtype=np.float64)
     if len(x) < len(pose):
         raise ValueError(f"the response has {len(x)} rows, the equilibrium {len(pose)}")
@@ -65,15 +62,11 @@ def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> L
     row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
     # A shared row belongs to the piece that ends there; what is held after the end to the last one.
     piece = next((p for p in pieces if row <= p.last), pieces[-1] if pieces else None)
-    share = 0.0
-    if piece is not None:
-        share = min(1.0, max(0.0, (row - piece.first) / max(1, piece.last - piece.first)))
     return Lag(
         maximum=float(d[row]),
         time=row * h,
         row=row,
         piece=piece,
-        share=share,
         mean=float(np.mean(d)),
         turn_maximum=float(turn[turn_row]),
         turn_time=turn_row * h,

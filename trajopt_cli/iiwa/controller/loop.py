@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import zip_longest
 from math import degrees
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,9 +17,9 @@ from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.lag import held_rows
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Stop, StopKind
-from trajopt_cli.iiwa.controller.rotations import Nine, nine
+from trajopt_cli.iiwa.controller.rotations import nine
 from trajopt_cli.iiwa.task.model import RotationLaw
-from trajopt_cli.iiwa.task.world import Measured, Seven, Six, World
+from trajopt_cli.iiwa.task.world import Seven, World
 from trajopt_cli.limits import JointLimits
 
 _ROUNDING = 1e-9  # of a limit, and rad: a command this little beyond it stands on it
@@ -53,20 +54,9 @@ class LoopRun:
     world: str
 
     def __post_init__(self) -> None:
-        for name in ("t", "x_e", "x", "v", "R", "q_command", "q", "force_believed", "contact_true", "depth"):
-            object.__setattr__(self, name, readonly(getattr(self, name)))
-        object.__setattr__(self, "step_times", readonly(self.step_times))
-
-
-@dataclass(frozen=True)
-class _Row:
-    x_e: Six
-    x: Six
-    v: Six
-    R: Nine
-    q_command: Seven
-    force: Six
-    measured: Measured
+        for name, values in vars(self).items():
+            if isinstance(values, np.ndarray):
+                object.__setattr__(self, name, readonly(values))
 
 
 def run(
@@ -87,29 +77,36 @@ def run(
     """
     goals = _goals(x_e, R_e, controller.settings.rotation)
     goals += [goals[-1]] * held_rows(settle, controller.settings.h)
-    q = controller.q_0
-    measured = world.reset(q)
-    rows: list[_Row] = []
+    command = controller.q_0
+    measured = world.reset(command)
+    rows: list[tuple[Any, ...]] = []
     times: list[Sequence[float]] = []
     stop: Stop | None = None
-    guard = _Guard(limits, controller.settings.h)
+    refused = _guard(limits, controller.settings.h)
     with _no_collection():
         for goal, following in zip_longest(goals, goals[1:]):
             controller.adopt()
-            before = controller.seen(goal).x, controller.x, controller.v, controller.X_WT[0], q
+            before = controller.seen(goal).x, controller.x, controller.v, controller.X_WT[0], command
             answer = controller.feel(measured) if following is None else controller.step(goal, measured, following)
             stop = answer if isinstance(answer, Stop) else None
             if stop is None or stop.kind not in (StopKind.TORQUE, StopKind.SINGULAR):
-                rows.append(_Row(*before, controller.force, measured))
+                rows.append((*before, measured.q, controller.force, measured.contact, measured.depth))
             if not isinstance(answer, Command):
                 break
             times.append(controller.times)
-            stop = guard.refused(answer.q, q, controller.t)
+            stop = refused(answer.q, command, controller.t)
             if stop is not None:
                 break
-            q = answer.q
-            measured = world.step(q)
-    return _gathered(rows, times, stop, controller.settings.h, world.name)
+            command = answer.q
+            measured = world.step(command)
+    shapes = (6,), (6,), (6,), (3, 3), (7,), (7,), (6,), (6,), ()
+    values = zip(*rows, strict=True) if rows else [()] * len(shapes)
+    x_e, x, v, R, sent, q, force, contact, depth = (
+        np.reshape(np.array(one, dtype=np.float64), (-1, *shape)) for one, shape in zip(values, shapes, strict=True)
+    )
+    t = np.asarray(np.arange(len(rows)) * controller.settings.h, dtype=np.float64)
+    step_times = np.array(times).reshape(len(times), len(PARTS))
+    return LoopRun(t, x_e, x, v, R, sent, q, force, contact, depth, stop, step_times, world.name)
 
 
 @contextmanager
@@ -124,42 +121,32 @@ def _no_collection() -> Iterator[None]:
             gc.enable()
 
 
-class _Guard:
-    """What FRI checks of every command: joints within their ranges, and no faster than they may turn."""
+def _guard(limits: JointLimits, h: float) -> Callable[[Seven, Seven, float], Stop | None]:
+    """What FRI checks of every command q for time t after the one before: joints within their ranges, and no faster
+    than they may turn. Of what it refuses the joint furthest beyond its range, or else its speed."""
+    ranges = list(zip(limits.lower.tolist(), limits.upper.tolist(), strict=True))
+    speeds: list[float] = limits.velocity.tolist()
 
-    def __init__(self, limits: JointLimits, h: float) -> None:
-        self._names, self._h = limits.names, h
-        self._ranges = list(zip(limits.lower.tolist(), limits.upper.tolist(), strict=True))
-        self._speeds: list[float] = limits.velocity.tolist()
-
-    def refused(self, q: Seven, before: Seven, t: float) -> Stop | None:
-        """The joint furthest beyond its range, or else its speed, of a command for time t; None: it may be sent."""
-        far, i = max((max(low - value, value - high), i) for i, (value, (low, high)) in self._joints(q))
+    def refused(q: Seven, before: Seven, t: float) -> Stop | None:
+        far, i = max((max(low - x, x - high), i) for i, (x, (low, high)) in enumerate(zip(q, ranges, strict=True)))
         if far > _ROUNDING:
-            low, high = self._ranges[i]
-            return self._beyond_range(i, q[i], low if q[i] < low else high, t)
-        paces = (abs(value - last) / self._h for value, last in zip(q, before, strict=True))
-        share, i, pace = max((pace / self._speeds[i], i, pace) for i, pace in enumerate(paces))
-        return self._too_fast(i, pace, t) if share > 1 + _ROUNDING else None
-
-    def _joints(self, q: Seven) -> enumerate[tuple[float, tuple[float, float]]]:
-        return enumerate(zip(q, self._ranges, strict=True))
-
-    def _beyond_range(self, i: int, value: float, limit: float, t: float) -> Stop:
-        name = self._names[i]
+            name, limit = limits.names[i], ranges[i][q[i] > ranges[i][0]]
+            message = (
+                f"at {t:.3f} s {name} would go to {degrees(q[i]):.4f}°, limit {degrees(limit):g}°; "
+                "shift the path, change the arm angle, or keep the force smaller"
+            )
+            return Stop(t, StopKind.POSITION, name, q[i], limit, "rad", message)
+        rates = (abs(value - last) / h for value, last in zip(q, before, strict=True))
+        used, i, rate = max((rate / speeds[i], i, rate) for i, rate in enumerate(rates))
+        if used <= 1 + _ROUNDING:
+            return None
         message = (
-            f"at {t:.3f} s {name} would go to {degrees(value):.4f}°, limit {degrees(limit):g}°; "
-            "shift the path, change the arm angle, or keep the force smaller"
-        )
-        return Stop(t, StopKind.POSITION, name, value, limit, "rad", message)
-
-    def _too_fast(self, i: int, pace: float, t: float) -> Stop:
-        name, limit = self._names[i], self._speeds[i]
-        message = (
-            f"at {t:.3f} s {name} would turn at {degrees(pace):.4g}°/s, limit {degrees(limit):g}°/s; "
+            f"at {t:.3f} s {limits.names[i]} would turn at {degrees(rate):.4g}°/s, limit {degrees(speeds[i]):g}°/s; "
             "slow the segment down, lower the stiffness, or keep away from singular poses"
         )
-        return Stop(t, StopKind.SPEED, name, pace, limit, "rad/s", message)
+        return Stop(t, StopKind.SPEED, limits.names[i], rate, speeds[i], "rad/s", message)
+
+    return refused
 
 
 def _goals(x_e: ArrayLike, R_e: ArrayLike | None, law: RotationLaw) -> list[Goal]:
@@ -173,28 +160,3 @@ def _goals(x_e: ArrayLike, R_e: ArrayLike | None, law: RotationLaw) -> list[Goal
     if turns.shape != (n, 3, 3):
         raise ValueError(f"R_e has shape {turns.shape}, wanted ({n}, 3, 3): slerp goes by the orientations")
     return [Goal(tuple(row), nine(R)) for row, R in zip(rows.tolist(), turns.reshape(n, 9).tolist(), strict=True)]
-
-
-def _gathered(
-    rows: Sequence[_Row], times: Sequence[Sequence[float]], stop: Stop | None, h: float, world: str
-) -> LoopRun:
-    n = len(rows)
-
-    def column(values: Sequence[Sequence[float]], *shape: int) -> Array:
-        return np.array(values, dtype=np.float64).reshape(n, *shape)
-
-    return LoopRun(
-        t=np.asarray(np.arange(n) * h, dtype=np.float64),
-        x_e=column([row.x_e for row in rows], 6),
-        x=column([row.x for row in rows], 6),
-        v=column([row.v for row in rows], 6),
-        R=column([row.R for row in rows], 3, 3),
-        q_command=column([row.q_command for row in rows], 7),
-        q=column([row.measured.q for row in rows], 7),
-        force_believed=column([row.force for row in rows], 6),
-        contact_true=column([row.measured.contact for row in rows], 6),
-        depth=np.array([row.measured.depth for row in rows]),
-        stop=stop,
-        step_times=np.array(times).reshape(len(times), len(PARTS)),
-        world=world,
-    )

@@ -10,9 +10,9 @@ speed. The exact law puts the solution of m w' + d w + k e = F over one period t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise, repeat
+from itertools import pairwise
 from math import isqrt
 
 import numpy as np
@@ -137,76 +137,7 @@ def _scan(
     return v.reshape(-1, k)[:n], x.reshape(-1, k)[:n]
 
 
-class Regulator:
-    """The same law one period at a time, in plain floats: x (6,) [m, rad] and v (6,) [m/s, rad/s] are its state."""
-
-    def __init__(
-        self,
-        compliance: Compliance,
-        h: float,
-        x_0: Six,
-        v_0: Six = STILL,
-        integration: Integration = Integration.EULER,
-    ) -> None:
-        self.h = h
-        self.integration = integration
-        self.x: Six = x_0
-        self.v: Six = v_0
-        self.set(compliance)
-
-    def set(self, compliance: Compliance) -> None:
-        """Stiffness, damping and inertia from now on; the state stays."""
-        self._axes = coefficients(compliance.K, compliance.D, compliance.M, self.h, self.integration)
-
-    def step(self, x_e: Six, F: Six, v_e: Six | None = None) -> None:
-        """One period with the equilibrium x_e [m, rad], the force F [N, Nm] and the equilibrium's speed v_e."""
-        x, y, z, alpha, beta, gamma = self.x
-        x_0, y_0, z_0, alpha_0, beta_0, gamma_0 = x_e
-        e = (x - x_0, y - y_0, z - z_0, alpha - alpha_0, beta - beta_0, gamma - gamma_0)
-        v, way = _advance(self._axes, self.h, e, self.v, F, v_e or STILL)
-        self.v = (v[0], v[1], v[2], v[3], v[4], v[5])
-        self.x = (x + way[0], y + way[1], z + way[2], alpha + way[3], beta + way[4], gamma + way[5])
-
-
-class SlerpRegulator:
-    """The law without gimbal lock: position p (3,) [m], orientation R in the world, v (6,) [m/s, rad/s] their rates.
-
-    The deviation of the rotation is phi = log(R R_e^T), a rotation vector in world axes, in place of the three angles'
-    differences: w' = w + h/m (tau - d w - k phi), R' = exp(h w) R, or the exact law on phi. About one axis it is the
-    law of that angle.
-    """
-
-    def __init__(
-        self,
-        compliance: Compliance,
-        h: float,
-        p_0: Three,
-        R_0: Nine,
-        v_0: Six = STILL,
-        integration: Integration = Integration.EULER,
-    ) -> None:
-        self.h = h
-        self.integration = integration
-        self.p: Three = p_0
-        self.R: Nine = R_0
-        self.v: Six = v_0
-        self.set(compliance)
-
-    def set(self, compliance: Compliance) -> None:
-        """Stiffness, damping and inertia from now on; the state stays."""
-        self._axes = coefficients(compliance.K, compliance.D, compliance.M, self.h, self.integration)
-
-    def step(self, p_e: Three, R_e: Nine, F: Six, v_e: Six | None = None) -> None:
-        """One period with the equilibrium p_e [m] and R_e, the force F [N, Nm] and the equilibrium's rates v_e."""
-        x, y, z = self.p
-        e = (x - p_e[0], y - p_e[1], z - p_e[2], *logarithm(product(self.R, transpose(R_e))))
-        v, way = _advance(self._axes, self.h, e, self.v, F, v_e or STILL)
-        self.v = (v[0], v[1], v[2], v[3], v[4], v[5])
-        self.p = (x + way[0], y + way[1], z + way[2])
-        self.R = product(exponential((way[3], way[4], way[5])), self.R)
-
-
-def _advance(
+def advance(
     axes: Sequence[Coefficients],
     h: float,
     e: Sequence[float],
@@ -214,13 +145,13 @@ def _advance(
     F: Sequence[float],
     v_e: Sequence[float],
 ) -> tuple[list[float], list[float]]:
-    """The rates after one period, and the way made in it, of all axes from their deviations e."""
-    rates, way = [], []
+    """The rates after one period, and the distance moved in it, of all axes from their deviations e."""
+    rates, moved = [], []
     for (a, b, c, p, q, r), deviation, rate, force, pace in zip(axes, e, v, F, v_e, strict=True):
         w = rate - pace
         rates.append(pace + a * w + b * deviation + c * force)
-        way.append(h * pace + p * w + q * deviation + r * force)
-    return rates, way
+        moved.append(h * pace + p * w + q * deviation + r * force)
+    return rates, moved
 
 
 def response_rotation(
@@ -236,7 +167,7 @@ def response_rotation(
     R_0: ArrayLike | None = None,
     w_0: ArrayLike = (0.0, 0.0, 0.0),
 ) -> TurnResponse:
-    """What the controller makes of orientations R_e (n, 3, 3), one every h [s], by SlerpRegulator's law.
+    """What the controller makes of orientations R_e (n, 3, 3), one every h [s]: pose_regulator.SlerpRegulator's law.
 
     K, D, M (3,): diagonals in world axes. torque (n, 3) [Nm], none for None. R_0 (3, 3), w_0 (3,): the state at 0, the
     first orientation at rest by default. feed VELOCITY: w_e = log(R_e,k+1 R_e,k^T) / h, zero after the last row.
@@ -253,21 +184,16 @@ def response_rotation(
     goals = [nine(row) for row in R_e.reshape(n, 9).tolist()]
     R = goals[0] if R_0 is None else nine(np.asarray(R_0, dtype=np.float64).reshape(9).tolist())
     w = np.asarray(w_0, dtype=np.float64).tolist()
-    paces = turn_rates(goals, h) if feed is Feed.VELOCITY else repeat((0.0, 0.0, 0.0))
+    rates = [(0.0, 0.0, 0.0)] * n
+    if feed is Feed.VELOCITY:
+        rates[:-1] = [turn_rate(here, there, h) for here, there in pairwise(goals)]
     Rs, ws = [], []
-    for goal, tau, pace in zip(goals, torques.tolist(), paces, strict=False):
+    for goal, tau, pace in zip(goals, torques.tolist(), rates, strict=True):
         Rs.append(R)
         ws.append(w)
-        w, (x, y, z) = _advance(axes, h, logarithm(product(R, transpose(goal))), w, tau, pace)
+        w, (x, y, z) = advance(axes, h, logarithm(product(R, transpose(goal))), w, tau, pace)
         R = product(exponential((x, y, z)), R)
     return TurnResponse(readonly(np.array(Rs).reshape(n, 3, 3)), readonly(np.array(ws)))
-
-
-def turn_rates(goals: Sequence[Nine], h: float) -> Iterator[Three]:
-    """Angular velocities [rad/s] from each orientation to the next over h [s], zero after the last."""
-    for here, there in pairwise(goals):
-        yield turn_rate(here, there, h)
-    yield (0.0, 0.0, 0.0)
 
 
 def turn_rate(here: Nine, there: Nine, h: float) -> Three:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from math import pi, sin
+from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Sensor
-from trajopt_cli.iiwa.task.world import Seven
 
 
 class TorqueErrors:
@@ -24,31 +23,15 @@ class TorqueErrors:
         if span.shape != (7,):
             raise ValueError(f"ranges has shape {span.shape}, wanted (7,)")
         rng = np.random.default_rng(sensor.seed)
-        self.bias: tuple[float, ...] = tuple((sensor.bias * span * rng.uniform(-1, 1, 7)).tolist())
-        phases = rng.uniform(0, 2 * pi, (len(sensor.ripple), 7)).tolist()
+        self._bias = sensor.bias * span * rng.uniform(-1, 1, 7)
+        phases = rng.uniform(0, 2 * pi, (len(sensor.ripple), 7))
         self._waves = [
-            (2 * pi * frequency * h, amplitude, tuple(row))
-            for (frequency, amplitude), row in zip(sensor.ripple, phases, strict=True)
+            (2 * pi * f * h, amplitude, row) for (f, amplitude), row in zip(sensor.ripple, phases, strict=True)
         ]
 
-    def at(self, k: int) -> Seven:
-        """The errors of period k."""
-        a, b, c, d, e, f, g = self.bias
-        for turn, amplitude, (p0, p1, p2, p3, p4, p5, p6) in self._waves:
-            angle = turn * k
-            a += amplitude * sin(angle + p0)
-            b += amplitude * sin(angle + p1)
-            c += amplitude * sin(angle + p2)
-            d += amplitude * sin(angle + p3)
-            e += amplitude * sin(angle + p4)
-            f += amplitude * sin(angle + p5)
-            g += amplitude * sin(angle + p6)
-        return (a, b, c, d, e, f, g)
-
-    def rows(self, n: int) -> Array:
-        """The errors (n, 7) of the first n periods."""
-        k = np.arange(n)[:, None]
-        out = np.tile(np.array(self.bias), (n, 1))
+    def at(self, k: ArrayLike) -> Array:
+        """The errors (..., 7) of periods k (...)."""
+        out = self._bias
         for turn, amplitude, phases in self._waves:
-            out += amplitude * np.sin(turn * k + np.array(phases))
-        return out
+            out = out + amplitude * np.sin(turn * np.asarray(k)[..., None] + phases)
+        return np.broadcast_to(out, (*np.shape(k), 7))

@@ -44,7 +44,9 @@ class ForceErrors:
 def force_error(bench: Bench) -> ForceErrors:
     """Torque errors of the data sheet at START, through the force mapping, at rest."""
     J = bench.robot.jacobian(np.array(START))
-    errors = np.array([TorqueErrors(Sensor(seed=seed), bench.robot.torque, H).rows(_ROWS) for seed in range(_SENSORS)])
+    errors = np.array(
+        [TorqueErrors(Sensor(seed=seed), bench.robot.torque, H).at(np.arange(_ROWS)) for seed in range(_SENSORS)]
+    )
     largest = np.abs(force_of(J, errors)[..., :3]).max(axis=1)
     sensor = Sensor()
     extreme = sensor.bias * bench.robot.torque + sum(amplitude for _, amplitude in sensor.ripple)

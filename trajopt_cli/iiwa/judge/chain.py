@@ -14,7 +14,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.path import StraightPiece
-from trajopt_cli.iiwa.judge.samples import Poses
+from trajopt_cli.iiwa.judge.samples import Poses, worst
 from trajopt_cli.iiwa.judge.tolerances import CAP
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.motion import Source
@@ -192,11 +192,8 @@ def check_chain(
     most = max(_Part.of(leg, passing[1]).turn_tolerance for leg in chain)
     offs = (("path", found.off_p, passing[0], "m"), ("orientation", found.off_q, most, "rad"))
     for check, off, limit, unit in offs:
-        row = int(np.argmax(off))
-        yield finding(
-            check, name, off[row], limit, unit, off[row] <= limit * (1 + CAP), time=float(t[found.first + row]),
-            source=source, words="is off the chain of poses by",
-        )  # fmt: skip
+        at, words = t[found.first :], "is off the chain of poses by"
+        yield worst(check, name, off, limit, unit, at, limit * CAP, source=source, words=words)
     yield _vertices(name, chain, rows, found, passing[0], source)
 
 
@@ -210,23 +207,18 @@ def _vertices(
     sag = float(np.linalg.norm(np.diff(steps, axis=0), axis=1).max(initial=0.0)) / 8
     along = np.cumsum([0.0, *(leg.L_p for leg in chain)])
     of_row = along[found.leg]
-    worst, at, legs = 0.0, 0, chain[1 : int(found.leg[-1]) + 1]
+    farthest, at, legs = 0.0, 0, chain[1 : int(found.leg[-1]) + 1]
     for i, leg in enumerate(legs, start=1):
-        begin = max(0, int(np.searchsorted(of_row, along[i] - 4 * tolerance - _longest(chain, i), side="left")) - 1)
+        # rows on the leg before are counted from its beginning
+        begin = max(0, int(np.searchsorted(of_row, along[i - 1] - 4 * tolerance, side="left")) - 1)
         finish = min(len(steps), int(np.searchsorted(of_row, along[i], side="right")) + 2)
         a, b = p[begin:finish], steps[begin:finish]
         w = leg.p - a
         u = np.clip(np.sum(w * b, axis=1) / np.maximum(np.sum(b * b, axis=1), 1e-300), 0.0, 1.0)
         near = np.linalg.norm(w - u[:, None] * b, axis=1)
-        if len(near) and near.min() > worst:
-            worst, at = float(near.min()), begin + int(np.argmin(near))
+        if len(near) and near.min() > farthest:
+            farthest, at = float(near.min()), begin + int(np.argmin(near))
     limit = tolerance + sag
-    return finding(
-        "poses passed", name, worst, limit, "m", worst <= limit, time=float(rows.t[found.first + at]), source=source,
-        words="passes a pose at",
-    )  # fmt: skip
-
-
-def _longest(chain: list[StraightPiece], i: int) -> float:
-    """Way of the leg before a pose: rows on it are counted from its beginning."""
-    return chain[i - 1].L_p
+    passed, time = farthest <= limit, float(rows.t[found.first + at])
+    words = "passes a pose at"
+    return finding("poses passed", name, farthest, limit, "m", passed, time=time, source=source, words=words)

@@ -11,7 +11,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.arm import SIGNED, arm_angles, configuration, wrapped
-from trajopt_cli.iiwa.judge.samples import Poses
+from trajopt_cli.iiwa.judge.samples import Poses, worst
 from trajopt_cli.iiwa.judge.task_order import JudgedArm, Order
 from trajopt_cli.iiwa.judge.tolerances import ARM_ANGLE, BETWEEN, FOLLOW, JOINT, REST, ROUNDING, START
 from trajopt_cli.joint_csv import Resolution
@@ -87,13 +87,10 @@ def _speed_columns(
     before, after = np.concatenate([0 * speed[:1], speed]), np.concatenate([speed, 0 * speed[-1:]])
     low, high = np.minimum(before, after), np.maximum(before, after)
     for j, name in enumerate(rows.names):
-        room = float(arm.acceleration[j] * np.diff(rows.t).max() / 2 + doubt[j] + printed[j])
-        off = np.maximum(rows.qd[:, j] - high[:, j], low[:, j] - rows.qd[:, j])
-        row = int(np.argmax(off))
-        yield finding(
-            "speed column", name, max(0.0, off[row]), room, "rad/s", off[row] <= room,
-            time=float(rows.t[row]), words="speed differs from that of its positions by",
-        )  # fmt: skip
+        most = float(arm.acceleration[j] * np.diff(rows.t).max() / 2 + doubt[j] + printed[j])
+        off = np.maximum(np.maximum(rows.qd[:, j] - high[:, j], low[:, j] - rows.qd[:, j]), 0.0)
+        words = "speed differs from that of its positions by"
+        yield worst("speed column", name, off, most, "rad/s", rows.t, words=words)
         row = int(np.argmax(np.abs(rows.qd[:, j])))
         value, most = abs(float(rows.qd[row, j])), float(arm.velocity[j])
         passed = value <= most * (1 + JOINT) + printed[j]
@@ -130,24 +127,16 @@ def check_posture(
     moves = told is not None and told.greatest - told.least > ARM_ANGLE
     if moves or order.arm_angle_free:
         if told is not None:
-            middle, room = (told.least + told.greatest) / 2, (told.greatest - told.least) / 2
-            away = np.abs(wrapped(angle - middle)) - room - doubt
-            yield _arm_angle("arm angle range", away, t, "leaves the range that its maker tells by")
+            middle, half = (told.least + told.greatest) / 2, (told.greatest - told.least) / 2
+            off = np.maximum(np.abs(wrapped(angle - middle)) - half - doubt, 0.0)
+            yield worst("arm angle range", "elbow", off, ARM_ANGLE, "rad", t, words="leaves its reported range by")
     else:
-        yield _arm_angle("arm angle", np.abs(wrapped(angle - fixed)) - doubt, t, "is off its value by")
+        off = np.maximum(np.abs(wrapped(angle - fixed)) - doubt, 0.0)
+        yield worst("arm angle", "elbow", off, ARM_ANGLE, "rad", t, words="is off its value by")
     if first_is_start and order.arm_angle is None:
         j = int(np.argmax(np.abs(q[0] - start)))
-        value = abs(float(q[0, j] - start[j]))
-        yield finding(
-            "start joints", rows.names[j], value, START, "rad", value <= START, time=float(t[0]),
-            words="is off the task's start by",
-        )  # fmt: skip
-
-
-def _arm_angle(check: str, away: Array, t: Array, words: str) -> Finding:
-    row = int(np.argmax(away))
-    value = max(0.0, float(away[row]))
-    return finding(check, "elbow", value, ARM_ANGLE, "rad", value <= ARM_ANGLE, time=float(t[row]), words=words)
+        off = np.abs(q[:1, j] - start[j])
+        yield worst("start joints", rows.names[j], off, START, "rad", t, words="is off the task's start by")
 
 
 def check_follows(tool: Poses, wanted: Poses) -> Iterator[Finding]:
@@ -157,11 +146,7 @@ def check_follows(tool: Poses, wanted: Poses) -> Iterator[Finding]:
         ("tool orientation", turns.angle_between(tool.q, wanted.q), tool.off_q, "rad"),
     )
     for check, off, doubt, unit in offs:
-        row = int(np.argmax(off - doubt))
-        limit = FOLLOW + float(doubt[row])
-        yield finding(
-            check, "TCP", off[row], limit, unit, off[row] <= limit, time=float(tool.t[row]), words="is off its pose by"
-        )
+        yield worst(check, "TCP", off, FOLLOW, unit, tool.t, doubt, words="is off its pose by")
 
 
 def check_between(between: Poses, rows: Poses) -> Iterator[Finding]:
@@ -174,8 +159,4 @@ def check_between(between: Poses, rows: Poses) -> Iterator[Finding]:
         ("orientation between rows", turns.angle_between(between.q, q), "rad"),
     )
     for check, off, unit in offs:
-        row = int(np.argmax(off))
-        yield finding(
-            check, "TCP", off[row], BETWEEN, unit, off[row] <= BETWEEN, time=float(between.t[row]),
-            words="leaves the way between two rows by",
-        )  # fmt: skip
+        yield worst(check, "TCP", off, BETWEEN, unit, between.t, words="leaves the path between two rows by")

@@ -5,19 +5,35 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm
 from trajopt_cli.iiwa.judge.tolerances import PERIOD, ROUNDING
 from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.judge.findings import finding
 from trajopt_cli.trajectory import Trajectory
 
 _UNIT = 1e-6  # by which the norm of a printed quaternion may differ from 1
+
+
+def worst(
+    check: str, subject: str, off: Array, limit: float, unit: str, t: Array, doubt: ArrayLike = 0.0, **more: Any
+) -> Finding:
+    """The row (n,) that is farthest off, what its digits leave in doubt taken off, against limit plus that doubt.
+
+    t (n,) [s]: times of the rows. more: as of finding.
+    """
+    doubt = np.broadcast_to(np.asarray(doubt), off.shape)
+    row = int(np.argmax(off - doubt))
+    most = limit + float(doubt[row])
+    return finding(check, subject, off[row], most, unit, bool(off[row] <= most), time=float(t[row]), **more)
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,32 +113,27 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
     if len(lines) < 3:
         raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
     rows, width = lines[1:], len(heads)
-    table = None
-    if all(row.count(",") == width - 1 for row in rows):
-        with suppress(ValueError):
-            table = np.fromiter(map(float, ",".join(rows).split(",")), np.float64).reshape(-1, width)
-    if table is None or not np.isfinite(table).all():
-        table = _row_by_row(rows, width, file)
+    for i, row in enumerate(rows, start=2):
+        if row.count(",") != width - 1:
+            raise InputError(f"{row.count(',') + 1} values, the header has {width} columns", file=file, line=i)
+    try:
+        table = np.fromiter(map(float, ",".join(rows).split(",")), np.float64).reshape(-1, width)
+    except ValueError as error:
+        line = next(i for i, row in enumerate(rows, start=2) if not all(map(_is_number, row.split(","))))
+        raise InputError(f"holds what is no number: {error}", file=file, line=line) from error
+    if (odd := np.flatnonzero(~np.isfinite(table).all(axis=1))).size:
+        raise InputError("holds a number that is not finite", file=file, line=int(odd[0]) + 2)
     late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
     if late.size:
         raise InputError("its time does not follow the one before", file=file, line=int(late[0]) + 3)
     return dict(zip(heads, table.T, strict=True))
 
 
-def _row_by_row(lines: list[str], width: int, file: str) -> Array:
-    """The same table, where something is wrong with it: raises InputError for the first row that is no row of it."""
-    table = np.empty((len(lines), width))
-    for i, line in enumerate(lines):
-        try:
-            row = [float(field) for field in line.split(",")]
-        except ValueError as error:
-            raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
-        if len(row) != width:
-            raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=i + 2)
-        if not all(map(isfinite, row)):
-            raise InputError("holds a number that is not finite", file=file, line=i + 2)
-        table[i] = row
-    return table
+def _is_number(field: str) -> bool:
+    with suppress(ValueError):
+        float(field)
+        return True
+    return False
 
 
 def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.chain import Followed, check_chain
 from trajopt_cli.iiwa.judge.path import StraightPiece, legs
-from trajopt_cli.iiwa.judge.samples import Poses
+from trajopt_cli.iiwa.judge.samples import Poses, worst
 from trajopt_cli.iiwa.judge.task_order import Order
 from trajopt_cli.iiwa.judge.tolerances import ARM_CAP, BACKWARD, CAP, EXACT, PATH, RAMP, SLACK
 from trajopt_cli.iiwa.judge.waypoint_matching import Visit, visits
@@ -48,50 +49,44 @@ def check_sequence(order: Order, rows: Poses, exact: bool = True, retimed: bool 
 def _reached(order: Order, found: list[Visit], rows: Poses, exact: bool) -> Iterator[Finding]:
     """Every pose, in order; the first in the first row, and the last in the last one."""
     assert order.stops is not None
+    words = "comes no nearer than"
     for visit in found:
-        source = visit.stop.place
+        at: dict[str, Any] = {"time": _t(rows, visit.arrived), "source": visit.stop.place}
         yield finding(
-            "pose reached", visit.stop.name, visit.off, visit.allowed, "m, rad", visit.reached,
-            time=_t(rows, visit.arrived), source=source, words="comes no nearer than",
-        )  # fmt: skip
+            "pose reached", visit.stop.name, visit.off, visit.allowed, "m, rad", visit.reached, **at, words=words
+        )
     last = found[-1]
     complete = last.stop is order.stops[-1] and last.reached
     missing = 0 if complete else len(order.stops) - order.stops.index(last.stop)
     yield finding("poses missing", "sequence", missing, 0, "poses", missing == 0, words="goes without")
     if exact:
-        first = found[0]
-        yield finding(
-            "first pose", first.stop.name, first.off, EXACT, "m, rad", first.off <= EXACT,
-            time=_t(rows, 0), source=first.stop.place, words="begins beside the pose by",
-        )  # fmt: skip
+        yield _end("first pose", found[0], _t(rows, 0), "begins beside the pose by")
     if complete:
         after = len(rows.t) - 1 - last.left
         yield finding("rows behind the end", last.stop.name, after, 0, "rows", after == 0, words="is followed by")
         if exact:
-            yield finding(
-                "last pose", last.stop.name, last.off, EXACT, "m, rad", last.off <= EXACT,
-                time=_t(rows, len(rows.t) - 1), source=last.stop.place, words="ends beside by",
-            )  # fmt: skip
+            yield _end("last pose", last, _t(rows, -1), "ends beside by")
+
+
+def _end(check: str, visit: Visit, time: float, words: str) -> Finding:
+    passed, source = visit.off <= EXACT, visit.stop.place
+    return finding(check, visit.stop.name, visit.off, EXACT, "m, rad", passed, time=time, source=source, words=words)
 
 
 def _dwells(order: Order, found: list[Visit], rows: Poses, retimed: bool) -> Iterator[Finding]:
     for visit in found:
         if not visit.reached:
             continue
-        told, source = visit.dwell * order.h, visit.stop.place
+        name, dwell = visit.stop.name, visit.dwell * order.h
         stood = _t(rows, visit.left) - _t(rows, visit.arrived)
         gap = 0.0 if rows.gridded else 2 * float(rows.gaps.max())
-        if told:
-            yield finding(
-                "dwell", visit.stop.name, stood, told, "s", stood >= told - gap - order.h / 2,
-                time=_t(rows, visit.arrived), source=source, bound="at least", words="stands for",
-            )  # fmt: skip
+        at: dict[str, Any] = {"time": _t(rows, visit.arrived), "source": visit.stop.place}
+        if dwell:
+            enough = stood >= dwell - gap - order.h / 2
+            yield finding("dwell", name, stood, dwell, "s", enough, **at, bound="at least", words="stands for")
         if not retimed:
-            most = told + (SLACK + 0.5) * order.h + gap
-            yield finding(
-                "standing", visit.stop.name, stood, most, "s", stood <= most,
-                time=_t(rows, visit.arrived), source=source, words="stands longer than its dwell:",
-            )  # fmt: skip
+            most, words = dwell + (SLACK + 0.5) * order.h + gap, "stands longer than its dwell:"
+            yield finding("standing", name, stood, most, "s", stood <= most, **at, words=words)
 
 
 def _on_leg(leg: StraightPiece, rows: Poses, part: slice) -> Iterator[Finding]:
@@ -105,25 +100,14 @@ def _on_leg(leg: StraightPiece, rows: Poses, part: slice) -> Iterator[Finding]:
     s = leg.share(p, q)
     p_wanted, q_wanted = leg.at(s)
     source = leg.place
-    offs = (
-        ("path", np.linalg.norm(p - p_wanted, axis=1), rows.off_p[part], "m", "is off the straight way by"),
-        ("orientation", turns.angle_between(q, q_wanted), rows.off_q[part], "rad", "is turned off the way by"),
-    )
-    for check, off, doubt, unit, words in offs:
-        row = int(np.argmax(off - doubt))
-        limit = PATH + float(doubt[row])
-        yield finding(
-            check, leg.name, off[row], limit, unit, off[row] <= limit, time=float(t[row]), source=source, words=words
-        )
-    farthest = np.maximum.accumulate(np.r_[0.0, s[:-1]])
-    back = (farthest - s) * max(leg.L_p, leg.L_q)
-    row = int(np.argmax(back))
+    off, doubt = np.linalg.norm(p - p_wanted, axis=1), rows.off_p[part]
+    yield worst("path", leg.name, off, PATH, "m", t, doubt, source=source, words="is off the straight path by")
+    off, doubt = turns.angle_between(q, q_wanted), rows.off_q[part]
+    yield worst("orientation", leg.name, off, PATH, "rad", t, doubt, source=source, words="is turned off the path by")
+    back = np.maximum((np.maximum.accumulate(np.r_[0.0, s[:-1]]) - s) * max(leg.L_p, leg.L_q), 0.0)
     limit = BACKWARD + 2 * float((rows.off_p + rows.off_q)[part].max())
     unit = "m" if leg.L_p >= leg.L_q else "rad"
-    yield finding(
-        "backward", leg.name, max(0.0, back[row]), limit, unit, back[row] <= limit,
-        time=float(t[row]), source=source, words="goes back by",
-    )  # fmt: skip
+    yield worst("backward", leg.name, back, limit, unit, t, source=source, words="goes back by")
 
 
 def _caps(
@@ -147,21 +131,14 @@ def _caps(
     if len(t) < 4:
         return
     gaps = np.diff(t)[:, None]
-    rough_p = float(rows.off_p[part].max())
-    rough_q = float(rows.off_q[part].max()) + way[0].rounding(rows.q[part])
-    parts = (
-        (any(leg.L_p for leg in way), np.diff(rows.p[part], axis=0), rough_p, ("v_max", "a_max", "jerk"), "m"),
-        (
-            any(leg.L_q for leg in way),
-            way[0].steps(rows.q[part]),
-            rough_q,
-            ("omega_max", "epsilon_max", "angular_jerk"),
-            "rad",
-        ),
-    )
-    for moves, steps, rough, names, unit in parts:
-        if not moves:
-            continue
+    parts = []
+    if any(leg.L_p for leg in way):
+        rough = float(rows.off_p[part].max())
+        parts.append((np.diff(rows.p[part], axis=0), rough, ("v_max", "a_max", "jerk"), "m"))
+    if any(leg.L_q for leg in way):
+        rough = float(rows.off_q[part].max()) + way[0].rounding(rows.q[part])
+        parts.append((way[0].steps(rows.q[part]), rough, ("omega_max", "epsilon_max", "angular_jerk"), "rad"))
+    for steps, rough, names, unit in parts:
         rates: list[tuple[Array, float, float]] = [(steps / gaps, 2 * rough / float(gaps.min()), CAP)]
         if ramps:
             rates.append((_accelerations(steps, gaps, rests), 4 * rough / float(gaps.min()) ** 2, RAMP))

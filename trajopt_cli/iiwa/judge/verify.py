@@ -14,7 +14,7 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.joints import ArmAngleRange, check_between, check_follows, check_limits, check_posture
-from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, read_table, unit
+from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, read_table, unit, worst
 from trajopt_cli.iiwa.judge.sequence import check_sequence
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
 from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
@@ -153,16 +153,16 @@ def _table(run: ResultsFolder[_Record], name: str, heads: tuple[str, ...]) -> di
     return read_table(run.text(name), str(run.folder / name), ("t [s]", *heads))
 
 
-def _rows(rows: Poses, told: Any, order: Order) -> Iterator[Finding]:
+def _row(check: str, off: Array, limit: float, unit: str, t: Array, words: str) -> Finding:
+    return worst(check, f"row {int(np.argmax(off))}", off, limit, unit, t, words=words)
+
+
+def _rows(rows: Poses, reported: Any, order: Order) -> Iterator[Finding]:
     """A row every period from 0 on, as many as summary.json says."""
     off = np.abs(rows.t - np.arange(len(rows.t)) * order.h)
-    row = int(np.argmax(off))
-    yield finding(
-        "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
-        words="is off its place in time by",
-    )  # fmt: skip
-    same = len(rows.t) == told
-    count = float(told) if isinstance(told, int) else float("nan")
+    yield _row("period", off, PERIOD, "s", rows.t, "is off its place in time by")
+    count = float(reported) if isinstance(reported, int) else float("nan")
+    same = len(rows.t) == reported
     yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
 
 
@@ -179,20 +179,11 @@ def _angle_file(run: ResultsFolder[_Record], name: str, wanted: Poses, zero: Arr
         q = turns.product(turns.from_angles(angles), np.broadcast_to(zero, wanted.q.shape))
         offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT, "rad"))
     for check, off, limit, kind in offs:
-        row = int(np.argmax(off))
-        yield finding(
-            check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]),
-            words=f"has another {check} than in quaternions, by",
-        )  # fmt: skip
+        yield _row(check, off, limit, kind, t, f"has another {check} than in quaternions, by")
     # a quarter turn is no step of any sequence; near the lock two angles swing for one small turn
     free = np.minimum(np.abs(np.cos(angles[:-1, 1])), np.abs(np.cos(angles[1:, 1]))) > _LOCKED
     jump = np.where(free, np.abs(np.diff(angles, axis=0)).max(axis=1), 0.0)
-    row = int(np.argmax(jump))
-    most = np.pi / 2
-    yield finding(
-        "angle jump", f"row {row + 1}", jump[row], most, "rad", jump[row] <= most, time=float(t[row + 1]),
-        words="jumps from the row before by",
-    )  # fmt: skip
+    yield _row("angle jump", np.r_[0.0, jump], np.pi / 2, "rad", t, "jumps from the row before by")
 
 
 def _joint_file(
@@ -205,12 +196,7 @@ def _joint_file(
     yield from check_limits(order.arm, rows, resolution)
     begins = False
     if same:
-        off = np.abs(rows.t - wanted.t)
-        row = int(np.argmax(off))
-        yield finding(
-            "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
-            words="is off the sequence in time by",
-        )  # fmt: skip
+        yield _row("period", np.abs(rows.t - wanted.t), PERIOD, "s", rows.t, "is off the sequence in time by")
     if order.X_FT is not None:
         tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
         begins = _begins_at_start(order, tool)
@@ -240,10 +226,9 @@ def _simulation_file(
     heads = (*equilibrium, *_PLACE, "deviation [m]")
     table = _table(run, SIMULATION_FILE, heads)
     t, p_e = table["t [s]"], columns(table, tuple(equilibrium[:3]))
-    file, found = str(run.folder / SIMULATION_FILE), list[Finding]()
+    file = str(run.folder / SIMULATION_FILE)
     unchecked = [f"{file}: what the controller does; only what it was fed, and its deviation"]
-    off = np.abs(t - np.arange(len(t)) * order.h)
-    offs = [("period", off, PERIOD, "s", "is off its place in time by")]
+    offs = [("period", np.abs(t - np.arange(len(t)) * order.h), PERIOD, "s", "is off its place in time by")]
     if order.reframed:
         unchecked.append(f"{file}: what was fed, because the task changes frames on the way")
     else:
@@ -260,9 +245,4 @@ def _simulation_file(
     from_p = path.p[np.minimum(np.arange(len(t)), len(path.t) - 1)] if led else p_e
     deviation = np.linalg.norm(columns(table, _PLACE) - from_p, axis=1)
     offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
-    for check, off, limit, kind, words in offs:
-        row = int(np.argmax(off))
-        found.append(
-            finding(check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]), words=words)
-        )
-    return found, unchecked
+    return [_row(check, off, limit, unit, t, words) for check, off, limit, unit, words in offs], unchecked

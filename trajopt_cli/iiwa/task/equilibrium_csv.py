@@ -9,6 +9,7 @@ import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
+from trajopt_cli.iiwa.task.csv_numbers import read_numbers
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 
 ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
@@ -87,13 +88,9 @@ def _read(text: str, file: str, head: str) -> Array:
     if not lines:
         raise InputError(f"the file is empty; its first line must be the header {head}", file=file)
     _check_head(lines[0].rstrip("\r"), head, file)
-    width = head.count(",") + 1
-    for number, line in enumerate(lines[1:], start=2):
-        if line.count(",") != width - 1:
-            raise InputError(f"{line.count(',') + 1} values, the header has {width} columns", file=file, line=number)
     if len(lines) < 3:
         raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
-    table = _numbers(lines, file).reshape(-1, width)
+    table = read_numbers(lines[1:], head.count(",") + 1, file)
     _check_times(table[:, 0], file)
     return table
 
@@ -107,30 +104,6 @@ def _check_head(line: str, head: str, file: str) -> None:
         column += len(name) + 1
     if len(names) != len(wanted):
         raise InputError(f"the header has {len(names)} columns, wanted {len(wanted)}: {head}", file=file, line=1)
-
-
-def _numbers(lines: list[str], file: str) -> Array:
-    """All fields under the header, row by row; raises InputError at the first that is not a finite number."""
-    try:
-        values = np.loadtxt(lines[1:], delimiter=",", comments=None, ndmin=2).ravel()
-    except ValueError:
-        values = np.array([np.nan])
-    if np.isfinite(values).all():
-        return values
-    for number, line in enumerate(lines[1:], start=2):
-        column = 1
-        for field in line.rstrip("\r").split(","):
-            if not _finite(field):
-                raise InputError(f"'{field}' is not a finite number", file=file, line=number, column=column)
-            column += len(field) + 1
-    raise InputError("the table holds a number that cannot be read", file=file)
-
-
-def _finite(field: str) -> bool:
-    try:
-        return bool(np.isfinite(float(field)))
-    except ValueError:
-        return False
 
 
 def _check_times(t: Array, file: str) -> None:

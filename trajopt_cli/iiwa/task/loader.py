@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from trajopt_cli.cell.document import FrameSection
 from trajopt_cli.cell.loader import frame_pose
 from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.approach import Approached, by_joints, by_line
 from trajopt_cli.iiwa.task.document import (
-    ChangeSection,
     ClampSection,
     ContactDocument,
     ContactSection,
     LoadSection,
     PassingSection,
+    SensorSection,
     TaskDocument,
     ZeroSection,
 )
@@ -68,6 +71,34 @@ _WANTED = {
 }
 
 
+@dataclass(frozen=True)
+class _Lines:
+    """Where the keys of a file stand."""
+
+    file: str
+    lines: Mapping[str, int]
+
+    def wrong(self, key: str, message: str) -> InputError:
+        """The error about a key."""
+        return InputError(message, file=self.file, line=line_of(key, self.lines))
+
+    @contextmanager
+    def about(self, key: str, prefix: str = "") -> Iterator[None]:
+        """What is refused inside is the fault of this key."""
+        try:
+            yield
+        except (ValueError, InputError) as error:
+            raise self.wrong(key, f"{prefix}{error}") from error
+
+    def frame(self, section: FrameSection, key: str, most: float = _FARTHEST) -> Array:
+        """A frame (4, 4) that a cell can have. Raises InputError for one farther away than most [m]."""
+        X = frame_pose(section)
+        if np.abs(X[:3, 3]).max() > most:
+            message = f"{key}.position: {np.abs(X[:3, 3]).max():g} m is farther than {most:g} m; check the unit"
+            raise self.wrong(f"{key}.position", message)
+        return X
+
+
 def minimal_task(program: str) -> str:
     """The shortest useful task file for a RAPID program or a path as CSV, as text to save and adapt."""
     caps = (
@@ -112,23 +143,19 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         content["program"] = str(Path(poses_from).name)
     elif given == "poses":
         if "program" in content:
-            raise InputError("poses: give one of 'poses' and 'program'", file=file, line=line_of("poses", lines))
+            raise _Lines(file, lines).wrong("poses", "poses: give one of 'poses' and 'program'")
         content = {("program" if key == "poses" else key): value for key, value in content.items()}
         lines = {**lines, "program": line_of("poses", lines)}
     document = validated(TaskDocument, content, lines, file, _WANTED)
     doubts = map(str, suspected(content, TASK, lines, file))
-    X_WB = _near(frame_pose(document.base), "base", _FARTHEST, lines, file)
-    X_FT = _near(frame_pose(document.tool), "tool", _LONGEST_TOOL, lines, file)
-    try:
+    at = _Lines(file, lines)
+    X_WB, X_FT = at.frame(document.base, "base"), at.frame(document.tool, "tool", _LONGEST_TOOL)
+    with at.about("robot", "robot: "):
         robot = load_srs(document.robot, X_WB)
-    except InputError as error:
-        raise InputError(f"robot: {error}", file=file, line=line_of("robot", lines)) from error
-    try:
-        robot.profile(document.limits)
-    except InputError as error:
-        raise InputError(f"limits: {error}", file=file, line=line_of("limits", lines)) from error
+    with at.about("limits", "limits: "):
+        limits = robot.profile(document.limits)
     start = np.array(document.start.joints)
-    _check_start(robot, start, robot.profile(document.limits), lines, file)
+    _check_start(robot, start, limits, at)
     X_WF = robot.forward(start)
     meaning, texts = AngleMeaning(document.angles), {file: text}
     waypoints: Sequence[Waypoint]
@@ -139,11 +166,11 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
         if not program.is_file():
             message = f"{given}: there is no file {program}; it must be in the task file's folder or below it"
-            raise InputError(message, file=file, line=line_of("program", lines))
+            raise at.wrong("program", message)
     if from_csv:
         texts[str(program)] = read_csv_text(str(program))
         waypoints = read_path(texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3])
-        speeds = _speeds(document, waypoints, lines, file, None)
+        speeds = _speeds(document, waypoints, at, None)
     elif document.program is not None:
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
         found = program_route(
@@ -157,11 +184,11 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             raise InputError(message, file=str(program))
         if not placed and document.tool.load is None:
             notes += ("the tool is the program's; its load is not taken over, give it as tool.load where it matters",)
-        speeds = _speeds(document, waypoints, lines, file, found.speeds)
+        speeds = _speeds(document, waypoints, at, found.speeds)
     else:
         assert document.poses is not None
         waypoints = written_waypoints(document.poses, meaning, X_WF @ X_FT, lines, file)
-        speeds = _speeds(document, waypoints, lines, file, None)
+        speeds = _speeds(document, waypoints, at, None)
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
     if document.approach == "line":
@@ -169,7 +196,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         path = by_line(start, X_WF @ X_FT, waypoints, speeds, meaning, place)
     elif document.approach == "joint":
         path = by_joints(robot, start, X_FT, waypoints, speeds, meaning, definition, angle)
-        _check_start(robot, path.start_joints, robot.profile(document.limits), lines, file, "approach")
+        _check_start(robot, path.start_joints, limits, at, "approach")
     else:
         path = Approached(start, waypoints, speeds)
     return Task(
@@ -185,27 +212,20 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             meaning,
             passing,
         ),
-        compliance=_compliance(document.K, document.D, document.M, "K", lines, file),
+        compliance=_compliance(document.K, document.D, document.M, "K", at),
         start_joints=path.start_joints,
         X_WB=X_WB,
         X_FT=X_FT,
-        load=_load(document.tool.load, lines, file) if document.tool.load is not None else None,
+        load=_load(document.tool.load, at),
         definition=definition,
         arm_angle=angle,
         integration=Integration(document.integration),
         zeroing=_zeroing(document.zero),
-        clamps=_clamps(document.clamps, "clamps", lines, file),
-        changes=_changes(document, lines, file),
+        clamps=_clamps(document.clamps, "clamps", at),
+        changes=_changes(document, at),
         pushes=tuple(Push(push.start, push.end, np.array(push.force)) for push in document.pushes),
-        sensor=Sensor(
-            document.sensor.bias,
-            tuple((one.frequency, one.amplitude) for one in document.sensor.ripple),
-            document.sensor.rigid,
-            document.sensor.seed,
-        )
-        if document.sensor is not None
-        else None,
-        contact=_contact(document.contact, lines, file) if document.contact is not None else None,
+        sensor=_sensor(document.sensor),
+        contact=None if document.contact is None else _contact(document.contact, at),
         notes=(*doubts, *notes, *path.notes),
         sources=texts,
     )
@@ -221,7 +241,7 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     content, lines = parse(text, file, "a contact section is needed")
     if "contact" in content:
         refuse_empty({"contact": content["contact"]}, lines, file)
-    return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, lines, file), text
+    return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, _Lines(file, lines)), text
 
 
 def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:
@@ -232,138 +252,103 @@ def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:
     return None if section is None else Passing(section.tolerance, section.turn_tolerance)
 
 
-def _near(X: Array, key: str, most: float, lines: Mapping[str, int], file: str) -> Array:
-    """A frame that a cell can have. Raises InputError for one too far away."""
-    if np.abs(X[:3, 3]).max() > most:
-        message = f"{key}.position: {np.abs(X[:3, 3]).max():g} m is farther than {most:g} m; check the unit"
-        raise InputError(message, file=file, line=line_of(f"{key}.position", lines))
-    return X
-
-
-def _check_start(
-    robot: SrsRobot,
-    start: Array,
-    limits: JointLimits,
-    lines: Mapping[str, int],
-    file: str,
-    key: str = "start.joints",
-) -> None:
+def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, at: _Lines, key: str = "start.joints") -> None:
     """Refuse a start outside a joint's range, and one from which the arm's configuration cannot be told."""
-    line = line_of(key, lines)
     for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
         if not low <= value <= high:
             message = f"{key}: {name} = {np.degrees(value):.6g}°, outside its range"
-            raise InputError(f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°", file=file, line=line)
+            raise at.wrong(key, f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°")
     for singular in singularities(robot, start[None], _SINGULAR):
         message = f"{key}: singular, {singular.name}: arm angle and configuration are not defined there"
-        raise InputError(f"{message}; start a degree away from it", file=file, line=line)
+        raise at.wrong(key, f"{message}; start a degree away from it")
 
 
 def _speeds(
-    document: TaskDocument,
-    waypoints: Sequence[Waypoint],
-    lines: Mapping[str, int],
-    file: str,
-    given: tuple[tuple[float, float], ...] | None,
+    document: TaskDocument, waypoints: Sequence[Waypoint], at: _Lines, given: tuple[tuple[float, float], ...] | None
 ) -> tuple[SegmentSpeeds, ...]:
     """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
     count = len(waypoints) - 1
-    same = given is None and not any(isinstance(getattr(document, key), tuple) for key in _CAPS)
-    columns: dict[str, list[float] | list[None]] = {}
+    columns: dict[str, Sequence[float | None]] = {}
     for key in _CAPS:
         value = getattr(document, key)
         if isinstance(value, tuple) and len(value) != count:
-            message = f"{key}: {len(value)} values for {count} segments; give one for all, or one each"
-            raise InputError(message, file=file, line=line_of(key, lines))
-        if value is None and given is not None and key in ("v_max", "omega_max"):
-            columns[key] = [pair[key == "omega_max"] for pair in given]
-        elif value is None and key in ("v_max", "omega_max"):
-            raise InputError(f"{key}: is missing; give a cap for all segments, or one each", file=file, line=1)
-        elif isinstance(value, tuple):
-            columns[key] = list(value)
-        else:
-            columns[key] = [value] * count
-    each = (
-        SegmentSpeeds(**{key: columns[key][i] for key in _CAPS})  # type: ignore[arg-type]
-        for i in range(1 if same else count)
-    )
-    return tuple(each) * (count if same else 1)
+            raise at.wrong(key, f"{key}: {len(value)} values for {count} segments; give one for all, or one each")
+        required = value is None and key in ("v_max", "omega_max")
+        if required and given is None:
+            message = f"{key}: is missing; give a cap for all segments, or one each"
+            raise InputError(message, file=at.file, line=1)
+        if required and given is not None:
+            value = tuple(pair[key == "omega_max"] for pair in given)
+        columns[key] = value if isinstance(value, tuple) else [value]
+    if all(len(column) == 1 for column in columns.values()):
+        return (SegmentSpeeds(*(column[0] for column in columns.values())),) * count  # type: ignore[arg-type]
+    rows = zip(*(column if len(column) > 1 else column * count for column in columns.values()), strict=True)
+    return tuple(SegmentSpeeds(*row) for row in rows)
 
 
-def _compliance(
-    K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...], key: str, lines: Mapping[str, int], file: str
-) -> Compliance:
-    try:
+def _compliance(K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...], key: str, at: _Lines) -> Compliance:
+    with at.about(key):
         return Compliance(np.array(K), np.array(D), np.array(M))
-    except ValueError as error:
-        raise InputError(str(error), file=file, line=line_of(key, lines)) from error
 
 
-def _load(section: LoadSection, lines: Mapping[str, int], file: str) -> ToolLoad:
-    try:
+def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:
+    if section is None:
+        return None
+    with at.about("tool.load", "tool.load: "):
         return ToolLoad(section.mass, np.array(section.com), np.diag(section.inertia))
-    except ValueError as error:
-        raise InputError(f"tool.load: {error}", file=file, line=line_of("tool.load", lines)) from error
+
+
+def _sensor(section: SensorSection | None) -> Sensor | None:
+    if section is None:
+        return None
+    ripple = tuple((one.frequency, one.amplitude) for one in section.ripple)
+    return Sensor(section.bias, ripple, section.rigid, section.seed)
 
 
 def _zeroing(section: ZeroSection) -> Zeroing:
     return Zeroing(tuple(name in section.components for name in _COMPONENTS), np.array(section.frame))
 
 
-def _clamps(section: ClampSection, key: str, lines: Mapping[str, int], file: str) -> Clamps:
-    try:
-        return Clamps(
-            np.array(section.torque) if section.torque is not None else np.full(7, np.inf),
-            np.array(section.force) if section.force is not None else np.full(6, np.inf),
-        )
-    except ValueError as error:
-        raise InputError(str(error), file=file, line=line_of(key, lines)) from error
+def _clamps(section: ClampSection, key: str, at: _Lines) -> Clamps:
+    bounds = ((section.torque, 7), (section.force, 6))
+    with at.about(key):
+        return Clamps(*(np.full(count, np.inf) if given is None else np.array(given) for given, count in bounds))
 
 
-def _changes(document: TaskDocument, lines: Mapping[str, int], file: str) -> tuple[Change, ...]:
+def _changes(document: TaskDocument, at: _Lines) -> tuple[Change, ...]:
     """In the order of time; what a change leaves out of K, D and M is that of the change before."""
     out = []
     K, D, M = document.K, document.D, document.M
-    order = sorted(range(len(document.changes)), key=lambda i: document.changes[i].at)
-    for i in order:
-        section: ChangeSection = document.changes[i]
-        compliance = None
+    for i, section in sorted(enumerate(document.changes), key=lambda pair: pair[1].at):
+        key, compliance = f"changes.{i}", None
         if (section.K, section.D, section.M) != (None, None, None):
             K, D, M = section.K or K, section.D or D, section.M or M
-            compliance = _compliance(K, D, M, f"changes.{i}", lines, file)
+            compliance = _compliance(K, D, M, key, at)
         out.append(
             Change(
                 t=section.at,
                 compliance=compliance,
-                zeroing=_zeroing(section.zero) if section.zero is not None else None,
-                clamps=_clamps(section.clamps, f"changes.{i}", lines, file) if section.clamps is not None else None,
-                X_FT=_near(frame_pose(section.tool), f"changes.{i}.tool", _LONGEST_TOOL, lines, file)
-                if section.tool is not None
-                else None,
-                X_WB=_near(frame_pose(section.base), f"changes.{i}.base", _FARTHEST, lines, file)
-                if section.base is not None
-                else None,
+                zeroing=None if section.zero is None else _zeroing(section.zero),
+                clamps=None if section.clamps is None else _clamps(section.clamps, key, at),
+                X_FT=None if section.tool is None else at.frame(section.tool, f"{key}.tool", _LONGEST_TOOL),
+                X_WB=None if section.base is None else at.frame(section.base, f"{key}.base"),
                 restart=section.restart,
             )
         )
     return tuple(out)
 
 
-def _contact(section: ContactSection, lines: Mapping[str, int], file: str) -> Contact:
+def _contact(section: ContactSection, at: _Lines) -> Contact:
     if section.tip > _THICKEST_TIP:
         message = f"contact.tip: {section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
-        raise InputError(message, file=file, line=line_of("contact.tip", lines))
+        raise at.wrong("contact.tip", message)
     obstacles = []
     for name, one in section.obstacles.items():
-        key = f"contact.obstacles.{name}.box"
-        X = _near(frame_pose(one.box), key, _FARTHEST, lines, file)
-        if not all(_THINNEST <= size <= _FARTHEST for size in one.box.size):
-            sizes = ", ".join(f"{size:g}" for size in one.box.size)
+        key, size = f"contact.obstacles.{name}.box", one.box.size
+        X = at.frame(one.box, key)
+        if not all(_THINNEST <= side <= _FARTHEST for side in size):
+            sizes = ", ".join(f"{side:g}" for side in size)
             message = f"{key}.size: {sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
-            raise InputError(message, file=file, line=line_of(f"{key}.size", lines))
-        obstacles.append(Obstacle(Box(name, _array(one.box.size), X), one.stiffness, one.damping, one.friction))
+            raise at.wrong(f"{key}.size", message)
+        obstacles.append(Obstacle(Box(name, np.array(size), X), one.stiffness, one.damping, one.friction))
     return Contact(tuple(obstacles), section.tip)
-
-
-def _array(values: tuple[float, ...]) -> Array:
-    return np.array(values)

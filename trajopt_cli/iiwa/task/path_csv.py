@@ -15,6 +15,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, BoolArray, rotation_from_wxyz
 from trajopt_cli.iiwa.task.angles import angles_of
+from trajopt_cli.iiwa.task.csv_numbers import read_numbers
 from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints
 from trajopt_cli.quantity import ANGLE, LENGTH
 
@@ -63,7 +64,7 @@ def read_path(text: str, file: str, meaning: AngleMeaning, R_start: Array) -> Pa
     if not 2 <= len(body) <= MOST_POINTS:
         bound = "at least 2" if len(body) < 2 else f"at most {MOST_POINTS}"
         raise InputError(f"{len(body)} rows under the header; a path needs {bound}", file=file, line=len(lines))
-    table = _numbers(body, len(columns), separator, file)
+    table = read_numbers(body, len(columns), file, separator)
     value = {name: factor * table[:, i] for i, (name, factor) in enumerate(columns.items())}
     p = np.column_stack([value[name] for name in _POSITION])
     far = np.abs(p).max(axis=1)
@@ -115,38 +116,9 @@ def _columns(head: str, separator: str, file: str) -> dict[str, float]:
     if not missing and len(turned) == 1:
         missing = [name for name in turned[0] if name not in out]
     if missing or len(turned) != 1:
-        lacks = f"lacks {', '.join(missing)}" if missing else "needs either angles or a quaternion"
-        raise InputError(f"the header {lacks}; write it {_EXAMPLE}", file=file, line=1)
+        fault = f"lacks {', '.join(missing)}" if missing else "needs either angles or a quaternion"
+        raise InputError(f"the header {fault}; write it {_EXAMPLE}", file=file, line=1)
     return out
-
-
-def _numbers(body: list[str], width: int, separator: str, file: str) -> Array:
-    """The table under the header; the first field that is not a finite number is told."""
-    try:
-        # an empty line would be skipped, and rows be told by other numbers than their lines'
-        table = np.loadtxt(body, delimiter=separator, comments=None, ndmin=2) if all(map(str.strip, body)) else None
-    except ValueError:
-        table = None
-    if table is not None and table.shape[1] == width and np.isfinite(table).all():
-        return np.asarray(table, dtype=np.float64)
-    for number, line in enumerate(body):
-        fields = line.split(separator)
-        if len(fields) != width:
-            raise _wrong(
-                f"{len(fields) if line.strip() else 'no'} values, the header has {width} columns", number, file
-            )
-        for field in fields:
-            if not _finite(field):
-                advice = "; write numbers with a decimal point" if "," in field else ""
-                raise _wrong(f"'{field.strip()[:40]}' is not a finite number{advice}", number, file)
-    raise InputError("the table holds a number that cannot be read", file=file)
-
-
-def _finite(field: str) -> bool:
-    try:
-        return bool(np.isfinite(float(field)))
-    except ValueError:
-        return False
 
 
 def _first(wrong: BoolArray) -> int | None:
