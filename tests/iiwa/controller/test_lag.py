@@ -28,8 +28,6 @@ def test_deviation_is_of_the_positions_alone_and_turn_deviation_of_the_orientati
     assert deviation(x, x_e) == pytest.approx([5.0, 1.0])
     turned = [Rotation.from_euler("xyz", rows[:, 3:]) for rows in (x, x_e)]
     assert turn_deviation(x, x_e) == pytest.approx((turned[0] * turned[1].inv()).magnitude())
-    with pytest.raises(ValueError, match=r"\(2, 6\) against an equilibrium of \(1, 6\)"):
-        deviation(x, x_e[:1])
 
 
 @pytest.mark.parametrize("velocity", [[0.1, 0.0, 0.0], [0.05, -0.1, 0.02]])
@@ -70,8 +68,6 @@ def test_lag_says_where_the_worst_is() -> None:
     x[13, 1] = 0.5  # after the end, where the last pose is held
     late = worst_lag(x, pose, 1e-3, pieces)
     assert (late.row, late.piece) == (13, pieces[1])
-    with pytest.raises(ValueError, match="10 rows, the equilibrium 11"):
-        worst_lag(x[:10], pose, 1e-3, pieces)
 
 
 def test_held_and_settling() -> None:
@@ -80,8 +76,6 @@ def test_held_and_settling() -> None:
     assert len(longer) == 2 + 4
     assert np.array_equal(longer[2:], np.tile(x_e[1], (4, 1)))
     assert len(held(x_e, 0.003, 1e-3)) == 2 + 3
-    with pytest.raises(ValueError, match="nan"):
-        held(x_e, float("nan"), 1e-3)
     x = np.zeros((6, 6))
     x[:, 0] = [0.5, 0.05, 0.2, 0.05, 0.01, 0.0]
     assert settling(x, np.zeros(6), 0.1, 1.0, 0.01) == pytest.approx(0.03)

@@ -221,15 +221,6 @@ def test_any_number_of_rows(n: int) -> None:
         law.step(Goal(tuple(x_e[k].tolist())), tuple(F[k].tolist()))
 
 
-def test_wrong_shapes_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"x_e has shape \(5, 3\), wanted \(n, 6\)"):
-        response(np.zeros((5, 3)), H, BEFORE)
-    with pytest.raises(ValueError, match="force has 4 rows, x_e 5"):
-        response(np.zeros((5, 6)), H, BEFORE, force=np.zeros((4, 6)))
-    with pytest.raises(ValueError, match=r"R_e has shape \(5, 3\)"):
-        response_rotation(np.zeros((5, 3)), H, K[3:], D[3:], M[3:])
-
-
 @pytest.mark.parametrize("integration", Integration)
 @pytest.mark.parametrize("feed", Feed)
 @pytest.mark.parametrize("about", range(3))

@@ -310,14 +310,6 @@ def test_relative_angles_count_from_the_tool_at_the_start() -> None:
     np.testing.assert_allclose(q[0][0], start, rtol=0, atol=1e-12)
 
 
-def test_one_row_or_other_joints_are_refused() -> None:
-    X = ROBOT.forward(HOME)
-    with pytest.raises(ValueError, match="1 rows"):
-        followed(sequence(np.zeros((1, 6)), np.eye(3)[None], AngleMeaning.ABSOLUTE, H))
-    with pytest.raises(ValueError, match=r"start joints \(6,\)"):
-        followed(spin(X, np.zeros(3)), HOME[:6])
-
-
 def test_a_minute_at_1_khz_is_followed_in_under_a_second() -> None:
     way = line(ROBOT.forward(HOME), np.array([0, 0.2, 0]), np.array([0.2, 0, 0.5]), 60.0)
     times = []

@@ -15,7 +15,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import AngleMeaning, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
-from trajopt_cli.iiwa.task.segments import interpolate, summary
+from trajopt_cli.iiwa.task.segments import interpolate, planned
 
 DEG = np.pi / 180
 SPEEDS = SegmentSpeeds(0.1, 0.5, a_max=1.0, epsilon_max=2.0, jerk=20.0, angular_jerk=40.0)
@@ -85,7 +85,7 @@ def test_both_parts_end_together_and_shared_poses_stand_once() -> None:
     assert (first.last, second.last - second.first) == (N + 2, 1000)
     share = found.pose[: first.last + 1, 0] / 0.1
     assert found.pose[: first.last + 1, 5] == pytest.approx(share * 40 * DEG, abs=1e-15)
-    facts = summary(found, route(pose("a"), pose("b", 0.1, 0, 0, 0, 0, 40), pose("c", 0.1, 0.1, 0, 0, 0, 40)))
+    _, facts = planned(route(pose("a"), pose("b", 0.1, 0, 0, 0, 0, 40), pose("c", 0.1, 0.1, 0, 0, 0, 40)))
     assert [fact.binds for fact in facts] == ["omega_max", "v_max"]
     assert facts[0].omega_top == pytest.approx(0.5, rel=1e-9)
     assert facts[0].v_top == pytest.approx(0.1 * 0.5 / (40 * DEG), rel=1e-9)
@@ -192,9 +192,9 @@ def test_ramps_are_common_to_both_parts_and_named() -> None:
     found = interpolate(wanted)
     rows = slice(0, found.pieces[0].last + 1)
     assert found.pose[rows, 0] / 0.01 == pytest.approx(found.pose[rows, 5] / (90 * DEG), abs=1e-14)
-    assert [fact.binds for fact in summary(found, wanted)] == ["omega_max", "a_max"]
+    assert [fact.binds for fact in planned(wanted)[1]] == ["omega_max", "a_max"]
     smooth = replace(wanted, profile=S_CURVE)
-    assert [fact.binds for fact in summary(interpolate(smooth), smooth)] == ["omega_max", "jerk"]
+    assert [fact.binds for fact in planned(smooth)[1]] == ["omega_max", "jerk"]
 
 
 def test_slerp_is_scipys() -> None:
@@ -206,7 +206,7 @@ def test_slerp_is_scipys() -> None:
     assert np.abs(found.R - wanted).max() < 1e-13
     assert np.abs(np.diff(found.pose[:, 3:], axis=0)).max() < 0.01
     assert found.pose[0, 3:] == pytest.approx(a.pose[3:], abs=0)
-    (fact,) = summary(found, route(a, b, law=SLERP))
+    _, (fact,) = planned(route(a, b, law=SLERP))
     assert fact.L_theta == pytest.approx((ends[0].inv() * ends[1]).magnitude(), rel=1e-12)
     assert fact.omega_top == pytest.approx(0.5, rel=1e-9)
 
@@ -279,7 +279,7 @@ def test_dwells_stand_and_are_rounded_up_with_a_note() -> None:
     )
     assert np.all(found.pose[13:] == found.pose[13])
     assert found.notes == ("pose b: the dwell of 0.0025 s is rounded up to 0.003 s, 3 periods of 0.001 s",)
-    facts = summary(found, wanted)
+    facts = planned(wanted)[1]
     assert [(fact.duration, fact.dwell, fact.binds) for fact in facts] == [(0.01, 0.003, "v_max"), (0.0, 0.001, "")]
 
 
@@ -365,4 +365,4 @@ def test_85_degrees_are_allowed_and_repeats_with_a_dwell_are_legal() -> None:
     found = interpolate(wanted)
     assert np.array_equal(found.pose, np.zeros((3, 6)))
     assert found.notes == ("segment a -> b: alpha stays, +360° is a whole turn; the sequence counts 0°",)
-    assert summary(found, wanted)[0].dwell == 0.002
+    assert planned(wanted)[1][0].dwell == 0.002

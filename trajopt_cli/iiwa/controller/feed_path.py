@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, IndexArray, readonly, rotations_by
+from trajopt_cli.geometry import Array, IndexArray, rotations_by
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import RotationLaw, SegmentSpeeds
@@ -47,27 +46,6 @@ class DosePath:
     legs: tuple[PathInterval, ...]
     R: Array | None = None
 
-    def __post_init__(self) -> None:
-        if self.R is not None:
-            object.__setattr__(self, "R", readonly(self.R))
-        for name in ("s", "pose", "cap"):
-            object.__setattr__(self, name, readonly(getattr(self, name)))
-        n = len(self.s)
-        if n < 2 or self.pose.shape != (n, 6) or self.cap.shape != (n - 1,):
-            shapes = f"s {self.s.shape}, pose {self.pose.shape}, cap {self.cap.shape}"
-            raise ValueError(f"DosePath: {shapes}; wanted (n,), (n, 6) and (n - 1,) with n >= 2")
-        if not (np.all(np.isfinite(self.s)) and np.all(np.diff(self.s) > 0) and np.all(np.isfinite(self.pose))):
-            raise ValueError("DosePath: s has to rise from row to row, and all poses have to be finite")
-        if not (np.all(self.cap > 0) and np.all(np.isfinite(self.cap))):
-            raise ValueError("DosePath: every cap on ds/dt has to be finite and above zero")
-        row = 0
-        for leg in self.legs:
-            if leg.first != row or leg.last < row or not (isfinite(leg.dwell) and leg.dwell >= 0):
-                raise ValueError(f"DosePath: leg {leg} does not go on from row {row}")
-            row = leg.last
-        if row != n - 1:
-            raise ValueError(f"DosePath: the legs end at row {row} of {n - 1}")
-
     @property
     def least_time(self) -> float:
         """Time [s] of the path at its caps, dwells included: what no lag bound can go below."""
@@ -99,16 +77,9 @@ def dose_path(
 
     speeds: the caps of the pieces that move, in order; None keeps each row's old pace as the greatest. joints (n, k)
     [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down a stretch
-    where the programmed speed would break them. Raises ValueError where nothing moves or the numbers do not fit.
+    where the programmed speed would break them. Raises ValueError where nothing moves.
     """
-    moving = [piece for piece in equilibrium.pieces if not piece.dwell]
-    if speeds is not None and len(speeds) != len(moving):
-        raise ValueError(f"{len(speeds)} pairs of speed caps for {len(moving)} segments that move")
-    if (joints is None) != (joint_speed is None):
-        raise ValueError("joints and joint_speed belong together")
     q = None if joints is None else np.asarray(joints, dtype=np.float64)
-    if q is not None and (q.ndim != 2 or len(q) != len(equilibrium.pose)):
-        raise ValueError(f"joints have shape {q.shape}, wanted one row for each of {len(equilibrium.pose)} poses")
     limit = np.asarray(joint_speed, dtype=np.float64)
     caps = iter(speeds) if speeds is not None else None
     coordinates = _coordinates(equilibrium)

@@ -1,11 +1,11 @@
-"""Feeding the equilibrium gradually, so that the arm neither lags by more than a bound nor pushes harder than one.
+"""Feed schedules: the equilibrium's timing along its path, so that neither the arm's lag nor its push passes a bound.
 
-The thesis' open wish. The path stays what it was; its timing becomes the fastest that three ways of feeding allow:
+The path stays what it was; its timing becomes the fastest that one of three feeds allows:
 
 position: the equilibrium is the plan, as far ahead of the arm as lag and lead let it. On one line that is the optimum
-of this feed, because the law's answer to a deviation never takes anything back (see dose_walk for corners).
+of this feed, because the law's answer to a deviation never takes anything back (see greedy_feed for corners).
 velocity: the same with the plan's speed fed, too, so that only the inertia lags.
-inverse: the equilibrium is what moves the arm along its plan (see dose_inverse).
+inverse: the equilibrium is what moves the arm along its plan (see feed_inverse).
 
 Whatever the feed, M x'' + D x' is the push: with one bound on it the three differ by what the lag adds to that.
 """
@@ -20,7 +20,7 @@ from math import isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
 from trajopt_cli.iiwa.controller.feed_inverse import inverse
 from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
@@ -106,8 +106,22 @@ class Dosed:
 
 
 @dataclass(frozen=True, eq=False)
-class _Fed:
-    """A planned feed before it is looked at: rows fed and planned, at path parameters s, by leg."""
+class _Case:
+    """What is asked for, as of dose. rest [s]: until the arm counts as at rest after the end."""
+
+    path: DosePath
+    law: Compliance
+    h: float
+    allowed: Allowed
+    feed: DoseFeed
+    integration: Integration
+    acceleration: tuple[float | None, float | None]
+    rest: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Schedule:
+    """A feed before it is simulated: rows fed and planned, at path parameters s, by leg."""
 
     pose: Array
     R: Array
@@ -115,7 +129,7 @@ class _Fed:
     R_plan: Array
     s: Array
     pieces: tuple[Piece, ...]
-    braked: int
+    braked: int = 0
 
 
 def dose(
@@ -132,11 +146,8 @@ def dose(
 
     acceleration: greatest of the arm [m/s2] and [rad/s2] where the feed is the inverse one. Any bound can be kept,
     since the equilibrium may stand; what a small one costs is time, and more than three million rows are refused, as
-    are lags beyond LAGS and TURN_LAGS and laws slower than SLOWEST or SLOWEST_SWING. Raises ValueError for a period
-    that is not finite and above zero.
+    are lags beyond LAGS and TURN_LAGS and laws slower than SLOWEST or SLOWEST_SWING.
     """
-    if not (isfinite(h) and h > 0):
-        raise ValueError(f"h is {h:g}: wanted a finite number above zero")
     laws = stability(compliance, h, integration)
     refusal = _beyond(allowed) or _unfollowed(path, laws, h, integration)
     if refusal is not None:
@@ -148,24 +159,13 @@ def dose(
             "allow more, or give more stiffness or less damping"
         )
     rest = _resting_time(moving_axes(path), laws, h)
-
-    def made(tried: Allowed) -> Dosed | CannotDose:
-        fed = (
-            _inverse(path, compliance, h, tried, integration, acceleration)
-            if feed is DoseFeed.INVERSE
-            else _walked(path, compliance, h, tried, integration, feed)
-        )
-        return (
-            fed
-            if isinstance(fed, CannotDose)
-            else _looked_at(fed, path, compliance, h, allowed, feed, integration, rest)
-        )
-
+    case = _Case(path, compliance, h, allowed, feed, integration, acceleration, rest)
     tried, best = allowed, None
     for _ in range(_CORRECTIONS):
-        found = made(tried)
-        if isinstance(found, CannotDose):
-            return best or found
+        schedule = _inverse(case, tried) if feed is DoseFeed.INVERSE else _greedy(case, tried)
+        if isinstance(schedule, CannotDose):
+            return best or schedule
+        found = _simulated(case, schedule)
         tighter = _corrected(found, allowed, tried)
         if tighter is not None:
             if best is not None:
@@ -183,124 +183,97 @@ def dose(
     return replace(best, least=least if best.duration <= _USEFUL * least else None)
 
 
-def _walked(
-    path: DosePath, compliance: Compliance, h: float, allowed: Allowed, integration: Integration, feed: DoseFeed
-) -> _Fed | CannotDose:
+def _greedy(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
     """The plan itself as feed, one period after another."""
-    axes = coefficients(compliance.K, compliance.D, compliance.M, h, integration)
-    lag, turn_lag = allowed.lags(compliance.K)
-    fed = _speed_fed(compliance, allowed) if feed is DoseFeed.VELOCITY else None
+    path, law, h = case.path, case.law, case.h
+    axes = coefficients(law.K, law.D, law.M, h, case.integration)
+    lag, turn_lag = allowed.lags(law.K)
+    fed = _speed_fed(law, allowed) if case.feed is DoseFeed.VELOCITY else None
     walk = Walk(path, h, axes, lag, turn_lag, fed)
-    swinging = _swinging(path, compliance, turn_lag is not None)
+    swinging = _swinging(path, law, turn_lag is not None)
     if swinging is None:
         states, braked = plan(walk, None, 0.0)
     else:
         longest, pulse = swinging
         longer = max(h, _COARSE / pulse)
-        rough = coefficients(compliance.K, compliance.D, compliance.M, longer, Integration.EXACT)
+        rough = coefficients(law.K, law.D, law.M, longer, Integration.EXACT)
         states, braked = plan(walk, Walk(coarser(path, longer), longer, rough, lag, turn_lag, fed), longest)
     if not walk.done(states[-1]):
-        share = walk.s(states[-1]) / path.s[-1]
-        change = "allow more lag, or more stiffness or less damping"
-        if swinging is not None:
-            change = "allow more lag, or more damping, so that the arm swings less"
+        more = "stiffness or less damping" if swinging is None else "damping, so that the arm swings less"
         return CannotDose(
-            f"given up after {len(states)} rows and {walk.looked} periods of looking ahead, at {share:.0%} of the "
-            f"path; {change}"
+            f"given up after {len(states)} rows and {walk.looked} periods of looking ahead, at "
+            f"{walk.s(states[-1]) / path.s[-1]:.0%} of the path; allow more lag, or more {more}"
         )
     s = np.array([walk.s(state) for state in states])
     pose, R = path.poses(path.at(s), np.clip(np.searchsorted(path.s, s, side="right") - 1, 0, len(path.s) - 1))
-    return _Fed(pose, R, pose, R, s, _pieces(path, states, h), braked)
+    return _Schedule(pose, R, pose, R, s, _pieces(path, states, h), braked)
 
 
-def _speed_fed(compliance: Compliance, allowed: Allowed) -> SpeedFed:
-    leads = [
-        np.ones(3) if lead is None else lead.weight(compliance.K[part])
-        for lead, part in ((allowed.lead, slice(0, 3)), (allowed.turn_lead, slice(3, 6)))
-    ]
-    weight = np.concatenate(leads)
-    most, turn_most = (None if lead is None else lead.most for lead in (allowed.lead, allowed.turn_lead))
-    return SpeedFed(weight * compliance.K, weight * compliance.D, most, turn_most)
+def _speed_fed(law: Compliance, allowed: Allowed) -> SpeedFed:
+    leads = (allowed.lead, slice(0, 3)), (allowed.turn_lead, slice(3, 6))
+    weight = np.concatenate([np.ones(3) if lead is None else lead.weight(law.K[part]) for lead, part in leads])
+    most, turn_most = (None if lead is None else lead.most for lead, _ in leads)
+    return SpeedFed(weight * law.K, weight * law.D, most, turn_most)
 
 
-def _inverse(
-    path: DosePath,
-    compliance: Compliance,
-    h: float,
-    allowed: Allowed,
-    integration: Integration,
-    acceleration: tuple[float | None, float | None],
-) -> _Fed | CannotDose:
+def _inverse(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
-    found = inverse(path, compliance, h, allowed, integration, acceleration)
+    found = inverse(case.path, case.law, case.h, allowed, case.integration, case.acceleration)
     if len(found.s) > ROWS:
         return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
-    (pose, R), (plan_pose, R_plan) = found.feed, found.plan
-    turned = float(np.max(_angles(R, R_plan)))
+    turned = float(np.max(_angles(found.feed[1], found.plan[1])))
     if turned > _LARGEST_LEAD:
         return CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
             "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
-    beta = float(np.max(np.abs(pose[:, 4])))
-    if path.R is None and beta > BETA_LIMIT:
+    beta = float(np.max(np.abs(found.feed[0][:, 4])))
+    if case.path.R is None and beta > BETA_LIMIT:
         return CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
             "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
         )
-    return _Fed(pose, R, plan_pose, R_plan, found.s, found.pieces, 0)
+    return _Schedule(*found.feed, *found.plan, found.s, found.pieces)
 
 
-def _looked_at(
-    fed: _Fed,
-    path: DosePath,
-    compliance: Compliance,
-    h: float,
-    allowed: Allowed,
-    feed: DoseFeed,
-    integration: Integration,
-    rest: float,
-) -> Dosed:
-    """What the arm makes of a feed: the controller's law on it, and the greatest lag and push."""
-    turns = path.R is not None
-    x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
+def _simulated(case: _Case, fed: _Schedule) -> Dosed:
+    """The controller's answer to a feed, and the greatest lag and push."""
+    path, law, h, integration = case.path, case.law, case.h, case.integration
+    x_e, plan_x = held(fed.pose, case.rest, h), held(fed.plan, case.rest, h)
     more = len(x_e) - len(fed.pose)
     R_e, R_plan = (np.concatenate([R, np.repeat(R[-1:], more, axis=0)]) for R in (fed.R, fed.R_plan))
-    law_feed = Feed.VELOCITY if feed is DoseFeed.VELOCITY else Feed.POSITION
-    x = response(x_e, h, compliance, integration=integration, feed=law_feed, x_0=fed.plan[0]).x
+    feed = Feed.VELOCITY if case.feed is DoseFeed.VELOCITY else Feed.POSITION
+    x = response(x_e, h, law, integration=integration, feed=feed, x_0=fed.plan[0]).x
     behind = x_e - x
-    v_e = equilibrium_rates(x_e, h) if law_feed is Feed.VELOCITY else np.zeros_like(x_e)
+    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
     R_x = rotation(x[:, 3:])
-    if turns:
+    if path.R is not None:
         R_x = R_plan
         if np.any(moving_axes(path)[3:]):
-            K, D, M = compliance.K[3:], compliance.D[3:], compliance.M[3:]
-            R_x = response_rotation(R_e, h, K, D, M, integration=integration, feed=law_feed, R_0=fed.R_plan[0]).R
+            diagonals = law.K[3:], law.D[3:], law.M[3:]
+            R_x = response_rotation(R_e, h, *diagonals, integration=integration, feed=feed, R_0=fed.R_plan[0]).R
         x = np.column_stack([x[:, :3], angles_near(R_x, plan_x[:, 3:])])
         behind[:, 3:] = rotation_vector(R_e @ np.swapaxes(R_x, 1, 2))
-        if law_feed is Feed.VELOCITY:
+        if feed is Feed.VELOCITY:
             v_e[:-1, 3:] = rotation_vector(R_e[1:] @ np.swapaxes(R_e[:-1], 1, 2)) / h
-    push = compliance.K * behind + compliance.D * v_e
-    lead = np.divide(push, compliance.K, out=np.zeros_like(push), where=compliance.K > 0)
-    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in _PARTS for rows in (push, lead)]
-    notes = []
-    if fed.braked:
-        notes.append(
-            f"the equilibrium holds back for {fed.braked * h:.3f} s, so that the arm does not overshoot by more"
-        )
+    push = law.K * behind + law.D * v_e
+    lead = np.divide(push, law.K, out=np.zeros_like(push), where=law.K > 0)
+    parts = (slice(0, 3), slice(3, 6))
+    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (push, lead)]
+    held_back = f"the equilibrium holds back for {fed.braked * h:.3f} s, so that the arm does not overshoot by more"
     n = len(fed.pose)
     return Dosed(
-        feed=feed,
+        feed=case.feed,
         h=h,
-        pose=readonly(fed.pose),
-        R=readonly(fed.R),
-        plan=readonly(fed.plan),
-        R_plan=readonly(fed.R_plan),
-        s=readonly(fed.s),
-        x=readonly(x[:n]),
-        R_x=readonly(R_x[:n]),
+        pose=fed.pose,
+        R=fed.R,
+        plan=fed.plan,
+        R_plan=fed.R_plan,
+        s=fed.s,
+        x=x[:n],
+        R_x=R_x[:n],
         pieces=fed.pieces,
-        allowed=allowed,
+        allowed=case.allowed,
         lag=worst_lag(x, fed.plan, h, fed.pieces),
         push=norms[0],
         lead=norms[1],
@@ -309,11 +282,8 @@ def _looked_at(
         arrived=settling(x, fed.plan[-1], ARRIVED, ARRIVED_TURN, h),
         least=None,
         braked=fed.braked,
-        notes=tuple(notes),
+        notes=(held_back,) if fed.braked else (),
     )
-
-
-_PARTS = (slice(0, 3), slice(3, 6))
 
 
 def _corrected(made: Dosed, allowed: Allowed, tried: Allowed) -> Allowed | None:

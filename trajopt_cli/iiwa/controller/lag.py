@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, inf, isfinite
+from math import ceil, inf
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,14 +20,12 @@ from trajopt_cli.iiwa.task.model import Compliance
 
 def deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
     """d_k = ||p_k - p_e,k|| (n,) [m], eq. 6.8, of poses x and equilibrium x_e (n, 6); their positions alone."""
-    x, x_e = _pair(x, x_e)
-    return np.asarray(np.linalg.norm((x - x_e)[:, :3], axis=1), dtype=np.float64)
+    return np.asarray(np.linalg.norm((np.asarray(x) - x_e)[:, :3], axis=1), dtype=np.float64)
 
 
 def turn_deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
     """Angles (n,) [rad] between the orientations of poses x and x_e (n, 6), whichever way their angles are written."""
-    x, x_e = _pair(x, x_e)
-    apart = np.linalg.norm(rotation(x[:, 3:]) - rotation(x_e[:, 3:]), axis=(1, 2))
+    apart = np.linalg.norm(rotation(np.asarray(x)[:, 3:]) - rotation(np.asarray(x_e)[:, 3:]), axis=(1, 2))
     # ||R - R_e||_F = 2 sqrt(2) sin(angle / 2)
     return np.asarray(2 * np.arcsin(np.minimum(apart / np.sqrt(8.0), 1.0)), dtype=np.float64)
 
@@ -50,13 +48,8 @@ class Lag:
 
 
 def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> Lag:
-    """The lag of a response x (n, 6) behind poses (m, 6), a row every h [s]; the last pose is held for what is longer.
-
-    Raises ValueError for a response shorter than the poses.
-    """
+    """The lag of a response x (n, 6) behind poses (m, 6) with a row every h [s], the last one held."""
     x = np.asarray(x, dtype=np.float64)
-    if len(x) < len(pose):
-        raise ValueError(f"the response has {len(x)} rows, the equilibrium {len(pose)}")
     x_e = _longer(pose, len(x) - len(pose))
     d, turn = deviation(x, x_e), turn_deviation(x, x_e)
     row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
@@ -79,8 +72,6 @@ def steady_lag(speed: ArrayLike, compliance: Compliance) -> float:
     inf for a motion along an axis without stiffness, which nothing pulls after the equilibrium.
     """
     v = np.asarray(speed, dtype=np.float64)
-    if v.shape != (3,):
-        raise ValueError(f"speed has shape {v.shape}, wanted (3,)")
     if np.any((compliance.K[:3] == 0) & (v != 0)):
         return inf
     moving = v != 0
@@ -108,9 +99,7 @@ def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
 
 
 def held_rows(seconds: float, h: float) -> int:
-    """How many rows of h [s] hold a pose for at least seconds. Raises ValueError for a time that is none."""
-    if not (isfinite(seconds) and seconds >= 0):
-        raise ValueError(f"holding for {seconds} s: wanted a finite time, not negative")
+    """How many rows of h [s] hold a pose for at least seconds."""
     return ceil(seconds / h - 1e-9)
 
 
@@ -126,13 +115,6 @@ def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: 
         return 0.0
     arrived = int(far[-1]) + 1
     return arrived * h if arrived < len(x) else None
-
-
-def _pair(x: ArrayLike, x_e: ArrayLike) -> tuple[Array, Array]:
-    x, x_e = np.asarray(x, dtype=np.float64), np.asarray(x_e, dtype=np.float64)
-    if x.shape != x_e.shape or x.ndim != 2 or x.shape[1] != 6:
-        raise ValueError(f"poses of shape {x.shape} against an equilibrium of {x_e.shape}; wanted (n, 6) twice")
-    return x, x_e
 
 
 def _longer(x_e: Array, rows: int) -> Array:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.lag import held_rows
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Stop, StopKind
@@ -53,11 +53,6 @@ class LoopRun:
     step_times: Array
     world: str
 
-    def __post_init__(self) -> None:
-        for name, values in vars(self).items():
-            if isinstance(values, np.ndarray):
-                object.__setattr__(self, name, readonly(values))
-
 
 def run(
     controller: Controller,
@@ -72,8 +67,7 @@ def run(
 
     R_e (n, 3, 3): its orientations in the world, which a slerp controller goes by. The loop stops, as KUKA's FRI would,
     before the first command that breaks a joint's range or speed (limits), has no inverse, or passes the angles' lock;
-    the rows end with the last one whose command was sent. Raises ValueError for other shapes and for a slerp
-    controller without R_e.
+    the rows end with the last one whose command was sent.
     """
     goals = _goals(x_e, R_e, controller.settings.rotation)
     goals += [goals[-1]] * held_rows(settle, controller.settings.h)
@@ -150,13 +144,8 @@ def _guard(limits: JointLimits, h: float) -> Callable[[Seven, Seven, float], Sto
 
 
 def _goals(x_e: ArrayLike, R_e: ArrayLike | None, law: RotationLaw) -> list[Goal]:
-    rows = np.asarray(x_e, dtype=np.float64)
-    n = len(rows)
-    if rows.shape != (n, 6) or n == 0:
-        raise ValueError(f"x_e has shape {rows.shape}, wanted (n, 6) with n >= 1")
+    rows = np.asarray(x_e, dtype=np.float64).tolist()
     if law is RotationLaw.TAIT_BRYAN:
-        return [Goal(tuple(row)) for row in rows.tolist()]
-    turns = np.asarray(np.nan if R_e is None else R_e, dtype=np.float64)
-    if turns.shape != (n, 3, 3):
-        raise ValueError(f"R_e has shape {turns.shape}, wanted ({n}, 3, 3): slerp goes by the orientations")
-    return [Goal(tuple(row), nine(R)) for row, R in zip(rows.tolist(), turns.reshape(n, 9).tolist(), strict=True)]
+        return [Goal(tuple(row)) for row in rows]
+    turns = np.reshape(R_e, (len(rows), 9)).tolist()
+    return [Goal(tuple(row), nine(R)) for row, R in zip(rows, turns, strict=True)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.rotations import Nine
 from trajopt_cli.iiwa.task.model import (
     Change,
@@ -52,11 +52,6 @@ class Settings:
     integration: Integration = Integration.EULER
     feed: Feed = Feed.POSITION
     rotation: RotationLaw = RotationLaw.TAIT_BRYAN
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "X_FT", readonly(self.X_FT))
-        if not self.h > 0:
-            raise ValueError(f"Settings: h is {self.h:g} s, wanted a period above zero")
 
     @classmethod
     def of(cls, task: Task, feed: Feed = Feed.POSITION) -> Settings:

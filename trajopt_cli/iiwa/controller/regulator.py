@@ -77,17 +77,13 @@ def response(
 
     force (n, 6) [N, Nm]: external force, none for None. Row k is the state at k h; x_e and force of row k act from
     k h to (k + 1) h. x_0, v_0 (6,): the state at 0, x_e's first row at rest for None. feed VELOCITY: the equilibrium
-    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row. Raises ValueError for other shapes.
+    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row.
     """
-    x_e = _rows(x_e, "x_e")
-    n = len(x_e)
-    forces = None if force is None else _rows(force, "force")
-    if forces is not None and len(forces) != n:
-        raise ValueError(f"force has {len(forces)} rows, x_e {n}")
-    start = x_e[0] if x_0 is None else _six(x_0, "x_0")
-    rate = np.zeros(6) if v_0 is None else _six(v_0, "v_0")
-    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros((n, 6))
-    pushes = np.zeros((n, 6)) if forces is None else forces
+    x_e = np.asarray(x_e, dtype=np.float64)
+    start = x_e[0] if x_0 is None else np.asarray(x_0, dtype=np.float64)
+    rate = np.zeros(6) if v_0 is None else np.asarray(v_0, dtype=np.float64)
+    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
+    pushes = np.zeros_like(x_e) if force is None else np.asarray(force, dtype=np.float64)
     a, b, c, p, q, r = np.array(coefficients(compliance.K, compliance.D, compliance.M, h, integration)).T
     # what does not depend on the state, for all periods at once
     kick = (1 - a) * v_e - b * x_e + c * pushes
@@ -174,11 +170,7 @@ def response_rotation(
     """
     R_e = np.asarray(R_e, dtype=np.float64)
     n = len(R_e)
-    if R_e.shape != (n, 3, 3):
-        raise ValueError(f"R_e has shape {R_e.shape}, wanted (n, 3, 3)")
     torques = np.zeros((n, 3)) if torque is None else np.asarray(torque, dtype=np.float64)
-    if torques.shape != (n, 3):
-        raise ValueError(f"torque has shape {torques.shape}, wanted ({n}, 3)")
     k, d, m = (np.asarray(values, dtype=np.float64) for values in (K, D, M))
     axes = coefficients(k, d, m, h, integration)
     goals = [nine(row) for row in R_e.reshape(n, 9).tolist()]
@@ -200,17 +192,3 @@ def turn_rate(here: Nine, there: Nine, h: float) -> Three:
     """The constant angular velocity [rad/s], world axes, that turns here into there in h [s]."""
     x, y, z = logarithm(product(there, transpose(here)))
     return (x / h, y / h, z / h)
-
-
-def _rows(values: ArrayLike, name: str) -> Array:
-    out = np.asarray(values, dtype=np.float64)
-    if out.ndim != 2 or out.shape[1] != 6 or len(out) == 0:
-        raise ValueError(f"{name} has shape {out.shape}, wanted (n, 6) with n >= 1")
-    return out
-
-
-def _six(values: ArrayLike, name: str) -> Array:
-    out = np.asarray(values, dtype=np.float64)
-    if out.shape != (6,):
-        raise ValueError(f"{name} has shape {out.shape}, wanted (6,)")
-    return out

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import AngleMeaning, RotationLaw
 
 
@@ -37,13 +37,6 @@ class Equilibrium:
     meaning: AngleMeaning
     pieces: tuple[Piece, ...]
     notes: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "pose", readonly(self.pose))
-        object.__setattr__(self, "R", readonly(self.R))
-        n = len(self.pose)
-        if self.pose.shape != (n, 6) or self.R.shape != (n, 3, 3):
-            raise ValueError(f"Equilibrium: pose {self.pose.shape}, R {self.R.shape}; wanted (n, 6) and (n, 3, 3)")
 
     @property
     def t(self) -> Array:

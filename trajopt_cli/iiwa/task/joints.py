@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, readonly
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
 from trajopt_cli.iiwa.task.arm_angle_path import ArmCourse, NoCourse, find_course
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
@@ -46,10 +46,6 @@ class Followed:
     notes: tuple[str, ...]
     plan: ArmPlan | None = None
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "X_WF", readonly(self.X_WF))
-        object.__setattr__(self, "arm_angle", readonly(self.arm_angle))
-
 
 @dataclass(frozen=True)
 class Unfollowable:
@@ -79,12 +75,9 @@ def follow(
     switched on; R_start, the configuration, the joints' turns and, if arm_angle is None, the arm angle come from them.
     free: if a fixed arm angle breaks a position or speed limit, the arm angle may move, from that of the start joints
     on. stops: whether the arm has to be at rest in the last row. wish: what the arm angle is chosen for, from that of
-    the start joints on; free does not count then. Raises ValueError for a sequence of one row or start joints of
-    another shape.
+    the start joints on; free does not count then.
     """
     start = np.asarray(start_joints, dtype=np.float64)
-    if start.shape != (len(limits.names),) or len(equilibrium.pose) < 2:
-        raise ValueError(f"follow: start joints {start.shape}, {len(equilibrium.pose)} rows; wanted (7,), two or more")
 
     def place(row: int) -> str:
         return place_of(equilibrium, row)

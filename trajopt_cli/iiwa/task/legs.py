@@ -8,7 +8,7 @@ from math import ceil, floor, inf, isfinite, isnan
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation, rotation_vector
 from trajopt_cli.iiwa.task.laws import UNCAPPED, Rate
 from trajopt_cli.iiwa.task.model import BETA_LIMIT, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
@@ -49,10 +49,6 @@ class StraightSegment:
     rates: tuple[Rate, Rate, Rate]
     notes: tuple[str, ...]
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "start", readonly(self.start))
-        object.__setattr__(self, "end", readonly(self.end))
-
     @property
     def name(self) -> str:
         """What messages call it."""
@@ -76,7 +72,7 @@ def legs(route: Route) -> tuple[StraightSegment, ...]:
     if not (isfinite(route.h) and route.h > 0):
         raise InputError(f"h is {route.h:g} s; give a period above zero, for example 0.001 s")
     for waypoint in route.waypoints:
-        _check(waypoint, route.rotation)
+        check_waypoint(waypoint, route.rotation)
     out: list[StraightSegment] = []
     turns = np.zeros(3)
     for origin, goal, speeds in zip(route.waypoints, route.waypoints[1:], route.speeds, strict=False):
@@ -86,7 +82,8 @@ def legs(route: Route) -> tuple[StraightSegment, ...]:
     return tuple(out)
 
 
-def _check(waypoint: Waypoint, law: RotationLaw) -> None:
+def check_waypoint(waypoint: Waypoint, law: RotationLaw) -> None:
+    """Raise InputError for a dwell that is no time, and for angles at their lock."""
     if not (isfinite(waypoint.dwell) and waypoint.dwell >= 0):
         message = f"pose {waypoint.name}: the dwell is {waypoint.dwell:g} s; give a time of 0 s or more"
         raise InputError(message, file=waypoint.place)
@@ -178,17 +175,22 @@ def _rates(
                 raise InputError(f"{name}: {cap} is {value:g} {unit}; a cap is a number above zero", file=place)
             if way == 0:
                 continue
-            if value is None:
-                message = (
-                    f"{name}: {cap} [{unit}] is missing; profile {profile.value} needs it with {way:.6g} {of} to go"
-                )
-                raise InputError(message, file=place)
-            if not 0 < value < inf:
-                message = f"{name}: {cap} is {value:g} {unit} with {way:.6g} {of} to go; give a finite cap above zero"
-                raise InputError(message, file=place)
+            if value is None or not 0 < value < inf:
+                raise unusable_cap(name, place, cap, unit, value, f"{way:.6g} {of} to go", profile)
             rates.append(Rate(cap, value / way))
         out[order] = min(rates, key=lambda rate: rate.value)
     return out[0], out[1], out[2]
+
+
+def unusable_cap(
+    name: str, place: str, cap: str, unit: str, value: float | None, to_go: str, profile: Profile
+) -> InputError:
+    """The error about a cap that is missing, or not above zero, where a segment has a distance to go."""
+    if value is None:
+        return InputError(
+            f"{name}: {cap} [{unit}] is missing; profile {profile.value} needs it with {to_go}", file=place
+        )
+    return InputError(f"{name}: {cap} is {value:g} {unit} with {to_go}; give a finite cap above zero", file=place)
 
 
 def whole_periods(dwell: float, h: float) -> tuple[int, bool]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +9,8 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation, rotation_vector
-from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS, SAME
-from trajopt_cli.iiwa.task.model import BETA_LIMIT, COORDINATES, Profile, RotationLaw, Route, SegmentSpeeds
+from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS, SAME, check_waypoint, unusable_cap
+from trajopt_cli.iiwa.task.model import COORDINATES, Profile, RotationLaw, Route, SegmentSpeeds
 
 _ORDERS = {Profile.TRAPEZOID: 2, Profile.S_CURVE: 3}
 
@@ -43,14 +42,7 @@ def path_of(route: Route) -> Path:
         raise InputError(f"passing: {message}, or 'passing: stop'", file=way[0].place)
     notes: list[str] = []
     if route.rotation is RotationLaw.TAIT_BRYAN:
-        if np.abs(pose[:, 4]).max() > BETA_LIMIT + SAME:
-            first = int(np.argmax(np.abs(pose[:, 4]) > BETA_LIMIT + SAME))
-            message = (
-                f"pose {way[first].name}: beta is {np.degrees(pose[first, 4]):.10g}°, at most"
-                f" {np.degrees(BETA_LIMIT):.6g}° in size: nearer to 90° the angles lock; turn the pose, or take"
-                " rotation: slerp, which has no such limit"
-            )
-            raise InputError(message, file=way[first].place)
+        check_waypoint(way[int(np.argmax(np.abs(pose[:, 4])))], route.rotation)
         pose, notes = _counted_on(pose, route)
         turns = np.linalg.norm(np.diff(pose[:, 3:], axis=0), axis=1)
     else:
@@ -97,9 +89,10 @@ def _caps(route: Route, ways: tuple[Array, Array]) -> Array:
     number = {id(speeds): i for i, speeds in enumerate(kinds)}
     kind = np.array([number[id(speeds)] for speeds in route.speeds], dtype=np.intp)
     table = np.full((len(kind), 6), np.inf)
-    for k, (order, part, cap, unit) in enumerate(_asked()):
+    asked = ((order, part, *cap) for order, pair in enumerate(CAPS) for part, cap in enumerate(pair))
+    for k, (order, part, cap, unit) in enumerate(asked):
         if order >= _ORDERS[route.profile]:
-            continue
+            break
         given = np.array([_number(speeds, cap) for speeds in kinds])[kind]
         moves = ways[part] > SAME
         wrong = np.flatnonzero((moves & ~(np.isfinite(given) & (given > 0))) | (given < 0))
@@ -107,25 +100,12 @@ def _caps(route: Route, ways: tuple[Array, Array]) -> Array:
             leg = int(wrong[0])
             here, there = route.waypoints[leg], route.waypoints[leg + 1]
             name = f"segment {here.name} -> {there.name}"
-            value = getattr(route.speeds[leg], cap)
-            profile = route.profile.value
             to_go = f"{ways[part][leg]:.6g} {('m', 'rad')[part]} to go"
-            message = (
-                f"{name}: {cap} [{unit}] is missing; profile {profile} needs it with {to_go}"
-                if value is None
-                else f"{name}: {cap} is {value:g} {unit} with {to_go}; give a finite cap above zero"
-            )
-            raise InputError(message, file=there.place)
+            raise unusable_cap(name, there.place, cap, unit, getattr(route.speeds[leg], cap), to_go, route.profile)
         usable = np.isfinite(given) & (given > 0)
         if moves.any():
             table[:, k] = np.where(usable, given, given[moves].min())
     return table
-
-
-def _asked() -> Iterator[tuple[int, int, str, str]]:
-    for order, pair in enumerate(CAPS):
-        for part, (cap, unit) in enumerate(pair):
-            yield order, part, cap, unit
 
 
 def _number(speeds: SegmentSpeeds, cap: str) -> float:

@@ -119,9 +119,6 @@ class PathPoints(Sequence[Waypoint]):
     dwells: Mapping[int, float] = field(default_factory=dict)
     stops: frozenset[int] = frozenset()
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "poses", readonly(self.poses))
-
     def __len__(self) -> int:
         return len(self.poses)
 
@@ -153,10 +150,6 @@ class Route:
     rotation: RotationLaw
     meaning: AngleMeaning
     passing: Passing | None = None
-
-    def __post_init__(self) -> None:
-        if len(self.speeds) != len(self.waypoints) - 1:
-            raise ValueError(f"Route: {len(self.waypoints)} poses and {len(self.speeds)} segments; wanted one fewer")
 
     @property
     def poses(self) -> Array:
@@ -293,8 +286,7 @@ class Task:
 
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
-    notes: what the user should know. sources: name -> text of the
-    files the task came from, the task file first.
+    notes: what the user should know. sources: name -> text of the files the task came from, the task file first.
     """
 
     file: str
@@ -317,10 +309,6 @@ class Task:
     contact: Contact | None
     notes: tuple[str, ...] = ()
     sources: Mapping[str, str] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        for name in ("start_joints", "X_WB", "X_FT"):
-            object.__setattr__(self, name, readonly(getattr(self, name)))
 
 
 def _vector(values: ArrayLike, count: int, what: str) -> Array:

@@ -1,4 +1,4 @@
-"""The equilibrium sequence of a route: every segment shared out over periods, both parts ending together.
+"""The equilibrium sequence of a route: every segment divided into periods, both parts ending together.
 
 Profile thesis: eqs 4.23-4.33 of Cihala with the errata (N cruise steps, not N - 1; the floor kept off rounding).
 Trapezoid: section 2.3. S-curve: the same with bounded jerk. The last two stand still at every pose.
@@ -6,8 +6,9 @@ Trapezoid: section 2.3. S-curve: the same with bounded jerk. The last two stand 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -60,166 +61,122 @@ class Passed:
     angular_jerk_top: float
 
 
-@dataclass(frozen=True, eq=False)
-class _Stage:
-    """Rows after the one shared with the stage before: poses (m, 6) and matrices (m, 3, 3)."""
+class _Rows:
+    """The rows of a sequence as it grows, the route's first pose to begin with."""
 
-    origin: str
-    goal: str
-    pose: Array
-    R: Array
-    dwell: bool
+    def __init__(self, route: Route, first: Array) -> None:
+        self._route, self.last, self.pieces = route, 0, list[Piece]()
+        self._poses, self._matrices = [first[None]], [rotation(first[None, 3:])]
+
+    def add(self, pose: Array, R: Array, origin: str, goal: str, dwell: bool = False) -> float:
+        """Rows behind the last one: poses (m, 6), matrices (m, 3, 3). What they take [s]."""
+        self._poses.append(pose)
+        self._matrices.append(R)
+        self.pieces.append(Piece(self.last, self.last + len(pose), origin, goal, dwell))
+        self.last += len(pose)
+        return len(pose) * self._route.h
+
+    def stand(self, waypoint: Waypoint, pose: Array) -> float:
+        """The dwell at a waypoint [s], its angles counted as in pose (6,)."""
+        if waypoint.dwell == 0:
+            return 0.0
+        count, _ = whole_periods(waypoint.dwell, self._route.h)
+        R = np.tile(rotation(waypoint.pose[3:]), (count, 1, 1))
+        return self.add(np.tile(pose, (count, 1)), R, waypoint.name, waypoint.name, dwell=True)
+
+    def sequence(self, notes: Iterable[str]) -> Equilibrium:
+        """All rows."""
+        route, pose = self._route, np.concatenate(self._poses)
+        if route.rotation is RotationLaw.SLERP:
+            pose[:, 3:] = continuous(pose[:, 3:])
+        R, notes = np.concatenate(self._matrices), (*notes, *_rounded_dwells(route))
+        return Equilibrium(route.h, pose, R, route.rotation, route.meaning, tuple(self.pieces), notes)
 
 
 @of_kind(ErrorKind.PROGRAM)
-def planned(route: Route, told: Callable[[str], None] | None = None) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
-    """A route's sequence, and what became of each of its segments. told: is told of progress."""
-    if route.passing is None:
-        sequence = interpolate(route)
-        return sequence, summary(sequence, route)
-    return _passed(route, told or (lambda _: None))
+def planned(
+    route: Route, progress: Callable[[str], None] = lambda _: None
+) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+    """A route's sequence, poses every h from its first pose to its last, and what became of each of its segments.
+
+    Every stop is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.legs or
+    many_legs.path_of refuses, for steps that are lost in the rounding of the coordinates, and for more than MOST_ROWS
+    rows.
+    """
+    return _stopping(route) if route.passing is None else _passed(route, progress)
 
 
-@of_kind(ErrorKind.PROGRAM)
 def interpolate(route: Route) -> Equilibrium:
-    """Poses every h from the route's first pose to its last, by its profile and rotation law.
+    """The sequence of planned alone."""
+    return planned(route)[0]
 
-    Every pose of the route is a row, exactly. Raises InputError for what legs.legs refuses, for steps that drown in
-    the rounding of the coordinates, and for more than MOST_ROWS rows. Where poses are passed, every stop is a row.
-    """
-    if route.passing is not None:
-        return planned(route)[0]
-    way = legs(route)
-    _check_count(way, route)
-    first = route.waypoints[0].pose
-    pieces: list[Piece] = []
-    poses, matrices, last = [first[None]], [rotation(first[None, 3:])], 0
-    for stage in _stages(way, route):
-        poses.append(stage.pose)
-        matrices.append(stage.R)
-        pieces.append(Piece(last, last + len(stage.pose), stage.origin, stage.goal, stage.dwell))
-        last = pieces[-1].last
-    pose, notes = np.concatenate(poses), [*(note for leg in way for note in leg.notes), *_rounded_dwells(route)]
+
+def _stopping(route: Route) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+    """As planned, for a route that stops at every pose."""
+    segments = legs(route)
+    _check_count(segments, route)
+    first, facts = route.waypoints[0], list[SegmentFacts]()
+    rows = _Rows(route, first.pose)
+    rows.stand(first, first.pose)
+    for leg in segments:
+        duration, v_top, omega_top, binds = 0.0, 0.0, 0.0, ""
+        if not leg.stands:
+            law = _law(leg, route)
+            pose, R = _travel(leg, law, route)
+            v_top, omega_top = (float(one.max()) / route.h for one in _steps(pose, R, route.rotation))
+            duration, binds = rows.add(pose[1:], R[1:], leg.origin.name, leg.goal.name), law.binds
+        dwell = rows.stand(leg.goal, leg.end)
+        names = leg.origin.name, leg.goal.name
+        facts.append(SegmentFacts(*names, leg.L_p, leg.L_theta, duration, v_top, omega_top, binds, dwell))
+    found = rows.sequence(note for leg in segments for note in leg.notes)
     if route.rotation is RotationLaw.SLERP:
-        pose[:, 3:] = continuous(pose[:, 3:])
-        notes += _counted_on(way, pieces, pose)
-    R = np.concatenate(matrices)
-    return Equilibrium(route.h, pose, R, route.rotation, route.meaning, tuple(pieces), tuple(notes))
+        found = replace(found, notes=(*found.notes, *_counted_on(segments, found)))
+    return found, tuple(facts)
 
 
-def summary(equilibrium: Equilibrium, route: Route) -> tuple[SegmentFacts, ...]:
-    """What became of each segment of a route that stops at every pose, in order.
-
-    Turn rates are those of the rotation law: of the angles' norm (tait-bryan), of the true turn (slerp).
-    """
-    way = legs(route)
-    pieces = iter(equilibrium.pieces)
-    if route.waypoints[0].dwell > 0:
-        next(pieces)
-    out = []
-    for leg in way:
-        moves = None if leg.stands else next(pieces)
-        stands = next(pieces) if leg.goal.dwell > 0 else None
-        rows = slice(0, 0) if moves is None else slice(moves.first, moves.last + 1)
-        v_top, omega_top = (
-            float(steps.max(initial=0.0)) / equilibrium.h
-            for steps in _steps(equilibrium.pose[rows], equilibrium.R[rows], route.rotation)
-        )
-        out.append(
-            SegmentFacts(
-                leg.origin.name, leg.goal.name, leg.L_p, leg.L_theta, _duration(moves, route.h), v_top, omega_top,
-                "" if leg.stands else _law(leg, route).binds, _duration(stands, route.h),
-            )
-        )  # fmt: skip
-    return tuple(out)
-
-
-def _passed(route: Route, told: Callable[[str], None]) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+def _passed(route: Route, progress: Callable[[str], None]) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     """As planned, for a route that passes poses without a stop."""
     path = path_of(route)
-    way, law, passing = route.waypoints, route.rotation, route.passing
+    waypoints, passing, facts = route.waypoints, route.passing, list[SegmentFacts]()
     assert passing is not None
-    R_given = rotation(path.pose[:, 3:]) if law is RotationLaw.SLERP else None
-    poses, matrices, last = [path.pose[:1]], [rotation(path.pose[:1, 3:])], 0
-    pieces: list[Piece] = []
-    facts: list[SegmentFacts] = []
-
-    def add(pose: Array, R: Array, origin: str, goal: str, dwell: bool) -> None:
-        nonlocal last
-        poses.append(pose)
-        matrices.append(R)
-        pieces.append(Piece(last, last + len(pose), origin, goal, dwell))
-        last += len(pose)
-
-    def stand(index: int) -> float:
-        for stage in _standing(way[index], path.pose[index], route.h):
-            add(stage.pose, stage.R, stage.origin, stage.goal, True)
-            return len(stage.pose) * route.h
-        return 0.0
-
-    stand(0)
-    for first, goal in zip(route.stops, route.stops[1:], strict=False):
-        legs_of, rows = slice(first, goal), slice(first, goal + 1)
-        here, there = way[first], way[goal]
+    R_given = rotation(path.pose[:, 3:]) if route.rotation is RotationLaw.SLERP else None
+    rows = _Rows(route, path.pose[0])
+    rows.stand(waypoints[0], path.pose[0])
+    for first, goal in pairwise(route.stops):
+        part, poses = slice(first, goal), slice(first, goal + 1)
+        here, there = waypoints[first], waypoints[goal]
         if goal - first > _LONG:
-            told(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
-        chain = Polyline(path.at[rows] - path.at[first], path.pose[rows], None if R_given is None else R_given[rows])
-        found = passage(chain, Caps(path.caps[legs_of]), passing, route.h, here.place)
+            progress(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
+        chain = Polyline(path.at[poses] - path.at[first], path.pose[poses], None if R_given is None else R_given[poses])
+        found = passage(chain, Caps(path.caps[part]), passing, route.h, here.place)
         R = rotation(found.pose[:, 3:]) if found.R is None else found.R
-        add(found.pose[1:], R[1:], here.name, there.name, False)
-        v, omega, a, epsilon, jerk, angular_jerk = (float(top) for top in found.tops)
-        more = Passed(goal - first - 1, found.away, found.turned, a, epsilon, jerk, angular_jerk)
-        L_p, L_theta = (float(ways[legs_of].sum()) for ways in (path.lengths, path.turns))
-        time = (len(found.pose) - 1) * route.h
-        facts.append(SegmentFacts(here.name, there.name, L_p, L_theta, time, v, omega, found.binds, stand(goal), more))
-    pose, R = np.concatenate(poses), np.concatenate(matrices)
-    if law is RotationLaw.SLERP:
-        pose[:, 3:] = continuous(pose[:, 3:])
-    notes = (*path.notes, *_rounded_dwells(route))
-    return Equilibrium(route.h, pose, R, law, route.meaning, tuple(pieces), notes), tuple(facts)
-
-
-def _duration(piece: Piece | None, h: float) -> float:
-    return 0.0 if piece is None else (piece.last - piece.first) * h
+        time = rows.add(found.pose[1:], R[1:], here.name, there.name)
+        dwell = rows.stand(there, path.pose[goal])
+        v, omega, *tops = (float(top) for top in found.tops)
+        more = Passed(goal - first - 1, found.away, found.turned, *tops)
+        L_p, L_theta = (float(lengths[part].sum()) for lengths in (path.lengths, path.turns))
+        facts.append(SegmentFacts(here.name, there.name, L_p, L_theta, time, v, omega, found.binds, dwell, more))
+    return rows.sequence(path.notes), tuple(facts)
 
 
 def _steps(pose: Array, R: Array, law: RotationLaw) -> tuple[Array, Array]:
     """Lengths of the steps (n - 1,) of position [m] and orientation [rad]."""
     steps = np.diff(pose, axis=0)
-    if law is RotationLaw.SLERP:
-        return _norms(steps[:, :3]), _norms(rotation_vector(np.swapaxes(R[:-1], -1, -2) @ R[1:]))
-    return _norms(steps[:, :3]), _norms(steps[:, 3:])
+    turns = steps[:, 3:] if law is RotationLaw.TAIT_BRYAN else rotation_vector(np.swapaxes(R[:-1], -1, -2) @ R[1:])
+    return _norms(steps[:, :3]), _norms(turns)
 
 
 def _norms(rows: Array) -> Array:
     return np.asarray(np.linalg.norm(rows, axis=-1))
 
 
-def _stages(way: tuple[StraightSegment, ...], route: Route) -> Iterator[_Stage]:
-    first = route.waypoints[0]
-    yield from _standing(first, first.pose, route.h)
-    for leg in way:
-        if not leg.stands:
-            yield _travel(leg, route)
-        yield from _standing(leg.goal, leg.end, route.h)
-
-
-def _standing(waypoint: Waypoint, pose: Array, h: float) -> Iterator[_Stage]:
-    """The dwell at a waypoint, if it has one."""
-    if waypoint.dwell > 0:
-        count, _ = whole_periods(waypoint.dwell, h)
-        R = np.tile(rotation(waypoint.pose[3:]), (count, 1, 1))
-        yield _Stage(waypoint.name, waypoint.name, np.tile(pose, (count, 1)), R, dwell=True)
-
-
-def _travel(leg: StraightSegment, route: Route) -> _Stage:
+def _travel(leg: StraightSegment, law: FullSpeed | Ramps, route: Route) -> tuple[Array, Array]:
     """The rows of a segment; one period slower where rounding would break the caps, or repeat a pose, at full speed."""
-    law = _law(leg, route)
     for slower in (False, True):
         s = law.shares(slower)
         pose, R = _rows(leg, s)
         if _legal(leg, pose, s, route):
-            return _Stage(leg.origin.name, leg.goal.name, pose[1:], R[1:], dwell=False)
+            return pose, R
     step, turn = leg.L_p / law.periods, leg.L_theta / law.periods
     raise InputError(
         f"{leg.name}: {step:.3g} m and {turn:.3g} rad per period are lost in the rounding of coordinates this large; "
@@ -228,10 +185,10 @@ def _travel(leg: StraightSegment, route: Route) -> _Stage:
     )
 
 
-def _check_count(way: tuple[StraightSegment, ...], route: Route) -> None:
+def _check_count(segments: tuple[StraightSegment, ...], route: Route) -> None:
     """Refuse, before anything is built, what no memory holds; naming what takes longest."""
     parts = [(w.dwell / route.h, f"the dwell at pose {w.name}", w.place) for w in route.waypoints]
-    parts += [(_law(leg, route).periods, leg.name, leg.goal.place) for leg in way if not leg.stands]
+    parts += [(_law(leg, route).periods, leg.name, leg.goal.place) for leg in segments if not leg.stands]
     rows = sum(part[0] for part in parts)
     if rows > MOST_ROWS:
         longest, what, place = max(parts)
@@ -282,10 +239,10 @@ def _rounded_dwells(route: Route) -> Iterator[str]:
                 yield f"pose {waypoint.name}: the dwell of {waypoint.dwell:g} s is rounded up to {taken}"
 
 
-def _counted_on(way: tuple[StraightSegment, ...], pieces: list[Piece], pose: Array) -> Iterator[str]:
+def _counted_on(segments: tuple[StraightSegment, ...], found: Equilibrium) -> Iterator[str]:
     """One sentence on the first pose whose angles the columns write another way than the task."""
-    arrivals = (pose[piece.last] for piece in pieces if not piece.dwell)
-    for leg, row in zip((leg for leg in way if not leg.stands), arrivals, strict=True):
+    arrivals = (found.pose[piece.last] for piece in found.pieces if not piece.dwell)
+    for leg, row in zip((leg for leg in segments if not leg.stands), arrivals, strict=True):
         if np.any(np.abs(row[3:] - leg.goal.pose[3:]) > 1e-9):
             pairs = zip(COORDINATES[3:], np.degrees(row[3:]), strict=True)
             angles = ", ".join(f"{name} {value:.6g}°" for name, value in pairs)
