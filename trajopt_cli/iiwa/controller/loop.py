@@ -147,5 +147,5 @@ def _goals(x_e: ArrayLike, R_e: ArrayLike | None, law: RotationLaw) -> list[Goal
     rows = np.asarray(x_e, dtype=np.float64).tolist()
     if law is RotationLaw.TAIT_BRYAN:
         return [Goal(tuple(row)) for row in rows]
-    turns = np.reshape(R_e, (len(rows), 9)).tolist()
+    turns = np.asarray(R_e, dtype=np.float64).reshape(len(rows), 9).tolist()
     return [Goal(tuple(row), nine(R)) for row, R in zip(rows, turns, strict=True)]

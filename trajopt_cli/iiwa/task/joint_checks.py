@@ -14,7 +14,7 @@ from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_rows import RELATIVE, ROUNDING, accelerations, position_excess, speeds
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import Singularity, singularities
+from trajopt_cli.robot.srs_inverse import singularities
 
 ELBOW = 3
 """Index of joint_4: it follows from the pose alone, whatever the arm angle."""
@@ -53,32 +53,32 @@ def check_joints(
     its step begins at; the motion begins at rest and, if stops, ends so. free: whether the arm angle was allowed to
     move.
     """
-    speed, acceleration = speeds(q, h), accelerations(q, h, stops)
-    found = [_position(q[:, j], j, h, limits, place, free) for j in range(len(limits.names))]
-    for check, values, tops, noise in (
-        (SPEED, speed, limits.velocity, 2 * ROUNDING / h),
-        (ACCELERATION, acceleration, limits.acceleration, 4 * ROUNDING / (h * h)),
-    ):
-        for j in range(len(limits.names)):
-            row = int(np.argmax(values[:, j]))
-            value, top = float(values[row, j]), float(tops[j])
-            passed = value <= top * (1 + RELATIVE) + noise
-            found.append(_finding(check, limits.names[j], value, top, passed, row, h, place, _remedy(check, j, free)))
-    return tuple(found)
+    excess, joints = position_excess(q, limits), range(len(limits.names))
+    kinds = [
+        (SPEED, speeds(q, h), limits.velocity, 2 * ROUNDING / h),
+        (ACCELERATION, accelerations(q, h, stops), limits.acceleration, 4 * ROUNDING / (h * h)),
+    ]
 
+    def found(check: str, j: int, row: int, value: float, limit: float, passed: bool, remedy: str) -> Finding:
+        unit = {POSITION: "rad", SPEED: "rad/s", ACCELERATION: "rad/s2"}[check]
+        one = Finding(check, limits.names[j], value, limit, unit, passed, row * h, None)
+        return one if passed else replace(one, message=f"{broken_limit(one, place(row))}; {remedy}")
 
-def _position(q: Array, j: int, h: float, limits: JointLimits, place: Place, free: bool) -> Finding:
-    low, high = float(limits.lower[j]), float(limits.upper[j])
-    excess = np.maximum(q - high, low - q)
-    row = int(np.argmax(excess))
-    value = float(q[row])
-    passed = bool(excess[row] <= RELATIVE * (high - low))
-    remedy = _remedy(POSITION, j, free)
-    turned = value - 2 * pi * np.sign(value)
-    if low <= turned <= high:
-        remedy = f"{degrees(turned):.6g}° would be inside, but is a whole turn away; {remedy}"
-    limit = high if value - high >= low - value else low
-    return _finding(POSITION, limits.names[j], value, limit, passed, row, h, place, remedy)
+    out = []
+    for j in joints:
+        low, high, row = float(limits.lower[j]), float(limits.upper[j]), int(np.argmax(excess[:, j]))
+        value, remedy = float(q[row, j]), _remedy(POSITION, j, free)
+        turned = value - 2 * pi * np.sign(value)
+        if low <= turned <= high:
+            remedy = f"{degrees(turned):.6g}° would be inside, but is a whole turn away; {remedy}"
+        passed = bool(excess[row, j] <= RELATIVE * (high - low))
+        out.append(found(POSITION, j, row, value, high if value - high >= low - value else low, passed, remedy))
+    for check, values, tops, noise in kinds:
+        for j in joints:
+            row, top = int(np.argmax(values[:, j])), float(tops[j])
+            value = float(values[row, j])
+            out.append(found(check, j, row, value, top, value <= top * (1 + RELATIVE) + noise, _remedy(check, j, free)))
+    return tuple(out)
 
 
 def _remedy(check: str, j: int, free: bool) -> str:
@@ -92,14 +92,6 @@ def _remedy(check: str, j: int, free: bool) -> str:
         return "begin with other joints, or move the path" if check == POSITION else slower
     other = "begin with other joints" if check == POSITION else slower
     return f"let the arm angle move (--arm-angle free) or {other}"
-
-
-def _finding(
-    check: str, name: str, value: float, limit: float, passed: bool, row: int, h: float, place: Place, remedy: str
-) -> Finding:
-    unit = {POSITION: "rad", SPEED: "rad/s", ACCELERATION: "rad/s2"}[check]
-    found = Finding(check, name, value, limit, unit, passed, row * h, None)
-    return found if passed else replace(found, message=f"{broken_limit(found, place(row))}; {remedy}")
 
 
 def broken_limit(finding: Finding, place: str) -> str:
@@ -127,7 +119,11 @@ def stops_loop(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
 def remarks(robot: SrsRobot, q: Array, h: float, limits: JointLimits, place: Place) -> Iterator[str]:
     """Singularities passed, each with time and distance, and joints that keep a limit, but only just."""
     for one in singularities(robot, q, SINGULAR_WITHIN):
-        yield _singular(one, h, place)
+        near = f"{degrees(one.value):.3g}°" if one.unit == "rad" else f"{1e3 * one.value:.3g} mm"
+        yield (
+            f"singularity, {one.name}: within {near} at t = {one.index * h:.3f} s ({place(one.index)});"
+            " joints turn fast near it, and the fixed configuration cannot pass to its other side"
+        )
     excess, speed = position_excess(q, limits), speeds(q, h)
     for j, name in enumerate(limits.names):
         row = int(np.argmax(excess[:, j]))
@@ -141,11 +137,3 @@ def remarks(robot: SrsRobot, q: Array, h: float, limits: JointLimits, place: Pla
         used = float(speed[row, j] / limits.velocity[j])
         if CLOSE_SPEED < used <= 1 + RELATIVE:
             yield f"{name} uses {100 * used:.1f} % of its speed limit at t = {row * h:.3f} s ({place(row)})"
-
-
-def _singular(one: Singularity, h: float, place: Place) -> str:
-    near = f"{degrees(one.value):.3g}°" if one.unit == "rad" else f"{1e3 * one.value:.3g} mm"
-    return (
-        f"singularity, {one.name}: within {near} at t = {one.index * h:.3f} s ({place(one.index)});"
-        " joints turn fast near it, and the fixed configuration cannot pass to its other side"
-    )

@@ -268,7 +268,7 @@ def _speeds(
 ) -> tuple[SegmentSpeeds, ...]:
     """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
     count = len(waypoints) - 1
-    columns: dict[str, Sequence[float | None]] = {}
+    columns: dict[str, list[float | None]] = {}
     for key in _CAPS:
         value = getattr(document, key)
         if isinstance(value, tuple) and len(value) != count:
@@ -279,7 +279,7 @@ def _speeds(
             raise InputError(message, file=at.file, line=1)
         if required and given is not None:
             value = tuple(pair[key == "omega_max"] for pair in given)
-        columns[key] = value if isinstance(value, tuple) else [value]
+        columns[key] = list(value) if isinstance(value, tuple) else [value]
     if all(len(column) == 1 for column in columns.values()):
         return (SegmentSpeeds(*(column[0] for column in columns.values())),) * count  # type: ignore[arg-type]
     rows = zip(*(column if len(column) > 1 else column * count for column in columns.values()), strict=True)
