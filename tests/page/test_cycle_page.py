@@ -16,7 +16,7 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.page.cell import program_section
-from trajopt_cli.page.compared import Cause, Compared, compared_page
+from trajopt_cli.page.compared import compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
 from trajopt_cli.page.optimized import Provenance, optimised_page
@@ -246,25 +246,33 @@ def test_of_a_long_module_the_lines_around_motions_are_kept() -> None:
     assert (first, lines[0], len(lines)) == (1, "line 1", 4 + AROUND)
 
 
+def row(name: str, **other: object) -> dict[str, object]:
+    known = {"name": name, "target": "stream", "title": "", "moves": "", "cycle_time_s": 9.0, "lower_bound_s": None}
+    return known | {"legal": True, "breaks": None} | other
+
+
+def cause(name: str, cycle: float, saved: float) -> dict[str, object]:
+    return {"name": name, "cycle_time_s": cycle, "saved_s": saved, "why_not": None}
+
+
 def test_rows_that_are_no_plan_and_other_programs_have_no_motions_of_the_users() -> None:
     other = replace(RAIL.program, name="another")
     bare = Plan(Target.STREAM, RAIL.plan.trajectory, (), None, "")
-    rows = [
-        Compared(
-            "as-written",
-            "rapid",
-            "as it is",
-            "timing",
-            Shown("as-written", RAIL.program, slower(RAIL.plan), LEGAL),
-            saving=0.0,
-        ),
-        Compared("ruckig", "stream", "Ruckig", "timing", Shown("ruckig", RAIL.program, bare, LEGAL), saving=-1e-17),
-        Compared("thesis", "rapid", "the thesis'", "rail", Shown("thesis", other, RAIL.plan, None)),
-        Compared("toppra", "stream", "TOPP-RA", "timing", None, why="n/a: <nothing>"),
+    motions = [
+        Shown("as-written", RAIL.program, slower(RAIL.plan), LEGAL),
+        Shown("ruckig", RAIL.program, bare, LEGAL),
+        Shown("thesis", other, RAIL.plan, None),
+        None,
     ]
-    causes = [Cause("as written", 9.0, 0.0), Cause("rail", 8.0, 1.0)]
-    page = compared_page("t.mod", RAIL.program, RAIL.plant, rows, causes, ["a notice"], MADE).decode()
-    assert compared_page("t.mod", RAIL.program, RAIL.plant, rows, causes, ["a notice"], MADE).decode() == page
+    rows = [
+        row("as-written", saving=0.0),
+        row("ruckig", saving=-1e-17),
+        row("thesis", legal=False, breaks="joint speed", saving=None),
+        {"name": "toppra", "target": "stream", "title": "TOPP-RA", "moves": "", "legal": None, "why": "n/a: <nothing>"},
+    ]
+    record = {"rows": rows, "saving_by_cause": {"steps": [cause("as written", 9.0, 0.0), cause("rail", 8.0, 1.0)]}}
+    page = compared_page("t.mod", RAIL.program, RAIL.plant, record, motions, ["a notice"], MADE).decode()
+    assert compared_page("t.mod", RAIL.program, RAIL.plant, record, motions, ["a notice"], MADE).decode() == page
     data = data_of(page)
     assert [one["program"] for one in data["cycles"]] == [0, 0, 1]
     assert data["cycles"][1]["legs"]["kind"] == ["joint", "wait", "joint"]
@@ -273,15 +281,16 @@ def test_rows_that_are_no_plan_and_other_programs_have_no_motions_of_the_users()
     assert data["clock"]["shown"] == [0, 1]
     assert "n/a: &lt;nothing&gt;" in page
     assert "−0.0" not in page
-    both = program_section(RAIL.program, [rows[0].shown, rows[2].shown], [0, 1]).html
+    both = program_section(RAIL.program, [motions[0], motions[2]], [0, 1]).html
     assert re.findall(r'<td class="n">([^<]*)</td>', both)[1:3] == ["–", ""]  # another program's motions are not these
     assert "−1.000 s" in page
     assert data["scene"]["cycles"][1]["q"] == {"same": [1, "q"]}
 
 
 def test_a_comparison_without_any_motion_still_has_its_rows() -> None:
-    rows = [Compared("as-written", "rapid", "as it is", "timing", None, why="out of reach")]
-    page = compared_page("t.mod", RAIL.program, RAIL.plant, rows, "as written: out of reach", [], MADE).decode()
+    rows = [{"name": "as-written", "target": "rapid", "title": "", "moves": "", "legal": False, "why": "out of reach"}]
+    record = {"rows": rows, "saving_by_cause": {"why_not": "as written: out of reach"}}
+    page = compared_page("t.mod", RAIL.program, RAIL.plant, record, [None], [], MADE).decode()
     assert data_of(page) == {}
     assert "there is no plan to start from: as written: out of reach" in page
 

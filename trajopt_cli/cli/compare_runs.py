@@ -43,10 +43,10 @@ def runs(
       trajopt optimize programs/hinge_cell.mod --gentle --output results/gentle
       trajopt compare runs results/hinge_cell results/gentle
     """
-    from trajopt_cli.cli.compare_runs_tables import runs_line, runs_record
     from trajopt_cli.cli.console import print_json, result, stdout
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.compared import compare_runs
+    from trajopt_cli.runs.compared_tables import runs_line, runs_record
     from trajopt_cli.runs.files import check_file, write_file
 
     if report is not None:
@@ -67,8 +67,8 @@ def runs(
 
 
 def _print(console: Console, answer: ComparedRuns, everything: bool, diff: bool) -> None:
-    from trajopt_cli.cli.compare_runs_tables import bindings, cycles_table, inputs_lines, motions_table
     from trajopt_cli.cli.console import show, tell
+    from trajopt_cli.runs.compared_tables import bindings_table, cycles_table, inputs_lines, motions_table
 
     for run in answer.runs:
         console.print(f"{run.letter}: {run.folder} ({', '.join(run.inputs.modules)})")
@@ -87,4 +87,6 @@ def _print(console: Console, answer: ComparedRuns, everything: bool, diff: bool)
     same = len(answer.rows) - len(answer.by_difference)
     if not everything and same:
         console.print(f"{same} of {len(answer.rows)} motions take the same time")
-    tell(console, bindings(answer))
+    if answer.bound_otherwise:
+        console.print()
+        show(console, bindings_table(answer))

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.cli.remarks import by_name
 from trajopt_cli.study.comparison import Step
+from trajopt_cli.table import Bad, Good, TextTable, percent, seconds, tabulate
 
+Record = Mapping[str, Any]
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
 
-def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Table:
+def rows_table(program: str, waits: float, records: Sequence[Record]) -> TextTable:
     """The rows for people."""
     against = next((record["name"] for record in records if record["legal"]), None)
     saving = (
@@ -22,35 +21,29 @@ def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Tab
         if against
         else "no row is legal, so there is no saving to show"
     )
-    table = plain_table(
+    return tabulate(
         f"{program}: {saving}; T holds {waits:g} s of programmed waits",
-        *("plan", "target", ">T [s]", ">saving", ">without waits [s]", ">saving", "legal", ">worst of limit"),
-        *(">bound [s]", "breaks"),
+        records,
+        {
+            "plan": lambda row: row["name"],
+            "target": lambda row: row["target"],
+            ">T [s]": lambda row: seconds(row.get("cycle_time_s"), "-"),
+            ">saving": lambda row: percent(row.get("saving")),
+            ">without waits [s]": lambda row: seconds(row.get("cycle_time_without_waits_s")),
+            ">of it saved": lambda row: percent(row.get("saving_without_waits")),
+            "legal": lambda row: "-" if "why" in row else Good("yes") if row["legal"] else Bad("NO"),
+            ">worst of limit": lambda row: seconds(row.get("worst_ratio")),
+            ">bound [s]": lambda row: seconds(row.get("lower_bound_s")),
+            "breaks": lambda row: row.get("breaks") or "",
+        },
     )
-    for record in records:
-        if "why" in record:
-            table.add_row(record["name"], record["target"], "-", "", "", "", "-", "", "", "")
-            continue
-        table.add_row(
-            record["name"],
-            record["target"],
-            f"{record['cycle_time_s']:.3f}",
-            _share(record["saving"]),
-            f"{record['cycle_time_without_waits_s']:.3f}",
-            _share(record["saving_without_waits"]),
-            "yes" if record["legal"] else "NO",
-            f"{record['worst_ratio']:.3f}",
-            "" if record["lower_bound_s"] is None else f"{record['lower_bound_s']:.3f}",
-            record["breaks"] or "",
-        )
-    return table
 
 
-def row_lines(records: list[dict[str, Any]], files: Iterable[str]) -> Iterator[str]:
+def row_lines(records: Sequence[Record], files: Iterable[str]) -> Iterator[str]:
     """What the rows are, what they may change, and what is wrong with them; rows that cannot be driven for one and the
     same reason stand together."""
     files = list(files)
-    groups: dict[str, list[dict[str, Any]]] = {}
+    groups: dict[str, list[Record]] = {}
     for record in records:
         groups.setdefault(record.get("why") or record["name"], []).append(record)
     for group in groups.values():
@@ -67,35 +60,31 @@ def row_lines(records: list[dict[str, Any]], files: Iterable[str]) -> Iterator[s
             yield f"    {len(failed) - _SHOWN} checks more failed; --json lists them"
 
 
-def comparison_line(records: list[dict[str, Any]]) -> str:
+def comparison_line(records: Sequence[Record]) -> str:
     """The comparison in a line: the fastest legal row against the first one."""
     legal = [record for record in records if record["legal"]]
     if not legal:
         return "no row is legal"
     first, best = legal[0], min(legal, key=lambda record: record["cycle_time_s"])
     return (
-        f"{best['name']} {best['cycle_time_s']:.3f} s, {_share(best['saving'])} less than {first['name']} "
+        f"{best['name']} {best['cycle_time_s']:.3f} s, {percent(best['saving'])} less than {first['name']} "
         f"{first['cycle_time_s']:.3f} s"
     )
 
 
-def _share(value: float | None) -> str:
-    return "" if value is None else f"{100 * value:.1f} %"
-
-
-def causes_table(steps: tuple[Step, ...]) -> Table:
+def causes_table(steps: Sequence[Step]) -> TextTable:
     """Where the seconds went: every step frees one thing more, and the last line is their sum."""
-    table = plain_table(
-        "saving by cause: each line frees one more thing and is solved and judged anew",
-        *("freed", ">T [s]", ">saved [s]", ">of T", ""),
+    start, total = steps[0].plan.duration, sum(step.saved for step in steps)
+    later = {id(step) for step in steps[1:]}
+    return tabulate(
+        "saving by cause: each line frees one more thing and is solved and judged again",
+        steps,
+        {
+            "freed": lambda step: step.name,
+            ">T [s]": lambda step: seconds(step.plan.duration),
+            ">saved [s]": lambda step: seconds(step.saved) if id(step) in later else "",
+            ">of T": lambda step: percent(step.saved / start) if id(step) in later else "",
+            "": lambda step: step.why_not,
+        },
+        ("sum", seconds(steps[-1].plan.duration), seconds(total), percent(total / start), ""),
     )
-    start = steps[0].plan.duration
-    for step in steps:
-        first = step is steps[0]
-        saved = "" if first else f"{step.saved:.3f}"
-        share = "" if first else f"{100 * step.saved / start:.1f} %"
-        table.add_row(step.name, f"{step.plan.duration:.3f}", saved, share, step.why_not)
-    table.add_section()
-    total = sum(step.saved for step in steps)
-    table.add_row("sum", f"{steps[-1].plan.duration:.3f}", f"{total:.3f}", f"{100 * total / start:.1f} %", "")
-    return table

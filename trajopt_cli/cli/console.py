@@ -11,8 +11,9 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
-from trajopt_cli.cli.layout import wrapped
+from trajopt_cli.cli.layout import drawn, wrapped
 from trajopt_cli.cli.listing import terminal_width
+from trajopt_cli.table import TextTable
 
 if TYPE_CHECKING:
     from trajopt_cli.pipeline.optimize import Collides, Illegal
@@ -30,9 +31,9 @@ def stdout(quiet: bool = False) -> Console:
     return Console(highlight=False, markup=False, emoji=False, width=width, quiet=quiet)
 
 
-def show(console: Console, table: Table) -> None:
+def show(console: Console, table: Table | TextTable) -> None:
     """Print a table with every figure whole: one that is too narrow for its first column is not cut."""
-    console.print(table, crop=False, no_wrap=True, overflow="ignore")
+    console.print(drawn(table) if isinstance(table, TextTable) else table, crop=False, no_wrap=True, overflow="ignore")
 
 
 def tell(console: Console, lines: Iterable[str]) -> None:

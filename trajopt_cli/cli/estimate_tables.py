@@ -2,32 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.measured.align import Alignment
 from trajopt_cli.runs.results import motion_label
-from trajopt_cli.study.estimate import Estimate
+from trajopt_cli.study.estimate import Estimate, EstimatedMotion
+from trajopt_cli.table import TextTable, place, seconds, tabulate
 
 
-def estimate_table(answer: Estimate, log: Alignment | None) -> Table:
+def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
     """Motions in program order; waits in a column of their own."""
-    more = (">measured [s]", ">measured - predicted [s]") if log else ()
-    table = plain_table(
-        f"{answer.job.title}: as written, driven by its controller under the limits of {answer.job.cell_path}",
-        *("place", "instruction", "target", ">length/speed [s]", ">predicted [s]", ">wait [s]", *more, "held back by"),
-    )
+    program = answer.job.program
     measured = {} if log is None else {one.index: one.measured for one in log.motions}
-    for one in answer.motions:
-        cells = [place(one.source), *motion_label(answer.job.program, one.index)]
-        cells += ["", "", f"{one.driven:.3f}"] if one.wait else [f"{one.naive:.3f}", f"{one.driven:.3f}", ""]
-        if log:
-            known = measured.get(one.index)
-            cells += ["", ""] if known is None else [f"{known:.3f}", f"{known - one.driven:+.3f}"]
-        table.add_row(*cells, "" if one.wait else one.binding)
-    return table
+    columns: dict[str, Callable[[EstimatedMotion], str]] = {
+        "place": lambda one: place(one.source),
+        "instruction": lambda one: motion_label(program, one.index)[0],
+        "target": lambda one: motion_label(program, one.index)[1],
+        ">length/speed [s]": lambda one: "" if one.wait else seconds(one.naive),
+        ">predicted [s]": lambda one: "" if one.wait else seconds(one.driven),
+        ">wait [s]": lambda one: seconds(one.driven) if one.wait else "",
+    }
+    if log:
+        columns[">measured [s]"] = lambda one: seconds(measured.get(one.index))
+        columns[">measured - predicted [s]"] = lambda one: (
+            f"{measured[one.index] - one.driven:+.3f}" if one.index in measured else ""
+        )
+    columns["held back by"] = lambda one: "" if one.wait else one.binding
+    title = f"{answer.job.title}: as written, driven by its controller under the limits of {answer.job.cell_path}"
+    return tabulate(title, answer.motions, columns)
 
 
 def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:

@@ -6,7 +6,6 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
-from pathlib import PurePath
 from textwrap import wrap
 
 from rich.console import Console, ConsoleOptions, RenderResult
@@ -15,7 +14,7 @@ from rich.style import Style
 from rich.table import Table
 
 from trajopt_cli.cli.listing import shortened
-from trajopt_cli.motion import Source
+from trajopt_cli.table import TextTable
 
 _GAPS = (3, 2, 1)  # characters between columns, the widest that fits
 _INDENT = "    "  # of what does not fit and stands below
@@ -33,6 +32,16 @@ def plain_table(title: str, *columns: str) -> Table:
             min_width=_LEAST if column.startswith("~") else None,
         )
     return table
+
+
+def drawn(table: TextTable) -> Table:
+    """A table of text for a terminal."""
+    out = plain_table(table.title, *table.heads)
+    for i, row in enumerate(table.rows):
+        if table.total and i == len(table.rows) - 1:
+            out.add_section()
+        out.add_row(*row)
+    return out
 
 
 class FittedTable(Table):
@@ -137,8 +146,3 @@ def wrapped(text: str, width: int, indent: str = "", deeper: str = "") -> list[s
         break_long_words=False,
         break_on_hyphens=False,
     )
-
-
-def place(source: Source | None) -> str:
-    """The file's name and the line; the title says where the file is, and a path would fill the terminal."""
-    return f"{PurePath(source.file).name}:{source.line}" if source else ""

@@ -22,9 +22,8 @@ from trajopt_cli.cli.options import (
 from trajopt_cli.cli.process import reading, wrote
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
-    from trajopt_cli.study.order import Ordered
+    from trajopt_cli.study.order import Ordered, Tour
+    from trajopt_cli.table import TextTable
 
 
 def order(
@@ -107,16 +106,12 @@ def order(
         raise typer.Exit(1)
 
 
-def _table(program: str, answer: Ordered) -> Table:
+def _table(program: str, answer: Ordered) -> TextTable:
     """The written order, that of the nearest neighbour, the best of the model and the fastest plan."""
-    from trajopt_cli.cli.layout import plain_table
+    from trajopt_cli.table import percent, seconds, tabulate
 
-    table = plain_table(
-        f"{program}, {answer.target.value}: in which order {answer.group.name}",
-        *("", ">model [s]", ">planned [s]", ">saves [s]", ">of it", "~order"),
-    )
+    best, now = answer.best, answer.written.planned
     names: dict[tuple[int, ...], list[str]] = {}
-    best = answer.best
     for name, one in (
         ("as written", answer.written.order),
         ("nearest neighbour", answer.nearest),
@@ -125,12 +120,19 @@ def _table(program: str, answer: Ordered) -> Table:
     ):
         if one is not None:
             names.setdefault(one, []).append(name)
-    now = answer.written.planned
-    for order, said in names.items():
-        tour = answer.found[order]
-        saves = None if now is None or tour.planned is None or tour is answer.written else now - tour.planned
-        told = ["", ""] if saves is None or now is None else [f"{saves:.3f}", f"{100 * saves / now:.1f} %"]
-        planned = "-" if tour.planned is None else f"{tour.planned:.3f}"
-        numbers = " ".join(str(i + 1) for i in order)
-        table.add_row(", ".join(said), f"{tour.model:.3f}", planned, *told, numbers)
-    return table
+
+    def saved(tour: Tour) -> float | None:
+        return None if now is None or tour.planned is None or tour is answer.written else now - tour.planned
+
+    return tabulate(
+        f"{program}, {answer.target.value}: in which order {answer.group.name}",
+        [answer.found[order] for order in names],
+        {
+            "": lambda tour: ", ".join(names[tour.order]),
+            ">model [s]": lambda tour: seconds(tour.model),
+            ">planned [s]": lambda tour: seconds(tour.planned, "-"),
+            ">saves [s]": lambda tour: seconds(saved(tour)),
+            ">of it": lambda tour: "" if (gain := saved(tour)) is None or not now else percent(gain / now),
+            "~order": lambda tour: " ".join(str(i + 1) for i in tour.order),
+        },
+    )

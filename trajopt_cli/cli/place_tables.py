@@ -3,46 +3,41 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.study.place import Placed, Tried
 from trajopt_cli.study.places import Site
+from trajopt_cli.table import TextTable, percent, seconds, tabulate
 from trajopt_cli.units import DEG, MM
 
 _KINDS = 5  # motions that are named with how many places fail at them
 
 
-def place_table(program: str, answer: Placed) -> Table:
+def place_table(program: str, answer: Placed) -> TextTable:
     """The present place, the best one and the others that were planned, the fastest first."""
-    site = answer.site
-    heads = [f">{one.key} [{'deg' if one.turns else 'mm'}]" for one in site.ranges]
-    table = plain_table(
-        f"{program}, {answer.target.value}: where {site.in_words} stands",
-        "",
-        *heads,
-        ">cycle [s]",
-        ">saves [s]",
-        ">of it",
-    )
-    present, best = answer.present, answer.best
+    site, present, best = answer.site, answer.present, answer.best
     now = answer.seconds(present)
-    others = [one for one in answer.places.values() if one is not present and one is not best]
-    ordered = sorted((one for one in others if one.planned is not None), key=lambda one: one.planned or 0.0)
-    rows = [("present", present)] + [("best", best)] * (best is not None and best is not present)
-    for name, one in [*rows, *(("", one) for one in ordered[:3])]:
-        assert one is not None
+    others = [
+        one for one in answer.places.values() if one is not present and one is not best and one.planned is not None
+    ]
+    rows = [("present", present)] + ([("best", best)] if best is not None and best is not present else [])
+    rows += [("", one) for one in sorted(others, key=lambda one: one.planned or 0.0)[:3]]
+
+    def offset(i: int) -> Callable[[tuple[str, Tried]], str]:
+        return lambda row: f"{row[1].offset[i] / (DEG if site.ranges[i].turns else MM):.5g}"
+
+    def saved(one: Tried) -> float | None:
         cycle = answer.seconds(one)
-        figures = [
-            f"{value / (DEG if range_.turns else MM):.5g}"
-            for range_, value in zip(site.ranges, one.offset, strict=True)
-        ]
-        saves = None if now is None or cycle is None or one is present else now - cycle
-        told = ["", ""] if saves is None or now is None else [f"{saves:.3f}", f"{100 * saves / now:.1f} %"]
-        table.add_row(name, *figures, "cannot be done" if cycle is None else f"{cycle:.3f}", *told)
-    return table
+        return None if now is None or cycle is None or one is present else now - cycle
+
+    columns: dict[str, Callable[[tuple[str, Tried]], str]] = {"": lambda row: row[0]}
+    columns |= {f">{one.key} [{'deg' if one.turns else 'mm'}]": offset(i) for i, one in enumerate(site.ranges)}
+    columns |= {
+        ">cycle [s]": lambda row: seconds(answer.seconds(row[1]), "cannot be done"),
+        ">saves [s]": lambda row: seconds(saved(row[1])),
+        ">of it": lambda row: "" if (gain := saved(row[1])) is None or not now else percent(gain / now),
+    }
+    return tabulate(f"{program}, {answer.target.value}: where {site.in_words} stands", rows, columns)
 
 
 def impossible_lines(answer: Placed) -> Iterator[str]:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.study.levers import LeverKind
+from trajopt_cli.study.levers import Lever, LeverKind
 from trajopt_cli.study.sensitivity import APART, WORTH, Row
+from trajopt_cli.table import TextTable, tabulate
 
 _APART = "≠"
 _OFF = 2e-3  # share by which the plan solved again may be off before that is told
@@ -17,31 +15,27 @@ _OFF = 2e-3  # share by which the plan solved again may be off before that is to
 
 def levers_table(
     program: str, target: Target, rows: Sequence[Row], cycle: float, everything: bool, search: bool
-) -> Table:
+) -> TextTable:
     """The levers that save something, or all of them. cycle: of the plan [s]."""
-    searched = (">planned anew [s]",) if search else ()
-    table = plain_table(
-        f"{program}, {target.value}: what one change saves of {cycle:.3f} s",
-        *("~lever", "step", ">now", ">then", "", ">saves [s]", ">of the cycle", ">first order [s]"),
-        *searched,
-        "",
-    )
-    for row in rows:
-        if not everything and row.best <= WORTH and row.gain is not None:
-            continue
-        lever = row.lever
-        place = lever.kind is LeverKind.PLACE
-        table.add_row(
-            lever.name,
-            lever.step,
-            *(("", "", "") if place else (f"{lever.now:.4g}", f"{lever.then:.4g}", lever.unit)),
-            "-" if row.gain is None else f"{row.gain:.4f}",
-            "" if row.gain is None else f"{100 * row.gain / cycle:.2f} %",
-            "-" if row.first_order is None else f"{row.first_order:.4f}",
-            *(("" if row.searched is None else f"{row.searched:.4f}",) if search else ()),
-            row.why or (_APART if row.apart else "" if row.felt else "not limiting"),
-        )
-    return table
+
+    def lever(text: Callable[[Lever], str]) -> Callable[[Row], str]:
+        return lambda row: "" if row.lever.kind is LeverKind.PLACE else text(row.lever)
+
+    columns: dict[str, Callable[[Row], str]] = {
+        "~lever": lambda row: row.lever.name,
+        "step": lambda row: row.lever.step,
+        ">now": lever(lambda one: f"{one.now:.4g}"),
+        ">then": lever(lambda one: f"{one.then:.4g}"),
+        "": lever(lambda one: one.unit),
+        ">saves [s]": lambda row: "-" if row.gain is None else f"{row.gain:.4f}",
+        ">of the cycle": lambda row: "" if row.gain is None else f"{100 * row.gain / cycle:.2f} %",
+        ">first order [s]": lambda row: "-" if row.first_order is None else f"{row.first_order:.4f}",
+    }
+    if search:
+        columns[">planned anew [s]"] = lambda row: "" if row.searched is None else f"{row.searched:.4f}"
+    columns[" "] = lambda row: row.why or (_APART if row.apart else "" if row.felt else "not limiting")
+    shown = [row for row in rows if everything or row.best > WORTH or row.gain is None]
+    return tabulate(f"{program}, {target.value}: what one change saves of {cycle:.3f} s", shown, columns)
 
 
 def rest_lines(rows: Sequence[Row], cycle: float, again: float, everything: bool) -> Iterator[str]:

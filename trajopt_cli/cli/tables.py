@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
-from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest
+from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.judge.clearance import least_clearance
 from trajopt_cli.pipeline.optimize import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import Detour, way_told
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.runs.results import NOT_TIMED, motion_label
+from trajopt_cli.table import TextTable, change, place, seconds, tabulate
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
@@ -156,42 +153,37 @@ def _count(number: int, what: str, plural: str = "s") -> str:
     return f"{number} {what}{plural if number > 1 else ''}"
 
 
-def change(before: float, after: float) -> str:
-    """What becomes of a time, in per cent: "−26.5 %", or "unchanged"."""
-    percent = f"{100 * (after / before - 1):+.1f}" if before > 0 else "+0.0"
-    return "unchanged" if percent[1:] == "0.0" else f"{percent.replace('-', '−')} %"
-
-
-def motions_table(answer: Optimised) -> Table:
+def motions_table(answer: Optimised) -> TextTable:
     """Every motion as written and on both targets; binding limits are those of the target in trajectory.csv."""
     program, chosen, before = answer.job.program, answer.target, answer.written
-    table = plain_table(
-        f"{answer.job.program_path} on {answer.job.plant.robot.name}",
-        *(
-            "~place",
-            "instruction",
-            "~target",
-            ">written [s]",
-            ">stream [s]",
-            ">rapid [s]",
-            f"what limits the {chosen.value} plan",
-        ),
-    )
     plans = {one: answer.judged[one].plan for one in Target}
     told = ways_told({one: plan.detours for one, plan in plans.items()})
-    for i, motion in enumerate(plans[chosen].motions):
-        instruction, name = motion_label(program, motion.index)
-        name += f" ({told[motion.index]})" if motion.index in told else ""
-        times = ["-" if isinstance(before, str) else f"{before.motions[i].t_1 - before.motions[i].t_0:.3f}"]
-        for one in (Target.STREAM, Target.RAPID):
-            planned = plans[one].motions[i]
-            times.append("dropped" if planned.dropped else f"{planned.t_1 - planned.t_0:.3f}")
-        table.add_row(place(motion.source), instruction, name, *times, motion.binding)
-    table.add_section()
-    totals = ["-" if isinstance(before, str) else f"{before.duration:.3f}"]
-    totals += [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
-    table.add_row("cycle", "", "", *totals, "")
-    return table
+
+    def name(motion: PlannedMotion) -> str:
+        way = f" ({told[motion.index]})" if motion.index in told else ""
+        return f"{motion_label(program, motion.index)[1]}{way}"
+
+    def time(plan: Plan | str, motion: PlannedMotion) -> str:
+        if isinstance(plan, str):
+            return "-"
+        same = next(one for one in plan.motions if one.index == motion.index)
+        return "dropped" if same.dropped else seconds(same.t_1 - same.t_0)
+
+    written = "-" if isinstance(before, str) else seconds(before.duration)
+    return tabulate(
+        f"{answer.job.program_path} on {answer.job.plant.robot.name}",
+        plans[chosen].motions,
+        {
+            "~place": lambda motion: place(motion.source),
+            "instruction": lambda motion: motion_label(program, motion.index)[0],
+            "~target": name,
+            ">written [s]": lambda motion: time(before, motion),
+            ">stream [s]": lambda motion: time(plans[Target.STREAM], motion),
+            ">rapid [s]": lambda motion: time(plans[Target.RAPID], motion),
+            f"what limits the {chosen.value} plan": lambda motion: motion.binding,
+        },
+        ("cycle", "", "", written, seconds(plans[Target.STREAM].duration), seconds(plans[Target.RAPID].duration), ""),
+    )
 
 
 def ways_told(detours: Mapping[Target, Sequence[Detour]]) -> dict[int, str]:
@@ -206,41 +198,6 @@ def ways_told(detours: Mapping[Target, Sequence[Detour]]) -> dict[int, str]:
         else "; ".join(f"{target.value} {way}" for target, way in by_target.items())
         for motion, by_target in found.items()
     }
-
-
-def findings_table(name: str, report: Report, everything: bool) -> Table:
-    """The judge's legality checks: the tightest case of each check, or all cases."""
-    return _findings(f"{name}: legality", report.findings, everything)
-
-
-def advice_table(name: str, report: Report, everything: bool) -> Table:
-    """What else the judge noticed; it decides nothing."""
-    return _findings(f"{name}: advice, which does not affect the verdict", report.advice, everything)
-
-
-def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Table:
-    table = plain_table(
-        title, "check", "", "~of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ">cases"
-    )
-    shown = [(one, 1) for one in findings] if everything else nearest(findings)
-    for worst, count in shown:
-        table.add_row(
-            worst.check,
-            "ok" if worst.passed else "NO",
-            worst.subject,
-            _figure(worst.value, 6),
-            _figure(worst.limit, 6),
-            _figure(good_side(worst), 3),
-            worst.unit,
-            "" if worst.time is None else f"{worst.time:.4f}",
-            place(worst.source),
-            str(count),
-        )
-    return table
-
-
-def _figure(value: float, digits: int) -> str:
-    return f"{value:.{digits}g}" if math.isfinite(value) else "-"
 
 
 def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> dict[str, Any]:

@@ -42,11 +42,12 @@ def verify(
     """
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.remarks import told_first
-    from trajopt_cli.cli.tables import advice_table, findings_table, reports_record, verdict
+    from trajopt_cli.cli.tables import reports_record, verdict
     from trajopt_cli.findings import failures
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
     from trajopt_cli.runs.folder import TASK, kind_of
+    from trajopt_cli.table import findings_table
 
     unchecked: tuple[str, ...] = ()
     advice = as_json or not quiet  # of which a line alone says nothing
@@ -90,9 +91,10 @@ def verify(
         console = stdout()
         tell(console, head)
         for name, report in reports.items():
-            show(console, findings_table(name, report, everything))
+            show(console, findings_table(f"{name}: legality", report.findings, everything))
             if report.advice:
-                show(console, advice_table(name, report, everything))
+                title = f"{name}: advice, which does not affect the verdict"
+                show(console, findings_table(title, report.advice, everything))
         tell(console, (f"not checked: {line}" for line in unchecked))
         for name, report in reports.items():
             tell(console, (f"advice: {line}" for line in failures(report.advice)))

@@ -13,7 +13,6 @@ from trajopt_cli.page.cycles import (
     cycle_data,
     files_of,
     motions_data,
-    place,
     programs_of,
     reach_data,
 )
@@ -27,6 +26,7 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import motion_label
 from trajopt_cli.scene import plan_cycle, program_points
+from trajopt_cli.table import place, seconds
 
 SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000
@@ -119,11 +119,6 @@ def chart_sections(plant: Plant, data: Mapping[str, Any], shown: Sequence[Shown]
         f"At the time each point is reached: from where on the rail the arm reaches it, joint limits kept.{left_out}",
     )
     return [axes, rail, speed]
-
-
-def seconds(value: float) -> str:
-    """Three digits, as all commands print."""
-    return f"{value:.3f}"
 
 
 def _motions(user: Program, shown: Sequence[Shown]) -> str:

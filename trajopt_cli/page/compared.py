@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from trajopt_cli.motion import Program
-from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, motion_section, program_section, seconds
+from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, motion_section, program_section
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
@@ -15,152 +15,121 @@ from trajopt_cli.page.tables import facts, table
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, waterfall
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.table import Bad, Good, percent, seconds, signed, tabulate
 
-
-@dataclass(frozen=True, eq=False)
-class Compared:
-    """A row. moves: what may move in it. shown: its motion, judged; None where why says what is in the way. saving:
-    share of the reference's cycle time, None where none counts. bound [s]: below every plan of its target. notes: what
-    a reader must know to compare it."""
-
-    name: str
-    target: str
-    title: str
-    moves: str
-    shown: Shown | None
-    why: str = ""
-    saving: float | None = None
-    bound: float | None = None
-    notes: Sequence[str] = ()
-
-    @property
-    def legal(self) -> bool:
-        """Whether there is a motion and the judge allows it."""
-        return self.shown is not None and self.shown.report is not None and self.shown.report.legal
-
-
-@dataclass(frozen=True)
-class Cause:
-    """One step of the saving: the cycle time with all freed up to it, what the step saves [s], and what became of its
-    own plan where that is not the plan that counts."""
-
-    name: str
-    cycle: float
-    saved: float
-    why_not: str = ""
+Record = Mapping[str, Any]
 
 
 def compared_page(
     title: str,
     program: Program,
     plant: Plant,
-    rows: Sequence[Compared],
-    causes: Sequence[Cause] | str,
+    record: Record,
+    motions: Sequence[Shown | None],
     notices: Sequence[str],
     made: Provenance,
 ) -> bytes:
-    """The page's bytes, the same for the same arguments. causes: or why there is none. title: the program's name.
+    """The page's bytes, the same for the same arguments. title: the program's name. record: comparison.json. motions:
+    of each of its rows, judged; None for a row that cannot be driven.
 
     Savings count from the first legal row, which stands beside the fastest legal one at first.
     """
-    moving = [row for row in rows if row.shown is not None]
-    shown = [row.shown for row in moving if row.shown is not None]
-    legal = [i for i, row in enumerate(moving) if row.legal]
+    rows = record["rows"]
+    moving = [(row, one) for row, one in zip(rows, motions, strict=True) if one is not None]
+    shown = [one for _, one in moving]
+    legal = [i for i, (row, _) in enumerate(moving) if row["legal"]]
     fastest = min(legal, key=lambda i: shown[i].plan.duration, default=len(shown) - 1)
     at_first = list(dict.fromkeys((legal[0] if legal else 0, fastest))) if shown else []
-    sections = [Section("rows", "Rows", _rows(rows), _LEAD), *_saving(causes, moving, at_first)]
+    beside = [moving[i] for i in at_first]
+    sections = [Section("rows", "Rows", _rows(rows), _LEAD), _saving(record["saving_by_cause"], beside)]
     data = {}
     if shown:
         own = next((one.plan for one in reversed(shown) if one.program is program and one.plan.motions), None)
         data = cell_data(plant, program, shown, at_first, own)
         sections += [motion_section(), program_section(program, shown, at_first), *chart_sections(plant, data, shown)]
-        said = "".join(
-            judged(row.name, one.report, False) for row, one in zip(moving, shown, strict=True) if one.report
-        )
+        said = "".join(judged(one.name, one.report, False) for one in shown if one.report)
         sections.append(Section("judge", "Judge", said, "Tightest case of each check, row by row."))
     sure = doubts(plant.notes, plant.unchecked, notices, ()) + limits(plant)
     sections += [
         Section("trust", "Assumptions", sure, f"Estimated, unchecked and assumed. {GRADES}"),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
-    head = _head(title, plant, moving, at_first)
+    head = _head(title, plant, beside)
     return document(f"{title}, compared · trajopt", head, sections, data, SCRIPTS_OF_CELL if shown else ())
 
 
-_UNCHANGED = 5e-4  # share of a cycle time: printed as 0.0 %, and its sign may be rounding
 _LEAD = (
-    "The same work in the ways people would drive it, each judged. Savings are relative to the first legal row, and "
-    "count for legal rows only."
+    "The same work by today's practice, by textbook methods and by trajopt, each judged. Savings are relative to the "
+    "first legal row, and count for legal rows only."
 )
 
 
-def _head(title: str, plant: Plant, moving: Sequence[Compared], at_first: Sequence[int]) -> str:
+def _head(title: str, plant: Plant, beside: Sequence[tuple[Record, Shown]]) -> str:
     tiles = []
-    for kind, i in zip(("before", "after"), at_first, strict=False):
-        row = moving[i]
-        assert row.shown is not None
-        unchanged = row.saving is None or abs(row.saving) < _UNCHANGED
-        said = row.title if unchanged else f"{-100 * (row.saving or 0.0):+.1f} %, {row.title}"
-        tiles.append(tile(kind, row.name, f"{seconds(row.shown.plan.duration)} s", said.replace("-", "−", 1)))
-    last = moving[at_first[-1]] if at_first else None
-    if last is not None and last.bound is not None:
-        said = f"no legal motion for the {last.target} target is faster"
-        tiles.append(tile("bound", "lower bound", f"{seconds(last.bound)} s", said))
+    for kind, (row, one) in zip(("before", "after"), beside, strict=False):
+        saved = percent(row["saving"])
+        said = row["title"] if saved in ("", "0.0 %") else f"{signed(-100 * row['saving'], 1)} %, {row['title']}"
+        tiles.append(tile(kind, one.name, f"{seconds(one.plan.duration)} s", said))
+    if beside and (bound := beside[-1][0]["lower_bound_s"]) is not None:
+        said = f"no legal motion for the {beside[-1][0]['target']} target is faster"
+        tiles.append(tile("bound", "lower bound", f"{seconds(bound)} s", said))
     return (
         f'<h1>{text(title)}</h1><p class="sub">{text(plant.robot.name)} · compare baseline</p>'
         f'<dl class="tiles">{"".join(tiles)}</dl>'
     )
 
 
-def _rows(rows: Sequence[Compared]) -> str:
-    times = [row.shown.plan.duration for row in rows if row.shown is not None]
-    longest = max(times, default=1.0)
-    cells = []
-    for row in rows:
-        if row.shown is None:
-            cells.append((_named(row), text(row.target), "–", "", "", "", text(row.why)))
-            continue
-        time, kind = row.shown.plan.duration, "legal" if row.legal else "illegal"
-        bar = (
-            f'<svg class="time {kind}" viewBox="0 0 100 10" preserveAspectRatio="none" aria-hidden="true">'
-            f'<rect x="0" y="1" width="{100 * time / longest:.2f}" height="8"/></svg>'
+def _rows(rows: Sequence[Record]) -> str:
+    longest = max((row["cycle_time_s"] for row in rows if "cycle_time_s" in row), default=1.0)
+
+    def legal(row: Record) -> str:
+        if "why" in row:
+            return text(row["why"])
+        return Good("yes") if row["legal"] else Bad(f"no: {text(row['breaks'])}")
+
+    def bar(row: Record) -> str:
+        if "why" in row:
+            return ""
+        return (
+            f'<svg class="time {"legal" if row["legal"] else "illegal"}" viewBox="0 0 100 10" aria-hidden="true" '
+            f'preserveAspectRatio="none"><rect x="0" y="1" width="{100 * row["cycle_time_s"] / longest:.2f}" '
+            'height="8"/></svg>'
         )
-        report = row.shown.report
-        breaks = "" if report is None else next((one.check for one in report.findings if not one.passed), "")
-        word = '<span class="good">yes</span>' if row.legal else f'<span class="bad w">no: {text(breaks)}</span>'
-        saving = "" if row.saving is None else f"{100 * row.saving:.1f} %".replace("-", "−")
-        saving = "0.0 %" if row.saving is not None and abs(row.saving) < _UNCHANGED else saving
-        bound = "" if row.bound is None else seconds(row.bound)
-        cells.append((_named(row), text(row.target), seconds(time), bar, saving, bound, word))
-    heads = ("row", "target", ">cycle time [s]", "", ">saving", ">bound [s]", "legal")
+
+    columns: dict[str, Callable[[Record], str]] = {
+        "row": lambda row: f"<b>{text(row['name'])}</b>",
+        "target": lambda row: row["target"],
+        ">cycle time [s]": lambda row: seconds(row.get("cycle_time_s"), "–"),
+        "": bar,
+        ">saving": lambda row: percent(row.get("saving")),
+        ">bound [s]": lambda row: seconds(row.get("lower_bound_s")),
+        "legal": legal,
+    }
+    shown = tabulate("All rows", rows, columns)
     notes = "".join(
-        f"<li><b>{text(row.name)}</b>: {text(row.title)}; may move: {text(row.moves)}"
-        f"{''.join(f'<br>{text(note)}' for note in row.notes)}</li>"
+        f"<li><b>{text(row['name'])}</b>: {text(row['title'])}; may move: {text(row['moves'])}"
+        f"{''.join(f'<br>{text(note)}' for note in row.get('notes', ()))}</li>"
         for row in rows
     )
-    return table("All rows", heads, cells, html=True) + f"<ul>{notes}</ul>"
+    return table(shown.title, shown.heads, shown.rows, html=True) + f"<ul>{notes}</ul>"
 
 
-def _named(row: Compared) -> str:
-    return f'<span class="w">{text(row.name)}</span>'
-
-
-def _saving(causes: Sequence[Cause] | str, moving: Sequence[Compared], at_first: Sequence[int]) -> list[Section]:
-    if isinstance(causes, str):
-        return [
-            Section(
-                "saving", "Saving by cause", f"<p>Not available, there is no plan to start from: {text(causes)}</p>"
-            )
-        ]
-    first, last = causes[0], causes[-1]
-    bound = next((row.bound for row in (moving[i] for i in reversed(at_first)) if row.bound is not None), None)
+def _saving(causes: Record, beside: Sequence[tuple[Record, Shown]]) -> Section:
+    heading = "Saving by cause"
+    if "steps" not in causes:
+        why = f"<p>Not available, there is no plan to start from: {text(causes['why_not'])}</p>"
+        return Section("saving", heading, why)
+    first, *steps = causes["steps"]
+    last = steps[-1] if steps else first
+    bounds = [row["lower_bound_s"] for row, _ in reversed(beside) if row["lower_bound_s"] is not None]
+    bound = bounds[0] if bounds else None
     drawn = waterfall(
-        Bar(first.name, first.cycle, total=True, detail=first.why_not, cycle="before"),
-        [Bar(one.name, one.saved, detail=one.why_not) for one in causes[1:]],
-        Bar("all together", last.cycle, total=True, cycle="after"),
+        Bar(first["name"], first["cycle_time_s"], total=True, detail=first["why_not"] or "", cycle="before"),
+        [Bar(one["name"], one["saved_s"], detail=one["why_not"] or "") for one in steps],
+        Bar("all together", last["cycle_time_s"], total=True, cycle="after"),
         bound,
-        "Saving by cause",
+        heading,
     )
     line = "" if bound is None else f" The dashed line is the lower bound, {seconds(bound)} s."
-    lead = f"Each step frees one thing more, is solved and judged anew, and the steps add up to the whole.{line}"
-    return [Section("saving", "Saving by cause", drawn, lead)]
+    lead = f"Each step frees one more thing and is solved and judged again; the steps add up to the whole.{line}"
+    return Section("saving", heading, drawn, lead)

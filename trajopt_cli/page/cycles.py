@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import PurePath
 from typing import Any
 
 import numpy as np
 
 from trajopt_cli.findings import Report
 from trajopt_cli.geometry import BoolArray
-from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Wait
 from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
 from trajopt_cli.problem.constant_speed import Stretch
@@ -22,6 +21,7 @@ from trajopt_cli.problem.plan_series import PlanSeries, follow, programmed_speed
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.runs.results import motion_label
+from trajopt_cli.table import place
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
@@ -148,11 +148,6 @@ def motions_data(program: Program, files: Sequence[str]) -> dict[str, list[Any]]
         "line": [motion.source.line for motion in program.motions],
         "place": [place(motion.source) for motion in program.motions],
     }
-
-
-def place(source: Source | None) -> str:
-    """The file's name and the line."""
-    return f"{PurePath(source.file).name}:{source.line}" if source else ""
 
 
 def kind_of(motion: object) -> str:

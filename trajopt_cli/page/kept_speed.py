@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from trajopt_cli.page.cycles import Shown, place
+from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.tables import table
 from trajopt_cli.problem.constant_speed import DIP, Dip
+from trajopt_cli.table import place
 from trajopt_cli.units import MM
 
 MOST = 200

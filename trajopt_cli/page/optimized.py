@@ -6,17 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from trajopt_cli.motion import Program
-from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, motion_section, program_section, seconds
-from trajopt_cli.page.cycles import Shown, place
+from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, motion_section, program_section
+from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
 from trajopt_cli.page.tables import facts
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
-from trajopt_cli.page.waterfall import Bar, by_motion, signed, waterfall
+from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import NOT_TIMED, Judged, motion_label
+from trajopt_cli.table import change, place, seconds, signed
 
 WRITTEN = "as written"
 _MACHINES = {Target.STREAM: "a joint stream", Target.RAPID: "the RAPID controller"}
@@ -129,8 +130,10 @@ def _saving(program: Program, target: Target, plan: Plan, written: Plan | str) -
         plan.lower_bound,
         "Saving by motion",
     )
-    change = _change(written, plan)
-    share = change.capitalize() if change == "unchanged" else f"{signed(written.duration - plan.duration)}, {change}"
+    changed = _change(written, plan)
+    share = changed.capitalize()
+    if changed != "unchanged":
+        share = f"{signed(plan.duration - written.duration)} s, {changed}"
     bound = "" if plan.lower_bound is None else f" The dashed line is the lower bound, {seconds(plan.lower_bound)} s."
     lead = f"{share}, by motion.{bound} trajopt compare baseline tells it by cause."
     return [Section("saving", "Saving", drawn, lead)]
@@ -146,7 +149,4 @@ def tile(kind: str, name: str, big: str, small: str) -> str:
 
 def _change(before: Plan | str, after: Plan) -> str:
     """What becomes of a time, in per cent; nothing where there is none to begin with."""
-    if isinstance(before, str) or before.duration <= 0:
-        return ""
-    percent = f"{100 * (after.duration / before.duration - 1):+.1f}"
-    return "unchanged" if percent[1:] == "0.0" else f"{percent.replace('-', '−')} %"
+    return "" if isinstance(before, str) or before.duration <= 0 else change(before.duration, after.duration)

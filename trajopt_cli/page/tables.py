@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from trajopt_cli.page.encode import text
+from trajopt_cli.table import Bad, Good, TextTable
 
 
 def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], html: bool = False) -> str:
-    """A table that scrolls in a box of its own. heads: ">" before one puts its column to the right. rows: plain text,
-    or HTML where html is true."""
+    """A table that scrolls in a box of its own. heads: as in TextTable. rows: plain text, or HTML where html is
+    true."""
     right = [head.startswith(">") for head in heads]
     made = "".join(f"<tr>{''.join(_cell(value, right[i], html) for i, value in enumerate(row))}</tr>\n" for row in rows)
     name, head = text(caption), "".join(_head(one) for one in heads)
@@ -17,6 +18,11 @@ def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], htm
         f'<div class="scroll" role="region" aria-label="{name}" tabindex="0"><table><caption>{name}</caption>'
         f"<thead><tr>{head}</tr></thead><tbody>\n{made}</tbody></table></div>"
     )
+
+
+def drawn(table_: TextTable) -> str:
+    """The same of a table of text."""
+    return table(table_.title, table_.heads, table_.rows)
 
 
 def chart(name: str, label: str) -> str:
@@ -37,11 +43,14 @@ def points(lines: Iterable[str]) -> str:
 
 def _head(head: str) -> str:
     right = head.startswith(">")
-    return f'<th scope="col"{_class(right)}>{text(head.removeprefix(">"))}</th>'
+    return f'<th scope="col"{_class(right)}>{text(head.lstrip(">~"))}</th>'
 
 
 def _cell(value: str, right: bool, html: bool) -> str:
-    return f"<td{_class(right)}>{value if html else text(value)}</td>"
+    shown = value if html else text(value)
+    if isinstance(value, Good | Bad):
+        shown = f'<span class="{"good" if isinstance(value, Good) else "bad"}">{shown}</span>'
+    return f"<td{_class(right)}>{shown}</td>"
 
 
 def _class(right: bool) -> str:

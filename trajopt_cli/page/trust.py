@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
-from trajopt_cli.findings import Report, good_side, nearest
-from trajopt_cli.page.cycles import place
+from trajopt_cli.findings import Report
 from trajopt_cli.page.encode import text
-from trajopt_cli.page.tables import points, table
+from trajopt_cli.page.tables import drawn, points, table
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.table import figure, findings_table
 from trajopt_cli.units import DEG, MM
 
 GRADES = "Grades: A several sources agree, B one good source, C a weak one or inferred, D an estimate."
@@ -19,25 +18,8 @@ def judged(name: str, report: Report, opened: bool) -> str:
     """The verdict and the tightest case of each check. opened: as the page is first shown."""
     bad = sum(not one.passed for one in report.findings)
     word, kind = ("legal", "good") if report.legal else (f"not legal: {bad} checks failed", "bad")
-    rows = []
-    for one, cases in nearest(report.findings):
-        rows.append(
-            (
-                text(one.check),
-                str(cases),
-                text(one.subject),
-                _figure(one.value, 6),
-                _figure(one.limit, 6),
-                _figure(good_side(one), 3),
-                text(one.unit),
-                "" if one.time is None else f"{one.time:.3f}",
-                text(place(one.source)),
-                '<span class="good">passed</span>' if one.passed else '<span class="bad">failed</span>',
-            )
-        )
-    heads = ("check", ">cases", "nearest case", ">value", ">limit", ">margin", "unit", ">at [s]", "place", "")
     verdict = f'<h3>{text(name)}: <span class="verdict {kind}">{word}</span></h3>'
-    shown = table(f"{name}: {len(report.findings)} checks", heads, rows, html=True)
+    shown = drawn(findings_table(f"{name}: {len(report.findings)} checks", report.findings))
     return f"<details{' open' if opened else ''}><summary>{verdict}</summary>{shown}</details>"
 
 
@@ -49,12 +31,12 @@ def limits(plant: Plant) -> str:
         rows.append(
             (
                 name.replace("_", " "),
-                _figure(given.lower[k] / scale, 6),
-                _figure(given.upper[k] / scale, 6),
+                figure(given.lower[k] / scale, 6),
+                figure(given.upper[k] / scale, 6),
                 unit,
-                _figure(given.velocity[k] / scale, 5),
+                figure(given.velocity[k] / scale, 5),
                 f"{unit}/s",
-                _figure(given.acceleration[k] / scale, 5),
+                figure(given.acceleration[k] / scale, 5),
                 f"{unit}/s²",
                 given.sources.get(f"{name}.acceleration", ""),
             )
@@ -77,7 +59,3 @@ def doubts(lines: Sequence[str], unchecked: Sequence[str], warnings: Sequence[st
 def hashes(files: Mapping[str, str]) -> str:
     """The SHA-256 of each file, by its name."""
     return table("Files that were read", ("file", "SHA-256"), [(name, digits) for name, digits in files.items()])
-
-
-def _figure(value: float, digits: int) -> str:
-    return f"{value:.{digits}g}".replace("-", "−") if math.isfinite(value) else "–"

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from trajopt_cli.page.encode import text
+from trajopt_cli.table import signed
 
 _LEFT = 0.97  # of the drawing's width that the longest bar takes
 _SEEN = 5e-4  # s: less is printed as 0.000
@@ -60,16 +61,10 @@ def waterfall(start: Bar, steps: Sequence[Bar], end: Bar, bound: float | None, l
     return f'<ol class="waterfall" aria-label="{text(label)}">{"".join(rows)}</ol>'
 
 
-def signed(seconds: float) -> str:
-    """What becomes of a cycle time: "−0.851 s" for a saving."""
-    figure = f"{-seconds:+.3f}".replace("-", "−")
-    return f"{'0.000' if figure[1:] == '0.000' else figure} s"
-
-
 def _row(bar: Bar, left: float, length: float, scale: float, bound: float | None) -> str:
     kind = f"total {bar.cycle}".strip() if bar.total else "saves" if bar.seconds >= 0 else "costs"
     line = "" if bound is None else f'<path class="bound" d="M{bound * scale:.3f} 0V10"/>'
-    figure = f"{bar.seconds:.3f} s" if bar.total else signed(bar.seconds)
+    figure = f"{bar.seconds:.3f} s" if bar.total else f"{signed(-bar.seconds)} s"
     detail = f'<span class="small">{text(bar.detail)}</span>' if bar.detail else ""
     return (
         f'<li class="{kind}"><span class="name"><span title="{text(bar.name)}">{text(bar.name)}</span>{detail}</span>'

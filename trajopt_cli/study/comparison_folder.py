@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from trajopt_cli.pipeline.optimize import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
@@ -16,7 +15,7 @@ from trajopt_cli.study.comparison import Comparison, Row, Tried
 from trajopt_cli.study.comparison_record import comparison_record, rows_csv
 
 if TYPE_CHECKING:
-    from trajopt_cli.page.compared import Compared
+    from trajopt_cli.page.cycles import Shown
 
 
 class ComparisonOptions(Section):
@@ -60,41 +59,25 @@ def write_comparison(folder: Path, answer: Comparison, options: ComparisonOption
 
 def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
     """report.html, which shows all of an answer."""
-    from trajopt_cli.page.compared import Cause, compared_page
+    from trajopt_cli.page.compared import compared_page
     from trajopt_cli.page.optimized import Provenance
 
     job = answer.job
-    records = comparison_record(answer)["rows"]
-    rows = [_compared(row, record) for row, record in zip(answer.rows, records, strict=True)]
-    causes: Sequence[Cause] | str = (
-        answer.steps
-        if isinstance(answer.steps, str)
-        else [Cause(step.name, step.plan.duration, step.saved, step.why_not) for step in answer.steps]
-    )
+    record = comparison_record(answer)
+    motions = [_shown(row, one.get("lower_bound_s")) for row, one in zip(answer.rows, record["rows"], strict=True)]
     hashes = {path: sha256(given.content) for path, given in inputs_of(job).items()}
     made = Provenance(made_by("compare baseline", ComparisonRecord, options), hashes)
     notices = (*map(str, job.program.warnings), *answer.notices, *held_unasked(job))
-    return compared_page(job.title, job.program, job.plant, rows, causes, notices, made)
+    return compared_page(job.title, job.program, job.plant, record, motions, notices, made)
 
 
-def _compared(row: Row, record: dict[str, Any]) -> Compared:
-    from trajopt_cli.page.compared import Compared
+def _shown(row: Row, bound: float | None) -> Shown | None:
+    """A row's motion as a page shows it; None where there is none. bound [s]: as the row's record has it."""
     from trajopt_cli.page.cycles import Shown
 
-    one, shown = row.baseline, None
-    if isinstance(row.result, Tried):
-        attempt = row.result.attempt
-        plan = attempt.plan or Plan(one.target, attempt.trajectory, (), None, "")
-        plan = replace(plan, trajectory=attempt.trajectory, lower_bound=record["lower_bound_s"])
-        shown = Shown(row.name, attempt.program, plan, row.result.report)
-    return Compared(
-        row.name,
-        one.target.value,
-        one.title,
-        one.moves,
-        shown,
-        record.get("why", ""),
-        record.get("saving"),
-        record.get("lower_bound_s"),
-        record.get("notes", ()),
-    )
+    if not isinstance(row.result, Tried):
+        return None
+    attempt = row.result.attempt
+    plan = attempt.plan or Plan(row.baseline.target, attempt.trajectory, (), None, "")
+    plan = replace(plan, trajectory=attempt.trajectory, lower_bound=bound)
+    return Shown(row.name, attempt.program, plan, row.result.report)
