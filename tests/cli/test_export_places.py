@@ -19,15 +19,6 @@ KINDS = [command.name for group in app.registered_groups if group.name == "expor
          group.typer_instance.registered_commands]  # fmt: skip
 
 
-def test_without_a_format_all_are_listed_in_80_columns(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["export"]) == 0
-    first, *lines = capsys.readouterr().out.splitlines()
-    assert first == "trajopt export FORMAT RESULTS --output FILE; --help of a format shows an example"
-    assert [line[2:].split()[0] for line in lines] == KINDS
-    assert len({line.index(line[2:].split()[1]) for line in lines}) == 1, "the words of all lines begin in one column"
-    assert max(map(len, [first, *lines])) <= 80
-
-
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_help_ends_its_words_with_an_example(kind: str) -> None:
     lines = CliRunner().invoke(app, ["export", kind, "--help"]).output.splitlines()
@@ -77,16 +68,6 @@ def test_a_folder_that_may_not_be_written_is_told(
     )  # root, as whom tests often run, may write anywhere
     assert run(["export", "joint", "results/x", "--output", "x.csv"]) == 2
     assert capsys.readouterr().err == "x.csv: cannot write: Permission denied\n"
-
-
-def test_rapids_places_are_looked_at_too(results: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    for place, said in (
-        ("results", "results: is a folder; --output names a file"),
-        ("nowhere/new.mod", "nowhere: is not a folder to write to; make it or correct --output"),
-    ):
-        assert run(["export", "rapid", "results/tiny", "--output", place]) == 2
-        assert capsys.readouterr().err == f"{said}\n"
-    assert run(["export", "rapid", "results/tiny", "--output", "new.mod"]) == 0
 
 
 def test_a_file_of_another_results_folder_is_not_written_over(

@@ -13,29 +13,6 @@ import pytest
 from trajopt_cli.cli import run
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["parse", ""], "an empty name; give one or leave it out"),
-        (["parse", "tiny.mod", " "], "an empty name; give one or leave it out"),
-        (["parse", "tiny.mod", "--entry", ""], "an empty name for --entry; give --entry a value or leave it out"),
-        (["parse", "tiny.mod", "--entry="], "an empty name for --entry; give --entry a value or leave it out"),
-        (["analyse", "tiny.mod", "--assume-identity", " "], "an empty name for --assume-identity; "),
-        (["optimize", "tiny.mod", "--cell", ""], "an empty name for --cell; give --cell a value or leave it out"),
-        (["export", "rapid", "", "--output", "x"], "an empty name; "),
-    ],
-)
-def test_an_empty_name_is_none(
-    program: Path, arguments: list[str], said: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    before = sorted(Path().rglob("*"))
-    assert run(arguments) == 2
-    error = capsys.readouterr().err
-    assert error.startswith(said)
-    assert len(error.splitlines()) == 1
-    assert sorted(Path().rglob("*")) == before
-
-
 @pytest.mark.parametrize("language", ["C.UTF-8", "C"])
 def test_a_name_that_is_no_text_leaves_json_valid(program: Path, language: str) -> None:
     name = os.fsdecode(b"t\xfcr.mod")

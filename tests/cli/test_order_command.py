@@ -108,34 +108,6 @@ def test_what_cannot_be_written_is_listed(tiny: Path, capsys: pytest.CaptureFixt
     assert not any("program" in name for name in read_run(Path("results/tiny_order"), OrderRecord).contents)
 
 
-@pytest.mark.parametrize(
-    ("cell", "more", "said"),
-    [
-        (
-            CELL.replace("order: {turns: [T1, T2, T3, T4]}\n", ""),
-            [],
-            "tiny.yaml: has no order; say what may be done in",
-        ),
-        (CELL, ["--group", "turn"], "--group turn: did you mean 'turns'?"),
-        (
-            CELL.replace("T4]}", "T4], more: [T1, T2]}"),
-            [],
-            "--group: the cell file has 2 groups: turns, more; name one",
-        ),
-        (CELL.replace("T1, T2, T3, T4", "T1"), [], "tiny.yaml:3: order.turns: needs at least 2, not 1"),
-        (CELL, ["--output", "tiny.mod"], "tiny.mod: is a file; --output names a folder"),
-    ],
-)
-def test_a_wrong_request_is_one_line(
-    tiny: Path, capsys: pytest.CaptureFixture[str], cell: str, more: list[str], said: str
-) -> None:
-    Path("tiny.yaml").write_text(cell)
-    assert run(["order", str(tiny), *more]) == 2
-    error = capsys.readouterr().err
-    assert error.startswith(said)
-    assert error.count("\n") == 1
-
-
 def test_a_part_out_of_reach_is_named(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     tiny.write_text(text({**PLACES, 3: 9.0}))
     assert run(["order", str(tiny)]) == 1

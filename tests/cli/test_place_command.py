@@ -76,39 +76,6 @@ def test_ranges_in_which_nothing_can_be_done_are_one_line(tiny: Path, capsys: py
 
 
 @pytest.mark.parametrize(
-    ("more", "said"),
-    [
-        (["--what", "base", "--range", "x=1..0"], "--range x=1..0: does not go upward"),
-        (["--what", "rail", "--range", "x=0..1"], "--what rail: robot irb140 has no rail; give --what base"),
-        (
-            ["--what", "station:t", "--range", "x=0..1"],
-            "--what station:t: the program moves in no such work object; all",
-        ),
-        (
-            ["--what", "base", "--range", "x=0..1", "--apply", "tiny.mod"],
-            "tiny.mod: --apply: writes a cell file; give a name that ends in .yaml",
-        ),
-        (
-            ["--what", "base", "--range", "x=0..1", "--apply", "tiny.yaml"],
-            "tiny.yaml: --apply: is the cell file itself",
-        ),
-        (
-            ["--what", "base", "--range", "x=0..1", "--output", "tiny.mod"],
-            "tiny.mod: is a file; --output names a folder",
-        ),
-        (["--what", "base"], "trajopt: Missing option '--range'"),
-    ],
-)
-def test_a_wrong_request_is_one_line(
-    tiny: Path, capsys: pytest.CaptureFixture[str], more: list[str], said: str
-) -> None:
-    assert run(["place", str(tiny), *more]) == 2
-    error = capsys.readouterr().err
-    assert error.startswith(said)
-    assert error.count("\n") == 1
-
-
-@pytest.mark.parametrize(
     ("text", "keys", "expected"),
     [
         ("a: 1 # one\nb: 2\n", ("a",), "a: {} # one\nb: 2\n"),

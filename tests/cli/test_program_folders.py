@@ -134,19 +134,6 @@ def test_where_a_folder_has_its_cell_file(
     assert first == "../line.yaml: . has no cell file; save these lines there and adapt them:"
 
 
-def test_what_the_user_may_not_say_of_results(line: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["optimize", str(line), *GO, "--output", "out"]) == 0
-    capsys.readouterr()
-    assert said(["compare", "baseline", "out", "--entry", "go"], capsys) == (
-        "out: a results folder brings its own entry and assumptions; leave --entry and --assume-identity out\n"
-    )
-    assert said(["compare", "baseline", "out", "line"], capsys) == "out: is a results folder; give it alone\n"
-    assert "leave --entry and --assume-identity out" in said(["verify", "out", *GO], capsys)
-    assert said(["analyse", "out"], capsys) == (
-        "out: is a results folder; the program it was made from lies in its folder input\n"
-    )
-
-
 def test_a_tool_that_nobody_declares_is_named_until_the_user_decides(
     line: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -136,22 +136,6 @@ def test_planning_anew_is_a_column_more(capsys: pytest.CaptureFixture[str]) -> N
         assert one["searched_s"] == pytest.approx(one["gain_s"], abs=1e-5)
 
 
-def test_a_wrong_request_is_one_line(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    Path("mine").mkdir()
-    Path("mine/notes.txt").write_text("mine")
-    for arguments, said in (
-        (["nowhere.mod"], "nowhere.mod: no such program"),
-        ([str(tiny), "--output", "mine"], "mine: is not a results folder of trajopt (no run.json) and is not replaced"),
-        ([str(tiny), "--output", str(tiny)], "tiny.mod: is a file; --output names a folder"),
-    ):
-        capsys.readouterr()
-        assert run(["sensitivity", *arguments]) == 2
-        error = capsys.readouterr().err
-        assert error.startswith(said)
-        assert error.count("\n") == 1
-    assert Path("mine/notes.txt").read_text() == "mine"
-
-
 def test_a_program_that_cannot_be_done_names_the_motion(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     tiny.write_text(TEXT.replace("[5,0,0", "[500,0,0"))
     assert run(["sensitivity", str(tiny)]) == 1

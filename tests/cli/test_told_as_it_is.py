@@ -44,22 +44,6 @@ def test_a_plan_that_takes_no_time_has_no_gap() -> None:
     assert Progress("done", 1.1, 1.0).gap == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("command", [["export", "joint"], ["export", "rapid"]])
-def test_an_export_writes_over_no_folder_and_no_file_of_the_results(
-    command: list[str], results: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    before = {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()}
-    capsys.readouterr()
-    assert run([*command, "results/tiny", "--output", "results"]) == 2
-    assert capsys.readouterr().err == "results: is a folder; --output names a file\n"
-    assert run([*command, "results/tiny", "--output", "results/tiny/stream.csv"]) == 2
-    assert capsys.readouterr().err == (
-        "results/tiny/stream.csv: is a file of a results folder, which keeps its hash; write to another place\n"
-    )
-    assert {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()} == before
-    assert run([*command, "results/tiny", "--output", "out.txt"]) == 0
-
-
 def test_a_fly_by_that_is_a_stop_is_told_with_its_reason(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -22,7 +22,7 @@ def _group() -> None:
     """Compare plans of one program."""
 
 
-app.command("runs", short_help="Results folders side by side: times, motions, limits, inputs that differ.")(runs)
+app.command("runs", short_help="Compare results folders: times, motions, limits, inputs.")(runs)
 
 
 @app.command("baseline", short_help="Today's practice, textbook methods, both optima, and the saving by cause.")
@@ -65,7 +65,7 @@ def baseline(
         float | None, typer.Option(min=1e-3, metavar="M/S", help="Row thesis: rail speed inside a functional area.")
     ] = None,
 ) -> None:
-    """Drive PROGRAM in all ways people would, judge each, and tell where the optimum's saving comes from.
+    """Compare the optimum with today's practice and textbook methods, and split its saving by cause.
 
     Savings count against the first legal row. Exit code 1 when no row is legal.
 

@@ -34,7 +34,7 @@ def runs(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Put runs side by side: cycle times, inputs that differ, motions and the limits that hold them back.
+    """Compare runs: cycle times, inputs that differ, motions and the limits that hold them back.
 
     Differences count against the first folder. Nothing is planned again.
 

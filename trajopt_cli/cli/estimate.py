@@ -27,8 +27,9 @@ def estimate(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Tell how long PROGRAM takes as its controller would drive it as written, under the cell's limits, with ramps and
-    corners, waits apart; beside it length over programmed speed.
+    """Estimate PROGRAM's cycle time as written, on its controller, under the cell's limits, with ramps and corners.
+
+    Waits are counted apart; length over programmed speed stands beside it.
 
     Says which numbers are guesses. Exit code 1: it cannot be driven as written, and why.
 

@@ -37,8 +37,8 @@ def identify(
 ) -> None:
     """Fit speed, acceleration and jerk of every axis to LOGs of its motions, with 90 % intervals.
 
-    A limit is told where several motions of different length have the same top and nothing else holds them back; where
-    a log does not show it, why. Exit code 1: it shows none.
+    A limit is reported where several motions of different length reach the same peak; otherwise why not. Exit code 1:
+    the logs show none.
 
     \b
     Example:

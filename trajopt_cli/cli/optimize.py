@@ -55,7 +55,7 @@ def optimize(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
+    """Find the fastest legal motion for PROGRAM, check it, and write it as joint CSV and as RAPID.
 
     Both targets are solved in every run; trajectory.csv carries the plan of --target. Exit code 1: the program cannot
     be done, or not in the time given, and why; or, with --target rapid, its text cannot carry the plan.

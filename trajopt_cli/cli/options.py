@@ -49,7 +49,7 @@ Jobs = Annotated[
         "--jobs",
         min=1,
         metavar="N",
-        help="Processes at work; default: one for every core. The answer is the same for any number.",
+        help="Worker processes; default: one per core. The answer does not depend on it.",
         show_default=False,
     ),
 ]
@@ -58,8 +58,8 @@ TimeLimit = Annotated[
     typer.Option(
         "--time-limit",
         metavar="S",
-        help="Look for a better answer until S seconds after the start, at most; 0 gives the first legal one. Two such "
-        "runs may differ. Ctrl-C ends the search, too; a second one gives up.",
+        help="Stop improving S seconds after the start; 0 takes the first legal answer. Two such runs may differ. "
+        "Ctrl-C stops improving, too; a second one gives up.",
         show_default=False,
     ),
 ]

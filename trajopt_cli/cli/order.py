@@ -49,11 +49,11 @@ def order(
     jobs: Jobs = None,
     time_limit: TimeLimit = None,
 ) -> None:
-    """Find the fastest order of the parts that the cell file lets be done in any order (its key order).
+    """Find the fastest order of parts that the cell file lists under its key order.
 
-    Rail and configuration are free at every part. The best order by the search's own times between them is exact up to
-    12 parts; the most promising ones are planned and judged. It is written as RAPID where the parts are plain
-    statements that share nothing. Exit code 1: no order can be done, or --apply could not write it.
+    Rail and configuration are free at every part. The order is optimal for the search's own times up to 12 parts; the
+    most promising orders are planned and checked. The best is written as RAPID where the parts are plain statements
+    that share nothing. Exit code 1: no order can be done, or --apply could not write it.
 
     \b
     Example:

@@ -70,8 +70,8 @@ def place(
 ) -> None:
     """Find where the base, the rail or a work object should stand for the shortest cycle, and draw the map.
 
-    All of PROGRAM's targets stay where they are, but those in the work object that is moved; obstacles stay. Every
-    place is planned under the same limits and judged. Exit code 1: nothing in the ranges can be done, and why.
+    All of PROGRAM's targets stay where they are, except those in the work object that is moved; obstacles stay.
+    Every place is planned under the same limits and checked. Exit code 1: nothing in the ranges can be done, and why.
 
     \b
     Example:

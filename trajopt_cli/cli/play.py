@@ -42,7 +42,7 @@ def egm(
     ] = None,
     constant: Annotated[
         float,
-        typer.Option("--follower-time-constant", metavar="S", help="Of the first-order follower that is foretold."),
+        typer.Option("--follower-time-constant", metavar="S", help="Of the first-order follower that predicts lag."),
     ] = 0.05,
     echo: Annotated[
         bool, typer.Option("--echo", help="Be the controller, too: such a follower, as fast as answers come.")
@@ -117,8 +117,8 @@ def _table(constant: float, found: Iterable[Lag]) -> Table:
     from trajopt_cli.cli.layout import plain_table
 
     table = plain_table(
-        f"lag behind the set points, foretold for a follower of {1000 * constant:g} ms",
-        *("axis", ">fastest", "", ">speed x time", ">foretold", ">came back", "", ">as of"),
+        f"lag behind the set points, predicted for a follower of {1000 * constant:g} ms",
+        *("axis", ">fastest", "", ">speed x time", ">predicted", ">received", "", ">as of"),
     )
     for lag in found:
         table.add_row(

@@ -23,7 +23,7 @@ _SILENT = 30.0  # s after which a log says the same again
 _WORDS = {
     "reach": ("checking what can be reached", "reach"),
     "search": ("searching rail and configurations", "searching"),
-    "timing": ("timing the ways found", "timing"),
+    "timing": ("timing the paths found", "timing"),
     "solve": ("refining the plan", "refining"),
     "ease": ("making the plan gentler", "easing"),
     "bound": ("proving the bound", "bound"),

@@ -40,11 +40,11 @@ def sensitivity(
     everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
     jobs: Jobs = None,
 ) -> None:
-    """Tell what PROGRAM's cycle would save with each limit, speed, wait and place of the cell a little different.
+    """Tell how much of PROGRAM's cycle time each limit, speed, wait and place of the cell is worth.
 
-    Limits and speeds by 10 %, waits 10 % shorter, the rail's stroke longer by 10 % of itself, places by 10 mm, one at a
-    time; the most worth first. Each is solved again from the plan at hand and foretold by multipliers beside it. Exit
-    code 1: the program cannot be done, and why.
+    One change at a time: limits and speeds by 10 %, waits 10 % shorter, the rail's stroke 10 % longer, places by 10 mm;
+    the largest saving first. Each is solved again from the present plan, with the linear estimate beside it. Exit code
+    1: the program cannot be done, and why.
 
     \b
     Example:

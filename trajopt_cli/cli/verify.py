@@ -33,7 +33,7 @@ def verify(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Judge trajectories against program or task, and limits. Exit code 0: legal, 1: not, or too coarse to tell.
+    """Check trajectories against program or task, and limits. Exit code 0: legal, 1: not, or too coarse to tell.
 
     \b
     Example:

@@ -20,7 +20,7 @@ def view(
         ),
     ] = False,
 ) -> None:
-    """Open report.html of RESULTS in the browser; where there is none to open, its place is printed.
+    """Open report.html of RESULTS in the browser, or print its path where no browser can be opened.
 
     A browser that is a snap, or that runs on the Windows side of WSL, may not read files here: then, and with --serve,
     the page is served on a port of 127.0.0.1 until Ctrl-C, this one file and nothing else.

@@ -47,7 +47,7 @@ def levers_figure(bars: Sequence[tuple[str, float, float | None]], cycle: float,
     axes.spines["left"].set_visible(False)
     handles = [
         Patch(color=BLUE, label="solved again with the change"),
-        Line2D([], [], color=BLACK, linewidth=2.2, label="foretold from the plan (first order)"),
+        Line2D([], [], color=BLACK, linewidth=2.2, label="linear estimate from the plan"),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
     settle(figure)
