@@ -329,12 +329,21 @@ class Refiner:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
         return self.finished(self.begun(draft))
 
-    def begun(self, draft: Iterate) -> Stage:
-        """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
-        margins: list[Margins | None] = [
+    def margins(self, draft: Iterate) -> list[Margins | None]:
+        """Of the legs on grids, nothing tightened."""
+        return [
             Margins.full(self.axes.limits, m.N, isinstance(m, PathLeg)) if isinstance(m, PathLeg | JointNodes) else None
             for m in draft.legs
         ]
+
+    def transcription(self, draft: Iterate, margins: list[Margins | None]) -> Transcription:
+        """The nonlinear program about a draft."""
+        tangents = self.clearances.tangents(draft, margins)
+        return Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
+
+    def begun(self, draft: Iterate) -> Stage:
+        """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
+        margins = self.margins(draft)
         draft, warm = self._first(draft, margins)
         return Stage(draft, margins, warm)
 

@@ -7,7 +7,7 @@ however long the program is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import casadi as ca
@@ -178,16 +178,24 @@ class BlockNlp:
 
     def build(self) -> None:
         """Assemble what evaluates it, and what solves it."""
+        self._evaluation = Evaluation([(block, z) for block, z, _ in self.copies()], *self.cost())
+        bounds = self.bounds()
+        free, equations = bounds.lower < bounds.upper, bounds.g_lower == bounds.g_upper
+        self._interior = InteriorPoint(self._evaluation.jacobian_at, self._evaluation.hessian_at, free, equations)
+
+    def cost(self) -> tuple[Array, Array]:
+        """cost and weights (n,) of cost . x + weights / 2 . x^2, which is kept small."""
         cost, weights = np.zeros(self._count), np.zeros(self._count)
         for index, weight in self._cost:
             cost[index] += weight
         for indices, weight in self._damped:
             weights[indices] += weight
-        kinds = [(block, held.all_z) for block, held in self._held.items()]
-        self._evaluation = Evaluation(kinds, cost, weights)
-        bounds = self._bounds()
-        free, equations = bounds.lower < bounds.upper, bounds.g_lower == bounds.g_upper
-        self._interior = InteriorPoint(self._evaluation.jacobian_at, self._evaluation.hessian_at, free, equations)
+        return cost, weights
+
+    def copies(self) -> Iterator[tuple[Block, IndexArray, Array]]:
+        """Each block, with the variables (n, n_z) and parameters (n, n_p) of its n copies."""
+        for block, held in self._held.items():
+            yield block, held.all_z, held.all_p
 
     @property
     def guess(self) -> Array:
@@ -206,7 +214,8 @@ class BlockNlp:
             raise ValueError("adopt: the two programs differ in structure")
         self._evaluation, self._interior = other._evaluation, other._interior
 
-    def _bounds(self) -> Bounds:
+    def bounds(self) -> Bounds:
+        """Of variables, and of rows block by block and copy by copy."""
         held = self._held.items()
         return Bounds(
             np.concatenate(self._lower),
@@ -225,13 +234,13 @@ class BlockNlp:
             self.build()
         self._evaluation.put([one.all_p for one in self._held.values()])
         start = self.guess if guess is None else guess
-        return self._interior.solve(self._evaluation, self._bounds(), start, mu, tolerance, most, stop)
+        return self._interior.solve(self._evaluation, self.bounds(), start, mu, tolerance, most, stop)
 
     def lagrangian_change(self, other: BlockNlp, answer: NlpResult) -> float:
         """By how much the least cost of another program with the same structure differs from this one's, to first
         order: by the multipliers of this one's answer. Raises ValueError where structures differ."""
         other.adopt(self)
-        mine, theirs = self._bounds(), other._bounds()
+        mine, theirs = self.bounds(), other.bounds()
         fixed = mine.lower == mine.upper
         if not np.array_equal(fixed, theirs.lower == theirs.upper):
             raise ValueError("first order: the two programs fix other variables")

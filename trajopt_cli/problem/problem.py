@@ -43,8 +43,8 @@ from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.acceleration_settings import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.corners import corners_of
-from trajopt_cli.problem.decision_scope import Freedom, RailFreedom
-from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -217,16 +217,18 @@ class Problem:
 def build_problem(
     program: Program,
     plant: Plant,
-    freedom: Freedom,
-    target: Target,
-    changes: Changes,
+    freedom: Freedom = EVERYTHING,
+    target: Target = Target.STREAM,
+    changes: Changes | None = None,
     dropped: Collection[int] = (),
 ) -> Problem | Infeasible:
     """Waypoints and legs of a program on one target, or why a fixed position is out of range.
 
-    freedom: what may change at all. changes: which motions may have it; the others keep their rail and confdata.
+    freedom: what may change at all. changes: which motions may have it, None for all of them; the others keep their
+    rail and confdata.
     dropped: motions that are left out.
     """
+    changes = changes or everything(program, plant)
     build = _Build(plant, freedom, changes, target, corners_of(program, plant, dropped).passed)
     try:
         for index, motion in enumerate(program.motions):
