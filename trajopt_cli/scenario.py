@@ -130,7 +130,7 @@ _SHOWN = 200  # characters of a value in a message; a template has all of it
 
 
 @dataclass(frozen=True)
-class Lack:
+class Missing:
     """Something the scenario must say, once per name.
 
     section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "endless_passes",
@@ -175,42 +175,42 @@ def yaml_answer(value: Answer) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
-def _message(lack: Lack) -> str:
-    if lack.section == "assume_identity":  # the reason ends with the option that does the same
-        return f"{lack.reason}, or the line '{lack.line}' in the cell file"
-    told = asked(lack.reason, lack.close)
-    if lack.section == "stubs":
-        line = f"the line '{lack.line}' in the cell file"
+def _message(one: Missing) -> str:
+    if one.section == "assume_identity":  # the reason ends with the option that does the same
+        return f"{one.reason}, or the line '{one.line}' in the cell file"
+    told = asked(one.reason, one.close)
+    if one.section == "stubs":
+        line = f"the line '{one.line}' in the cell file"
         return f"{told} give the file that declares it, or ignore it: {line}"
-    if lack.section == "data" and not lack.declared:
-        return f"{told} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
-    return f"{told} add the line '{lack.line}' to the cell file"
+    if one.section == "data" and not one.declared:
+        return f"{told} give the file that declares it, or its value: the line '{one.line}' in the cell file"
+    return f"{told} add the line '{one.line}' to the cell file"
 
 
 def asked(reason: str, close: str | None) -> str:
-    """What lacks and the name that may be meant, up to where the remedy begins."""
+    """What is missing and the name that may be meant, up to where the remedy begins."""
     return f"{reason};" if close is None else f"{reason}; did you mean '{close}'? Else"
 
 
-class Lacking(InputErrorGroup):
-    """A run that the scenario tells too little of. lacks: what it lacks."""
+class MissingError(InputErrorGroup):
+    """A run that the scenario tells too little of. missing: what it does not say."""
 
-    def __init__(self, errors: Sequence[InputError], lacks: Sequence[Lack]):
+    def __init__(self, errors: Sequence[InputError], missing: Sequence[Missing]):
         super().__init__(errors)
-        self.lacks = tuple(lacks)
+        self.missing = tuple(missing)
 
 
-def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
-    """One error per lack, each with the line to add. after: what the run with 0 in their place came to in the end."""
+def missing_error(missing: Sequence[Missing], after: InputError | None = None) -> MissingError:
+    """One error for each, each with the line to add. after: what the run with 0 in their place came to in the end."""
     errors = [
         InputError(
-            _message(lack),
-            file=lack.source.file,
-            line=lack.source.line,
-            column=lack.source.column,
-            excerpt=lack.excerpt,
+            _message(one),
+            file=one.source.file,
+            line=one.source.line,
+            column=one.source.column,
+            excerpt=one.excerpt,
             kind=ErrorKind.CELL,
         )
-        for lack in lacks
+        for one in missing
     ]
-    return Lacking(errors if after is None else [*errors, after], lacks)
+    return MissingError(errors if after is None else [*errors, after], missing)

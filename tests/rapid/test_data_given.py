@@ -9,7 +9,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, TextFile, Wait
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template
-from trajopt_cli.scenario import Given, Lacking, Scenario
+from trajopt_cli.scenario import Given, MissingError, Scenario
 
 ARM = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
 TARGET = "[[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
@@ -85,7 +85,7 @@ def test_what_is_offered_is_what_then_works(body: str, declared: str, line: str 
     files = text_of(body, declared, "PROC show(num x{*}) WaitTime x{1}; ENDPROC")
     program, lacks = try_program(files)
     assert line is None or lacks[0].line == line
-    with pytest.raises(Lacking) as caught:
+    with pytest.raises(MissingError) as caught:
         run_program(files)
     assert f"'{lacks[0].line}'" in str(caught.value)
     for text in (template(lacks), *([lacks[0].line] if len(lacks) == 1 else [])):
@@ -94,30 +94,6 @@ def test_what_is_offered_is_what_then_works(body: str, declared: str, line: str 
         assert tuple(map(str, again.warnings)) == ()
         assert times(again) == times(program)
         assert [type(one) for one in again.motions] == [type(one) for one in program.motions]
-
-
-@pytest.mark.parametrize(
-    ("body", "declared", "message"),
-    [
-        ("IF bReady WaitTime 1;", "",
-         f"m.mod:4:4: bool 'bReady' {LOOKED}; give the file that declares it, or its value: "
-         "the line 'data: {bReady: false}' in the cell file"),
-        ("WaitUntil n<>0;", "PERS num n:=0;",
-         "m.mod:4:1: waits for n<>0, and nothing in the program makes it true; "
-         "add the line 'data: {n: 1}' to the cell file"),
-        ("WaitTime 1;", "VAR num a{nMax};",
-         f"m.mod:2:11: the size of array a, 'nMax' {NOWHERE}; give the file that declares it, or its"
-         " value: the line 'data: {nMax: 1}' in the cell file"),
-        ("WaitTime x{2};", "",
-         f"m.mod:4:10: array of unknown size 'x' {LOOKED}; give the file that declares it, or its value: "
-         "the line 'data: {x: \"[0,0]\"}' in the cell file"),
-        ("WaitTime p.trans.x;", "",
-         f"m.mod:4:10: 'p' {LOOKED}; give the file that declares it, or its value: the line 'data: {{p: {{type: "
-         "robtarget, value: \"[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\"}}' in the cell file"),
-    ],
-)  # fmt: skip
-def test_what_lacks_is_said_with_the_line_to_add(body: str, declared: str, message: str) -> None:
-    assert error(body, declared) == message
 
 
 def test_a_wait_that_the_program_makes_true_asks_for_nothing() -> None:

@@ -58,27 +58,6 @@ def test_who_says_nothing_of_the_other_robots_leaves_the_time_open() -> None:
     assert (one.identity, one.partner, one.least) == (1, None, 0.0)
 
 
-@pytest.mark.parametrize(
-    ("body", "place"),
-    [
-        ("SyncMoveOn s1,both;\nMoveJ p,v100,fine,tool0;", (5, 1)),
-        ("SyncMoveOn s1,both;\nMoveExtJ j,v100,fine;", (5, 1)),
-        ("SyncMoveOn s1,both;\nTriggIO t,0\\DOp:=do1,1;\nTriggJ p,v100,t,fine,tool0;", (6, 1)),
-        ("MoveJ p\\ID:=10,v100,fine,tool0;", (4, 13)),
-        ("SyncMoveOn s1,both;\nSyncMoveOff s1;\nMoveAbsJ j\\ID:=10,v100,fine,tool0;", (6, 16)),
-        ("SyncMoveOn s1,both;\nSyncMoveUndo;\nMoveJ p\\ID:=10,v100,fine,tool0;", (6, 13)),
-        ("SyncMoveOn s1,both;\nSyncMoveSuspend;\nMoveJ p\\ID:=10,v100,fine,tool0;", (6, 13)),
-        ("SyncMoveOn s1,both;\nSyncMoveSuspend;\nSyncMoveResume;\nMoveJ p,v100,fine,tool0;", (7, 1)),
-        ("SyncMoveOn s1,both;\nMoveJ p\\ID:=1.5,v100,fine,tool0;", (5, 13)),
-        ("SyncMoveOn s1,both;\nMoveJ p\\ID,v100,fine,tool0;", (5, 1)),
-    ],
-)
-def test_a_number_where_none_may_be_or_none_where_one_must(body: str, place: tuple[int, int]) -> None:
-    with pytest.raises(InputError) as raised:
-        run(body)
-    assert (raised.value.line, raised.value.column) == place
-
-
 def test_synchronisation_begins_and_ends_at_stops_for_which_the_other_tasks_are_waited() -> None:
     body = "MoveJ p,v100,z10,tool0;\nSyncMoveOn s1,both\\TimeOut:=5;\nMoveL q\\ID:=1,v100,z10,tool0;\nSyncMoveOff s1;"
     waits = [one for one in run(body, waits={"s1": 0.25}).motions if isinstance(one, Wait)]

@@ -6,7 +6,6 @@ from time import process_time
 
 import pytest
 
-from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.rapid.reader import run_program
@@ -18,21 +17,6 @@ def error(body: str, data: str = "") -> str:
     with pytest.raises(InputError) as caught:
         run_program([TextFile("m.mod", text, "utf-8")])
     return caught.value.message
-
-
-def test_a_socket_is_asked_for_where_other_data_is_given() -> None:
-    message = error("WaitTime SocketGetStatus(w);", "VAR wobjdata w;")
-    assert message == "SocketGetStatus takes a socketdev, and w is a wobjdata"
-
-
-def test_an_element_of_data_of_a_type_that_nobody_declares() -> None:
-    message = error("x:=s{2};", "VAR shelf s{2}:=[[1,TRUE],[2,FALSE]];\nVAR num x;")
-    assert message == "'s{2}' is of type shelf, which is not declared anywhere"
-
-
-def test_the_sizes_of_an_array_of_process_data() -> None:
-    message = error("VAR socketdev s{2,3};\nFOR k FROM 1 TO Dim(s,2) DO\nWaitTime 1/(3-k);\nENDFOR")
-    assert message == "division by zero in '/'"  # in the third pass
 
 
 @pytest.mark.parametrize(
@@ -94,14 +78,6 @@ def test_a_wait_that_cannot_come_true(wait: str) -> None:
     assert waits(read(f"WaitUntil {wait} \\MaxTime:=3 \\TimeFlag:=f; IF f WaitTime 1;")) == [3, 1]
 
 
-def test_waits_that_no_cycle_has() -> None:
-    assert error("WaitTime 1E30;") == "WaitTime 1e+30 s: more than 1,000,000 s (11 days); check the value"
-    with pytest.raises(InputError, match=r"1e\+07 s is more than 1,000,000 s \(11 days\); check the value"):
-        parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nwaits: {di1: 1e7}\n", "c.yaml")
-    with pytest.raises(InputError, match=r"c.yaml:3: signals.di1.*1e\+40 is too large for a num"):
-        parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nsignals: {di1: 1e+40}\n", "c.yaml")
-
-
 @pytest.mark.parametrize("body", ["WaitDI d,1;", "IF TestDI(d) n:=1;", "n:=DInput(d);", "SetDO d,1;"])
 def test_a_digital_signal_is_0_or_1(body: str) -> None:
     for value in (0.5, (1.0, 0.5)):
@@ -138,27 +114,6 @@ def test_names_in_the_cell_file_that_nobody_asks_for() -> None:
 
 
 TARGET = "CONST robtarget p:=[[450,0,647],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nVAR robtarget g;\n"
-
-
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("MoveL p,v100\\V:=50\\T:=2,fine,tool0;", "MoveL takes only one of \\V and \\T"),
-        ("SearchL\\Stop\\Sup,di1,g,p,v100,tool0;", "SearchL takes only one of \\Stop and \\Sup"),
-        ("ConfL\\On\\Off;", "ConfL takes only one of \\On and \\Off"),
-        ("WaitGI gi1\\LT\\GT,2;", "WaitGI takes only one of \\LT and \\GT"),
-        ("MoveL p,v100\\V:=-2,fine,tool0;", "TCP speed -2 mm/s of \\V must be above 0"),
-        ("MoveL p,v100\\T?k,fine,tool0;", "\\T?k passes on a parameter, and k is not one of PROC main"),
-        ("again:\nWaitTime 1;\nIF TRUE THEN\nAgain:\nENDIF",
-         "label Again stands in line 6 of this routine already; rename one of them"),
-    ],
-)  # fmt: skip
-def test_arguments_and_labels_that_exclude_each_other(body: str, message: str) -> None:
-    assert error(body, TARGET) == message
-
-
-def test_labels_are_a_routines_own() -> None:
-    assert error("again:\nWaitTime -1;", "PROC q()\nagain:\nENDPROC") == "WaitTime -1 s must not be negative"
 
 
 def test_nul_bytes_in_a_string_are_told_of() -> None:

@@ -309,31 +309,6 @@ def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
     assert [move.speed.v_tcp for move in moves(program)] == [1.0, 0.5, 0.3]
 
 
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("VelSet 0,400;", "4:8: VelSet takes an override of 0..100 %, found 0"),
-        ("AccSet 50,50\\FinePointRamp:=0;", "4:29: AccSet takes a \\FinePointRamp above 0 and up to 100 %, found 0"),
-        ("VelSet 50,0;", "4:11: VelSet takes a highest speed above 0 mm/s, found 0"),
-        ("PathAccLim TRUE,FALSE;", "4:12: PathAccLim TRUE needs \\AccMax in m/s2"),
-        ("PathAccLim TRUE\\AccMax:=-1,FALSE;", "4:25: PathAccLim takes \\AccMax of at least 0.1 m/s2, found -1"),
-        ("PathAccLim TRUE\\AccMax:=1,TRUE\\DecelMax:=0.09;", "4:42: PathAccLim takes \\DecelMax of at least 0.1 m/s2"),
-        ("WorldAccLim\\On;", "4:1: WorldAccLim \\On needs a value in m/s2, such as WorldAccLim \\On:=3.5"),
-        ("ConfL\\On\\Off;", "4:1: ConfL takes only one of \\On and \\Off"),
-        (
-            f"MoveL {at(1, 2, 3)},v100,z10\\Inpos:=nowhere,tool0;",
-            "is not declared in the program; predefined: fll",
-        ),
-        ("TriggIO t,-5\\DOp:=d,1;", "a trigger lies -5 before the end of the move; it must not be negative"),
-        ("TriggIO t,5,1;", "TriggIO needs one output: \\DOp, \\GOp or \\AOp"),
-        ("TriggIO n,5\\DOp:=d,1;", "n is a num; TriggIO sets up triggdata"),
-    ],
-)
-def test_settings_that_make_no_sense(body: str, message: str) -> None:
-    text = error_main(body, "VAR triggdata t; VAR num n;")
-    assert message in text.splitlines()[0]
-
-
 def test_speed_refresh_is_a_share_of_what_velset_leaves() -> None:
     go = f"MoveL {at(1, 2, 3)},v1000,fine,tool0; "
     program = run_main(f"SpeedRefresh 50; {go} VelSet 50,300; {go} SpeedRefresh 100; {go} VelSet 100,5000; {go}")
@@ -397,15 +372,6 @@ def test_the_displacements_in_force_can_be_kept_and_set_again(set_: str, moved: 
     assert placed(f"clean; {set_} {go} clean; {go} again;", rest=rest) == [plain, moved, plain, moved, moved]
 
 
-@pytest.mark.parametrize(
-    "body", ["C_PROGDISP.eoffs.eax_a:=1;", "C_MOTSET.vel.oride:=50;", "change C_PROGDISP;", "ERRNO:=5;"]
-)
-def test_system_data_is_read_only(body: str) -> None:
-    with pytest.raises(InputError) as caught:
-        run_main(body, rest="PROC change(INOUT progdisp x)\nENDPROC")
-    assert (caught.value.line, caught.value.column) == (4, 8 if "change" in body else 1)
-
-
 def test_motion_settings_in_force_can_be_read_and_set_again() -> None:
     """RAPID reference manual, motsetdata: C_MOTSET."""
     set_ = (
@@ -426,13 +392,6 @@ def test_motion_settings_in_force_can_be_read_and_set_again() -> None:
     now = default.settings
     assert (now.override, now.acceleration, now.ramp, now.conf_j, now.singularity) == (1, 1, 1, True, Singularity.OFF)
     assert now.path_acceleration is None
-
-
-@pytest.mark.parametrize("part", ["pathresol", "motionsup", "acc.finepramp", "conf.ax1", "cirpathreori", "sing.arm"])
-def test_settings_that_nobody_follows_are_refused_where_they_are_read(part: str) -> None:
-    assert error_main(
-        f"kept:=C_MOTSET; TPWrite ValToStr(C_MOTSET.vel);\nkept.{part}:=C_MOTSET.{part};", "VAR motsetdata kept;"
-    ).startswith("m.mod:5:1: ")
 
 
 def test_orientations_off_unit_are_told_up_to_a_point() -> None:

@@ -213,31 +213,6 @@ def test_out_of_reach_is_an_error_with_a_number_of_its_own() -> None:
     assert len(run_main(body, "VAR jointtarget j; VAR errnum e;", robot()).motions) == 1
 
 
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("r:=CRobT();", "CRobT before the first move needs the robot: give a cell file"),
-        ("j:=CJointT();", "CJointT before the first move needs the robot"),
-        (
-            f"MoveL [[500,0,600],[0,0,1,0],[0,0,0,0],{N}],v100,fine,tool0; j:=CJointT();",
-            "CJointT after a move to a pose",
-        ),
-        (f"MoveAbsJ [[0,0,0,0,0,0],{N}],v100,fine,tool0; r:=CRobT();", "CRobT after a move to joints needs the robot"),
-        (f"r:=CalcRobT([[0,0,0,0,0,0],{N}],tool0);", "CalcRobT needs the robot"),
-        (f"j:=CalcJointT([[500,0,600],[0,0,1,0],[0,0,0,0],{N}],tool0);", "CalcJointT needs the robot"),
-        (
-            f"MoveL [[500,0,600],[0,0,1,0],[0,0,0,0],{N}],v100,fine,tool0;"
-            f"MoveExtJ [[0,0,0,0,0,0],[5,9E9,9E9,9E9,9E9,9E9]],vlin100,fine; r:=CRobT();",
-            "CRobT after a move of external axes alone needs the robot",
-        ),
-    ],
-)
-def test_what_only_the_robot_knows_asks_for_it(body: str, message: str) -> None:
-    with pytest.raises(InputError) as caught:
-        run_main(body, "VAR robtarget r; VAR jointtarget j;")
-    assert message in str(caught.value)
-
-
 def test_a_search_in_joints_stops_between_its_ends() -> None:
     body = (
         f"MoveAbsJ [[0,0,0,0,30,0],{N}],v100,fine,tool0; p:=CalcRobT([[40,10,0,0,30,0],{N}],tool0);"

@@ -182,25 +182,6 @@ def test_a_required_argument_may_carry_its_parameters_name(call: str) -> None:
     assert move.speed.v_tcp == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize(
-    ("call", "column"),
-    [
-        ("MoveL ToPoint:=p,v100,fine,Tol:=tool0;", 28),
-        ("MoveL Speed:=v100,ToPoint:=p,fine,tool0;", 7),  # names change no order
-        ("MoveL p,v100,fine,tool0,WObj:=wobj0;", 25),  # an optional one, without its backslash
-        ("MoveL p,v100,fine,tool0,More:=wobj0;", 25),
-        ("go high:=p,where:=1;", 4),
-        ("go p,high:=1,slow:=2;", 1),
-        ("WaitTime Offs(ToPoint:=p,0,0,0).trans.x;", 15),
-        ("ArcL p,v100,seam:=s,zone:=w,fine,tool0;", 21),
-        ("StopMove\nreg1:=2;", 9),  # a semicolon is missing: no argument of StopMove
-    ],
-)
-def test_a_name_that_is_not_the_parameters_at_its_place_is_an_error_there(call: str, column: int) -> None:
-    rest = "PROC go(robtarget where, num high)\nENDPROC\n"
-    assert error_main(call, DATA, rest).startswith(f"m.mod:{DATA.count(chr(10)) + 3}:{column}: ")
-
-
 def test_text_after_the_module_is_reported_and_never_run() -> None:
     program = run(f'MODULE m\n{DATA}PROC main()\nENDPROC\nENDMODULE\nMoveL p,v100,fine,tool0; " ENDPROC\n')
     assert program.motions == ()
@@ -259,87 +240,6 @@ LOOKED = (
 
 
 @pytest.mark.parametrize(
-    ("body", "data", "message"),
-    [
-        (
-            "MoveL q,v100,fine,tool0;",
-            "",
-            f"3:7: robtarget 'q' is not declared in the program{LOOKED}"
-            """, or its value: the line 'data: {q: "[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"}' """
-            "in the cell file",
-        ),
-        (
-            "MoveL p,v123,fine,tool0;",
-            P,
-            f"4:9: speeddata 'v123' is not declared in the program{LOOKED}"
-            """, or its value: the line 'data: {v123: "[100,500,5000,1000]"}' in the cell file""",
-        ),
-        ("MoveL p,v100,fine;", P, "4:1: MoveL takes 4 argument(s) (ToPoint, Speed, Zone, Tool), found 3"),
-        (
-            "MoveL p,v100,fine,tool0\\Cor;",
-            P,
-            "4:24: MoveL \\Cor is not supported; "
-            "supported here: \\Conc, \\ID, \\V, \\T, \\Z, \\Inpos, \\WObj, \\Corr, \\TLoad",
-        ),
-        ("MoveL p,fine,v100,tool0;", P, "4:9: Speed of MoveL needs a speeddata, found zonedata fine"),
-        ("MoveL *,v100,fine,tool0;", "", "3:7: a target '*' has no coordinates in the text; declare it as a robtarget"),
-        ("MoveL <EXP>,v100,fine,tool0;", "", "3:7: unfinished code <EXP> cannot be run"),
-        ("<SMT>", "", "3:1: unfinished code <SMT> cannot be run"),
-        ("GOTO x;\ny:", "", "3:1: there is no label x in PROC main"),
-        ("WaitTime Rand();", "", None),
-        ("go;", "", None),
-        (
-            "IF di1=1 WaitTime 1;",
-            "",
-            "3:4: 'di1' is not declared in the program and has no value as a signal; "
-            "add the line 'signals: {di1: 0}' to the cell file",
-        ),
-        (
-            "WHILE TRUE DO\nENDWHILE",
-            "",
-            "3:1: WHILE TRUE never ends by itself; add the line 'endless_passes: 1' to the cell file",
-        ),
-        ("x:=1;", "CONST num x:=2;\n", "4:1: x is a CONST (line 2) and cannot be changed"),
-        ("tool0.robhold:=FALSE;", "", "3:1: tool0.robhold is predefined and cannot be changed"),
-        ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
-        ("x:=TRUE;", "VAR num x;\n", "4:4: x needs a num, found bool TRUE"),
-        ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 of x{3} lies outside 1..2"),
-        ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so it has no '.y'"),
-        ("WaitTime p.robconf.cf2;", P, "4:10: confdata has no component 'cf2'; it has cf1, cf4, cf6, cfx"),
-        ("WaitTime 1/0;", "", "3:10: division by zero in '/'"),
-        ("WaitTime 7.5 MOD 2;", "", "3:10: MOD takes whole numbers, found 7.5 and 2"),
-        ("WaitTime Sqrt(-1);", "", "3:10: Sqrt(-1) is not defined: math domain error"),
-        ("WaitTime -1;", "", "3:10: WaitTime -1 s must not be negative"),
-        ("WaitTime 1E30*1E30;", "", "3:10: the result of '*' is too large for a num"),
-        ("WaitTime 1E300;", "", "3:10: number 1E300 is too large for a num"),
-        ("MoveL p,v100\\V:=0,fine,tool0;", P, "4:17: TCP speed 0 mm/s of \\V must be above 0"),
-        ("MoveL p,v100\\T:=0,fine,tool0;", P, "4:17: duration \\T:=0 s must be above 0"),
-        ("WaitTime a;", "CONST num a:=b;\nCONST num b:=a;\n", "2:1: the value of 'a' refers to itself"),
-        ("", "VAR num a;\nVAR num A;\n", "3:1: 'A' is declared twice, first in line 2; rename one of them"),
-        ("x:=" + "x+" * 60000 + "1;", "VAR num x;\n", "4:1: calls and expressions are nested too deeply to be run"),
-        ("main;", "", "3:1: calls are nested deeper than 250 routines at main"),
-    ],
-)
-def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, message: str | None) -> None:
-    text = error_main(body, data)
-    if message is not None:
-        assert text == (message if message.startswith("m.mod") else f"m.mod:{message}")
-    else:
-        assert "is neither a " in text
-
-
-def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
-    assert error_main("Glue p,s,g;") == (
-        "m.mod:3:1: Glue is neither a procedure of the files read nor a known instruction; give the file "
-        "that declares it, or ignore it: the line 'stubs: [Glue]' in the cell file"
-    )
-    assert error_main("WaitTime Guess();") == (
-        "m.mod:3:10: Guess is neither a function of the files read nor a known function; "
-        "add the line 'answers: {Guess: 0}' to the cell file"
-    )
-
-
-@pytest.mark.parametrize(
     "call",
     [
         *("GlueL q,a,s,g,t;", "MoveHome;", "FCPressL q,a,b,c;", "SpotMPL x;", "ArcMoveJ q;"),
@@ -363,80 +263,12 @@ def test_no_stub_is_advised_for_what_moves_or_sets_speeds(call: str) -> None:
 RAIL = "[9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if the robot rides on one"
 
 
-@pytest.mark.parametrize(
-    ("data", "message"),
-    [
-        (
-            "CONST robtarget q:=[[1,2,3],[1,0,0,0],[0,0,0,0]];\n",
-            "2:20: robtarget needs 4 parts [trans,rot,robconf,extax], found 3; "
-            f"the external axes are missing, write {RAIL}",
-        ),
-        (
-            "CONST jointtarget q:=[[0,0,0,0,0,0]];\n",
-            f"2:22: jointtarget needs 2 parts [robax,extax], found 1; the external axes are missing, write {RAIL}",
-        ),
-        (
-            "CONST jointtarget q:=[[0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n",
-            "2:23: robjoint needs 6 parts [rax_1,rax_2,rax_3,rax_4,rax_5,rax_6], found 5",
-        ),
-        ("CONST jointtarget q:=[0,0,0,0,0,0];\n", "2:22: jointtarget needs 2 parts [robax,extax], found 6"),
-        ("CONST num q{3}:=[1,2];\n", "2:17: the array needs 3 elements, found 2"),
-        ("CONST num q{0}:=[1];\n", "2:1: q has an array size below 1"),
-        (
-            "CONST num q{1000,1001}:=[1];\n",
-            "2:1: q has 1001000 elements; at most 1000000 are supported",
-        ),
-        ("CONST num q{1.5}:=[1];\n", "2:13: an array size must be a whole number, found 1.5"),
-        ("CONST pos q:=[1,2,1E999];\n", "2:19: number 1E999 is too large for a num"),
-    ],
-)
-def test_broken_data_is_found_even_where_nobody_uses_it(data: str, message: str) -> None:
-    assert error_main("", data) == f"m.mod:{message}"
-
-
-@pytest.mark.parametrize(
-    ("rot", "message"),
-    [
-        ("[0,0,0,0]", "orientation [0,0,0,0] of length 0, limit 1 +- 0.02; give a quaternion of length 1"),
-        ("[0,0,1.03,0]", "orientation [0,0,1.03,0] of length 1.03, limit 1 +- 0.02; give a quaternion of length 1"),
-    ],
-)
-def test_an_orientation_that_is_none_is_an_error_at_its_literal(rot: str, message: str) -> None:
-    data = P.replace("[0,0,1,0]", rot)
-    assert error_main("MoveL p,v100,fine,tool0;", data) == f"m.mod:2:20: p has {message}"
-    assert error_main("MoveL Offs(p,1,2,3),v100,fine,tool0;", data) == f"m.mod:4:7: Offs(p,1,2,3) has {message}"
-
-
 def test_a_rounded_orientation_is_taken_as_unit_and_said_once() -> None:
     body = "MoveL p,v100,fine,tool0; MoveL p,v100,fine,tool0;"
     assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings)) == ()
     assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.708,0.707,0]")).warnings)) == (
         "m.mod:2:20: p has an orientation of length 1.000556; it is normalised",
     )
-
-
-@pytest.mark.parametrize(
-    ("data", "body", "message"),
-    [
-        (
-            'PERS wobjdata w:=[TRUE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n',
-            "MoveL p,v100,fine,tool0\\WObj:=w;",
-            "5:19: tool tool0 and work object w are both held by the robot (robhold TRUE); change one",
-        ),
-        (
-            "PERS tooldata t:=[FALSE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n",
-            "MoveL p,v100,fine,t;",
-            "5:19: tool t and work object wobj0 both stand still: the robot holds neither (robhold FALSE); change one",
-        ),
-        (
-            "PERS tooldata t;\n",
-            "MoveL p,v100,fine,t;",
-            "5:19: tool t was never given a value: robhold FALSE, tframe all zero",
-        ),
-    ],
-)
-def test_frames_that_cannot_be(data: str, body: str, message: str) -> None:
-    assert error_main(body, P + data) == f"m.mod:{message}"
 
 
 def test_files_and_entries_that_are_not_there(tmp_path: Path) -> None:

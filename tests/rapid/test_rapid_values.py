@@ -102,31 +102,6 @@ def test_mixing_num_and_dnum_is_said_once() -> None:
     assert tuple(map(str, run("d:=0.5+1; WaitTime 2*d-1;", "VAR dnum d;").warnings)) == ()
 
 
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("n:=1E39;", "4:4: number 1E39 is too large for a num"),
-        ("n:=1E38*10;", "4:4: the result of '*' is too large for a num"),
-        ("p:=10*q;", "4:4: 10*q is too large for a num"),
-        ("n:=n MOD 0;", "4:4: division by zero in 'MOD'"),
-        ("p:=p/n;", "4:4: division by zero in '/'"),
-        ('s:=s+s;', "4:4: string of 100 characters, limit 80: 'xxxxxxxxxxxxxxxxxxxx...'"),
-        ("n:=TRUE;", "4:4: n needs a num, found bool TRUE"),
-        ("p:=[1,2];", "4:4: pos needs 3 parts [x,y,z], found 2"),
-        ("a:=[1,2];", "4:4: the array needs 3 elements, found 2"),
-        ("a:=b;", "4:4: a needs a num{*}, found num{*} b"),
-        ("n:=a{1,1};", "4:4: a is an array of 1 dimension(s), found 2 index(es)"),
-        ("n:=a{1.5};", "4:6: an index must be a whole number, found 1.5"),
-        ("IF n THEN ENDIF", "4:4: a condition needs a bool, found num n"),
-        ('IF s=1 THEN ENDIF', "4:4: cannot compare string with num"),
-        ("TEST n CASE TRUE: ENDTEST", "4:13: a CASE of n needs a num, found bool TRUE"),
-    ],
-)  # fmt: skip
-def test_values_that_do_not_fit(body: str, message: str) -> None:
-    data = 'VAR num n; VAR pos p; VAR string s:="' + 50 * "x" + '"; VAR num a{3}; VAR num b{2}; VAR pos q:=[1E38,0,0];'
-    assert error(body, data) == f"m.mod:{message}"
-
-
 @pytest.mark.parametrize("type_", [ROBTARGET, SPEEDDATA, POSE, Array(POSE, (2, 3), 2), Array(NUM, (4,), 1)])
 def test_a_layout_reads_what_struct_packs(type_: Array) -> None:
     layout = type_.layout
@@ -331,20 +306,6 @@ LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' 
 FILE = "Else give the file that declares it"
 NEITHER = "is neither a procedure of the files read nor a known instruction"
 STUB = "give the file that declares it, or ignore it: the line 'stubs: [{}]' in the cell file"
-
-
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("MoveL pPick,v9,z1,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'? {FILE}"),
-        ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'? {FILE}"),
-        ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; {STUB.format('Elsewhere')}"),
-        ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'? Else {STUB.format('showit')}"),
-    ],
-)  # fmt: skip
-def test_a_name_that_is_not_there_is_said_with_the_one_that_may_be_meant(body: str, message: str) -> None:
-    data = "CONST robtarget pPick1:=[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]; VAR num count;"
-    assert error(body, data, "PROC ShowIt2()\nENDPROC").startswith(f"m.mod:{message}")
 
 
 def test_the_literal_of_a_target_stays_known_through_assignments() -> None:

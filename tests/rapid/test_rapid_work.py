@@ -46,14 +46,6 @@ def test_what_a_loop_lacks_is_looked_up_once(body: str, monkeypatch: pytest.Monk
     assert looked.count("no_such") <= 2, "once as what the loop reads, at most once more as another type"
 
 
-def test_an_array_that_nobody_declares_ends_at_a_thousand_elements() -> None:
-    with pytest.raises(InputError) as caught:
-        try_program(program("FOR i FROM 1 TO 5000 DO\nx:=nope{i};\nENDFOR", "VAR num x;"))
-    assert "array of unknown size 'nope' is not declared" in str(caught.value)
-    with pytest.raises(InputError, match="array of more than 1000 elements 'nope' is not declared"):
-        try_program(program("x:=nope{40, 26};", "VAR num x;"))
-
-
 def test_loops_of_a_routine_share_the_count_of_its_names(monkeypatch: pytest.MonkeyPatch) -> None:
     walked = 0
 

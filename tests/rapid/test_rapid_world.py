@@ -16,7 +16,7 @@ from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template
-from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key, yaml_answer, yaml_name
+from trajopt_cli.scenario import Answer, Missing, Scenario, condition_key, yaml_answer, yaml_name
 
 ARM = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
 
@@ -267,8 +267,8 @@ def test_a_template_answers_for_tools_and_work_objects_that_can_be_moved_with() 
 
 
 def test_a_template_has_every_section_once_in_one_order() -> None:
-    def lack(section: str, name: str, line: int, value: str, reason: str = "asks") -> Lack:
-        return Lack(section, name, Source("a # b.mod", line, 2), reason, value)
+    def lack(section: str, name: str, line: int, value: str, reason: str = "asks") -> Missing:
+        return Missing(section, name, Source("a # b.mod", line, 2), reason, value)
 
     lacks = [
         lack("assume_identity", "tGrip", 9, "tGrip", "not declared"),

@@ -14,7 +14,7 @@ from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.zones import stopped_fly_bys
-from trajopt_cli.scenario import Lacking, Scenario
+from trajopt_cli.scenario import MissingError, Scenario
 from trajopt_cli.warnings import WarningKind
 
 TABLE = '{{eax: {}, frame: {{position: [0.5, {}, 0.1]}}, range: "[-185, 185] deg", velocity: 90 deg/s, \
@@ -256,9 +256,9 @@ def test_instructions_about_loads_of_units_change_nothing() -> None:
 def test_a_wait_for_a_function_nobody_knows_lacks_its_answer(
     statement: str, condition: str, answer: str, close: str | None
 ) -> None:
-    with pytest.raises(Lacking) as caught:
+    with pytest.raises(MissingError) as caught:
         read(go(at(b=0)) + statement.format(condition))
-    (lack,) = caught.value.lacks
+    (lack,) = caught.value.missing
     assert (lack.section, lack.source.line, lack.value, lack.close) == ("answers", 6, answer, close)
 
 
@@ -273,6 +273,6 @@ def test_a_function_with_an_answer_or_known_to_rapid_is_a_wait_like_any_other() 
 @pytest.mark.parametrize("condition", ["Foo()=TRUE", "TRUE<>Foo()", "Foo()"])
 def test_if_and_while_take_such_a_function_for_what_it_is_held_against(condition: str) -> None:
     for statement in (f"IF {condition} Stop;", f"WHILE {condition} DO ENDWHILE", f"b:={condition};"):
-        with pytest.raises(Lacking) as caught:
+        with pytest.raises(MissingError) as caught:
             read(go(at(b=0)) + statement, rest="VAR bool b;")
-        assert [one.value for one in caught.value.lacks] == ["false"]
+        assert [one.value for one in caught.value.missing] == ["false"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from trajopt_cli.problem.configurations import ConfigurationFinding
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.rapid.listing import Listing, Row
-    from trajopt_cli.scenario import Lack
+    from trajopt_cli.scenario import Missing
 
 _SHOWN = 20  # configuration findings in text; --json has them all
 _TARGET = 44  # characters of one in a sentence
@@ -56,7 +56,7 @@ def parse(
     from trajopt_cli.rapid.listing import describe
     from trajopt_cli.rapid.missing_modules import with_hints
     from trajopt_cli.rapid.reader import try_paths
-    from trajopt_cli.scenario import lacking
+    from trajopt_cli.scenario import missing_error
 
     loaded = cell_for(program, cell)
     plant = None if loaded is None else _plant(loaded)
@@ -67,18 +67,18 @@ def parse(
         kinematics = PlantKinematics(plant)
     try:
         with reading(program):
-            flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+            flat, missing = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
     except InputError as error:
-        lacks = _lacks_of(error)
-        if not lacks:
+        missing = _missing_of(error)
+        if not missing:
             raise
         if not scenario_template:
             raise _with_template(error, program) from error
     if scenario_template:
-        _print_template(lacks)
+        _print_template(missing)
         return
-    if lacks:
-        raise _with_template(with_hints(lacking(lacks), [*flat.files.values()], entry or MAIN), program)
+    if missing:
+        raise _with_template(with_hints(missing_error(missing), [*flat.files.values()], entry or MAIN), program)
     listing = describe(flat, kinematics)
     found = None
     if plant is not None:
@@ -126,22 +126,22 @@ def _plant(cell: Cell) -> Plant:
     return build_plant(replace(cell, obstacles=(), attached=(), may_touch=(), grips=()))
 
 
-def _print_template(lacks: Sequence[Lack]) -> None:
+def _print_template(missing: Sequence[Missing]) -> None:
     from trajopt_cli.rapid.template import template
 
-    if not lacks:
+    if not missing:
         typer.echo("nothing is missing: the program runs with this cell file", err=True)
         return
-    typer.echo(template(lacks), nl=False)
+    typer.echo(template(missing), nl=False)
 
 
-def _lacks_of(error: BaseException | None) -> tuple[Lack, ...]:
+def _missing_of(error: BaseException | None) -> tuple[Missing, ...]:
     """What the run lacked that ended with an error; the error may have been given hints since."""
-    from trajopt_cli.scenario import Lacking
+    from trajopt_cli.scenario import MissingError
 
-    while error is not None and not isinstance(error, Lacking):
+    while error is not None and not isinstance(error, MissingError):
         error = error.__cause__
-    return error.lacks if error is not None else ()
+    return error.missing if error is not None else ()
 
 
 def _with_template(error: InputError, paths: Sequence[Path]) -> InputError:

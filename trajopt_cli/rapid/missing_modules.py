@@ -1,4 +1,4 @@
-"""Files beside the ones that were given: do they declare what those lack?"""
+"""Files beside the ones that were given: do they declare what those do not?"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from trajopt_cli.rapid.data.errors import Undeclared
 from trajopt_cli.rapid.entry import NoEntry
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import is_module
-from trajopt_cli.scenario import Lacking
+from trajopt_cli.scenario import MissingError
 
 _MAX_FILES, _MAX_BYTES = 200, 10_000_000  # looked at for a hint; an error must not take longer than the program
 _NAME = re.compile(r"[^\W\d]\w*")
@@ -21,14 +21,14 @@ _TOKEN = re.compile(  # what can hold or end a declaration, and what only looks 
     r"(?:(?P<routine>PROC|TRAP|FUNC\s+\w+)|VAR\s+\w+|PERS\s+\w+|CONST\s+\w+|ALIAS\s+\w+|RECORD)\s+(?P<name>\w+))\b",
     re.IGNORECASE,
 )
-_UNTOLD = ("signals", "answers", "data", "assume_identity", "stubs")  # lacks of a name that a file might declare
+_UNTOLD = ("signals", "answers", "data", "assume_identity", "stubs")  # of a name that a file might declare
 
 
 def with_hints(error: InputError, files: Sequence[TextFile], entry: str) -> InputError:
     """The error; of its lines those about undeclared names with the module near the given files that declares each."""
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
-    lacks = error.lacks if isinstance(error, Lacking) else ()
-    sections = (*(lack.section for lack in lacks), *[""] * (len(errors) - len(lacks)))
+    missing = error.missing if isinstance(error, MissingError) else ()
+    sections = (*(one.section for one in missing), *[""] * (len(errors) - len(missing)))
     beside = _Beside(files)
     hinted = [_hinted(one, section, beside, entry) for one, section in zip(errors, sections, strict=True)]
     if all(new is old for new, old in zip(hinted, errors, strict=True)):

@@ -21,7 +21,7 @@ from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.marks import find_marks
 from trajopt_cli.rapid.missing_modules import with_hints
 from trajopt_cli.rapid.sources import read_sources
-from trajopt_cli.scenario import Lack, Scenario, lacking
+from trajopt_cli.scenario import Missing, Scenario, missing_error
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 
@@ -35,12 +35,12 @@ def read_program(
     """Read a module, several, a program list or a folder, run its entry once, and return the motions in order.
 
     scenario: what the program cannot know. kinematics: the robot, for programs that ask where it is. Raises InputError
-    with file, line and column, and one for everything that the scenario lacks. Leaves the process as it was; with
+    with file, line and column, and one for all that the scenario does not say. Leaves the process as it was; with
     thousands of targets, half of the time is the garbage collector's (see cli/process.py).
     """
-    program, lacks = try_paths(paths, scenario, entry, kinematics)
-    if lacks:
-        raise with_hints(lacking(lacks), [*program.files.values()], entry)
+    program, missing = try_paths(paths, scenario, entry, kinematics)
+    if missing:
+        raise with_hints(missing_error(missing), [*program.files.values()], entry)
     return program
 
 
@@ -50,18 +50,18 @@ def try_paths(
     scenario: Scenario | None = None,
     entry: str = "main",
     kinematics: Kinematics | None = None,
-) -> tuple[Program, tuple[Lack, ...]]:
-    """As read_program, with what the scenario lacks beside the motions that 0 in its place leads to."""
+) -> tuple[Program, tuple[Missing, ...]]:
+    """As read_program, with what the scenario does not say beside the motions that 0 in its place leads to."""
     given = [paths] if isinstance(paths, (str, Path)) else paths
     sources = read_sources([Path(path) for path in given], entry)
     try:
-        program, lacks = try_program(sources.files, scenario, entry, kinematics, sources.name)
+        program, missing = try_program(sources.files, scenario, entry, kinematics, sources.name)
     except InputError as error:
         hinted = with_hints(error, sources.files, entry)
         if hinted is error:
             raise
         raise hinted from error
-    return replace(program, warnings=(*sources.warnings, *program.warnings)), lacks
+    return replace(program, warnings=(*sources.warnings, *program.warnings)), missing
 
 
 @of_kind(ErrorKind.PROGRAM)
@@ -72,9 +72,9 @@ def run_program(
     kinematics: Kinematics | None = None,
 ) -> Program:
     """As read_program, from texts that are already read; the first one gives the program its name."""
-    program, lacks = try_program(files, scenario, entry, kinematics)
-    if lacks:
-        raise lacking(lacks)
+    program, missing = try_program(files, scenario, entry, kinematics)
+    if missing:
+        raise missing_error(missing)
     return program
 
 
@@ -85,8 +85,8 @@ def try_program(
     entry: str = "main",
     kinematics: Kinematics | None = None,
     name: str | None = None,
-) -> tuple[Program, tuple[Lack, ...]]:
-    """As run_program, with what the scenario lacks beside the motions that 0 in its place leads to.
+) -> tuple[Program, tuple[Missing, ...]]:
+    """As run_program, with what the scenario does not say beside the motions that 0 in its place leads to.
 
     name: of the program; the first file's where None.
     """
@@ -105,7 +105,7 @@ def try_program(
         _show(run, error)
         if not run.external.missing:
             raise
-        raise lacking([*run.external.missing.values()], error) from error
+        raise missing_error([*run.external.missing.values()], error) from error
     except RecursionError:
         raise InputError("is nested too deeply to be run", file=subject) from None
     program = Program(

@@ -169,7 +169,7 @@ def changes_frame(move: Motion, after: Motion) -> bool:
     """Whether the corner between two moves is joint interpolated as the coordinate system changes there: another tool
     centre point, or between lines and arcs another work object.
 
-    Told by their frames, not by their names; a program displacement is no other work object. Held work objects have no
+    By their frames, not by their names; a program displacement is no other work object. Held work objects have no
     frame in the world: their names tell.
     """
     if isinstance(move, MoveExtJ | Wait | SignalEvent) or isinstance(after, MoveExtJ | Wait | SignalEvent):

@@ -69,8 +69,8 @@ class Datum:
 UNTYPED = Atomic("data")  # of data that nothing declares, until a place that asks for it tells its type
 
 
-class Told(Datum):
-    """Data that the cell file gives; see outside.py.
+class ExternalDatum(Datum):
+    """Data that the cell file gives; see external_data.py.
 
     name: in lower case. tell: the cell file's value that the next reading gives. assigned: what counts instead, once
     the program or a wait gave it one.
@@ -78,7 +78,7 @@ class Told(Datum):
 
     __slots__ = ("assigned", "name", "tell")
 
-    def __init__(self, name: str, tell: Callable[[Told], Value], type_: Type = UNTYPED):
+    def __init__(self, name: str, tell: Callable[[ExternalDatum], Value], type_: Type = UNTYPED):
         self.name, self.tell, self.type, self.storage, self._constant = name, tell, type_, "PERS", None
         self.assigned: Value | None = None
 

@@ -25,7 +25,7 @@ from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.execution.units import Units
 from trajopt_cli.rapid.language.syntax import Block, Call, Component, Element, Expression, Name, Node, Routine
 from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, yaml_answer
+from trajopt_cli.scenario import NUM_LIMIT, Answer, Missing, Scenario, yaml_answer
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 MOTION_LIMIT = 300_000
@@ -112,7 +112,7 @@ class Context(ABC):
         place = self.source(node)
         return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
 
-    def undeclared(self, node: Name, what: str = "", known: Lack | None = None) -> Undeclared:
+    def undeclared(self, node: Name, what: str = "", known: Missing | None = None) -> Undeclared:
         """The error for a name that stands for nothing; what: "robtarget " and the like. known: as it lacked before."""
         scope, routine = self.frame.scope, self.frame.routine
         where = [f"{routine.kind} {routine.name}"] if routine else []
@@ -259,7 +259,7 @@ class Context(ABC):
         again: bool = False,
         close: Callable[[], str | None] | None = None,
     ) -> None:
-        """Note that the scenario does not say something, once per name; see Lack for what the parts mean.
+        """Note that the scenario does not say something, once per name; see Missing for what the parts mean.
 
         close: finds the name that may be meant; asked once, for a loop may miss it on every pass. again: put it in the
         place of what was noted under the name before.
@@ -268,7 +268,7 @@ class Context(ABC):
         if (again or key not in known) and not self.external.trying:
             meant = close() if close else None
             excerpt = self.places().excerpt(node.start)
-            known[key] = Lack(section, name, self.source(node), reason, value, excerpt, declared, meant)
+            known[key] = Missing(section, name, self.source(node), reason, value, excerpt, declared, meant)
 
     def answer(
         self, node: Node, name: str, reason: str, default: Answer, close: Callable[[], str | None] | None = None

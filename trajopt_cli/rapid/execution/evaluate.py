@@ -32,7 +32,7 @@ from trajopt_cli.rapid.data.datatypes import (
     single,
 )
 from trajopt_cli.rapid.data.errors import Mismatch
-from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, Told, item
+from trajopt_cli.rapid.data.scope import Absent, Datum, ExternalDatum, Part, Place, item
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.context import Context
@@ -162,7 +162,7 @@ def _name(run: Context, node: Name, wanted: Type | None) -> Value:
 
 
 def _read(run: Context, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
-    if type(place) is Told:
+    if type(place) is ExternalDatum:
         external_data.settle(run, place, node, wanted)
     if place is None:
         if wanted is not None and not is_number(wanted):
@@ -199,7 +199,7 @@ def locate(run: Context, node: Expression) -> Place:
             raise run.undeclared(node)
         if isinstance(place, Absent):
             raise _absent(run, node)
-        if type(place) is Told:
+        if type(place) is ExternalDatum:
             external_data.settle(run, place, node)
         return place
     if isinstance(node, Component):
@@ -222,7 +222,7 @@ def _from_outside(run: Context, node: Component | Element, wanted: Type | None =
     if type(base) is not Name:
         return None
     place = run.find(base.name)
-    if type(place) is Told:
+    if type(place) is ExternalDatum:
         if isinstance(node, Component):
             external_data.settle(run, place, base, part=node.name.lower())
         else:
@@ -241,7 +241,7 @@ def inside_opaque(run: Context, node: Expression) -> bool:
             while isinstance(base, Element):
                 base = base.base
             place = run.find(base.name) if isinstance(base, Name) else None
-            if type(place) is Told and not place.typed:
+            if type(place) is ExternalDatum and not place.typed:
                 return False
             if place is not None and not isinstance(place, Absent) and is_opaque(place.type) and place.type.known:
                 return True
@@ -255,7 +255,7 @@ def _part_value(run: Context, node: Component | Element, wanted: Type | None) ->
         outside = _from_outside(run, node, wanted)
         place = outside or run.find(whole.name)
     known = type(place) is Datum and (type(place.type) is Array or place is outside)
-    base = place.value if known or type(place) is Told else evaluate(run, whole)  # type: ignore[union-attr]
+    base = place.value if known or type(place) is ExternalDatum else evaluate(run, whole)  # type: ignore[union-attr]
     if isinstance(node, Component):
         base = item(base, *_component(run, node, base.type))
     else:

@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from trajopt_cli.rapid.data.datatypes import Type, Value
-from trajopt_cli.rapid.data.scope import Told
-from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key
+from trajopt_cli.rapid.data.scope import ExternalDatum
+from trajopt_cli.scenario import Answer, Missing, Scenario, condition_key
 
 _SHOWN = 7  # names in a warning
 
@@ -31,7 +31,7 @@ class External:
 
     def __init__(self, scenario: Scenario):
         self.scenario = scenario
-        self.missing: dict[tuple[str, str], Lack] = {}
+        self.missing: dict[tuple[str, str], Missing] = {}
         self._signals = {name.lower(): values for name, values in scenario.signals.items()}
         self._answers = {name.lower(): values for name, values in scenario.answers.items()}
         self._data = {name.lower(): given.value for name, given in scenario.data.items()}
@@ -41,7 +41,7 @@ class External:
         self.grows: set[str] = set()
         self.spelled = {name.lower(): given.type for name, given in scenario.data.items()}
         self._typed: dict[tuple[str, Type, type, Answer], Value] = {}
-        self.data = {name: Told(name, self.reading) for name in self._data}
+        self.data = {name: ExternalDatum(name, self.reading) for name in self._data}
         self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
         self._trying = 0
         self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
@@ -199,18 +199,18 @@ class External:
         """Whether the scenario has a value for data of this name; in lower case."""
         return name in self._data
 
-    def typed(self, told: Told, answer: Answer, value: Value) -> None:
+    def typed(self, datum: ExternalDatum, answer: Answer, value: Value) -> None:
         """Remember one of the scenario's values for data, as a value of its type."""
-        self._typed[told.name, told.type, type(answer), answer] = value
+        self._typed[datum.name, datum.type, type(answer), answer] = value
 
-    def value(self, told: Told, answer: Answer) -> Value:
+    def value(self, datum: ExternalDatum, answer: Answer) -> Value:
         """One of the scenario's values for data, as a value of its type."""
-        return self._typed[told.name, told.type, type(answer), answer]
+        return self._typed[datum.name, datum.type, type(answer), answer]
 
-    def reading(self, told: Told) -> Value:
+    def reading(self, datum: ExternalDatum) -> Value:
         """What the next reading of data gives."""
-        self._asked.add(("data", told.name))
-        return self.value(told, self._next("data", told.name, self._data[told.name]))
+        self._asked.add(("data", datum.name))
+        return self.value(datum, self._next("data", datum.name, self._data[datum.name]))
 
     def left(self, section: str, key: str) -> tuple[Answer, ...]:
         """The values that readings to come can give; 0 for a signal without any."""

@@ -28,7 +28,7 @@ from trajopt_cli.rapid.data.datatypes import (
     is_number,
     is_opaque,
 )
-from trajopt_cli.rapid.data.scope import Datum, Place, Told
+from trajopt_cli.rapid.data.scope import Datum, ExternalDatum, Place
 from trajopt_cli.rapid.execution.answers import root, shown_value, stand_in, typed
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.types import find_type
@@ -38,33 +38,35 @@ from trajopt_cli.scenario import Answer
 _ELEMENTS = 1000  # of an array that stands in; each growth writes all of them anew
 
 
-def _read(run: Context, node: Node, told: Told) -> None:
+def _read(run: Context, node: Node, datum: ExternalDatum) -> None:
     """Read all that the cell file gives as values of its type. Raises InputError, placed at node."""
-    run.external.asked("data", told.name)
-    for answer in run.external.left("data", told.name):
-        run.external.typed(told, answer, typed(run, node, told.name, told.type, answer, "value", "of"))
+    run.external.asked("data", datum.name)
+    for answer in run.external.left("data", datum.name):
+        run.external.typed(datum, answer, typed(run, node, datum.name, datum.type, answer, "value", "of"))
 
 
-def declared(run: Context, node: Node, name: str, datum: Datum) -> Told:
+def declared(run: Context, node: Node, name: str, datum: Datum) -> ExternalDatum:
     """What takes the place of declared data. Raises InputError for a constant, and for values of another type."""
     key = name.lower()
     if datum.constant:
         message = f"{name} is a CONST, and data.{name} in the cell file gives it another value; change it here"
         raise run.error(node, message)
-    told = Told(key, run.external.reading, datum.type)
-    told.storage = datum.storage
-    _read(run, node, told)
-    return told
+    datum = ExternalDatum(key, run.external.reading, datum.type)
+    datum.storage = datum.storage
+    _read(run, node, datum)
+    return datum
 
 
-def settle(run: Context, told: Told, node: Node, wanted: Type | None = None, part: str = "", depth: int = 0) -> None:
+def settle(
+    run: Context, datum: ExternalDatum, node: Node, wanted: Type | None = None, part: str = "", depth: int = 0
+) -> None:
     """Let data that nothing declares have a type, from the place that asks first.
 
     wanted: the type asked for, of the element where depth indices are given. part: the component that is read.
     """
-    if told.typed:
+    if datum.typed:
         return
-    name = told.name
+    name = datum.name
     sample = run.external.left("data", name)[0]
     types = _types(run, run.external.spelled[name], sample, wanted, part, depth)
     if len(types) == 1 and (not types[0].known or is_opaque(types[0])):
@@ -72,8 +74,8 @@ def settle(run: Context, told: Told, node: Node, wanted: Type | None = None, par
         raise run.error(node, message)
     for type_ in types:
         try:
-            told.type = typed(run, node, name, type_, sample, "value", "of").type
-            return _read(run, node, told)
+            datum.type = typed(run, node, name, type_, sample, "value", "of").type
+            return _read(run, node, datum)
         except InputError:
             if len(types) == 1:
                 raise
@@ -180,34 +182,34 @@ def _stand_in(
     known = external.missing.get(("data", key))  # by now as another type, or smaller
     found = run.undeclared(node, what, known)
     run.missing("data", node.name, node, found.reason, shown, again=True, close=lambda: found.close)
-    told = run.external.data[key] = Told(key, run.external.reading, type_)
-    told.value = value
-    return told
+    datum = run.external.data[key] = ExternalDatum(key, run.external.reading, type_)
+    datum.value = value
+    return datum
 
 
-def awaited(run: Context, told: Sequence[Told], holds: Callable[[], bool]) -> bool:
+def awaited(run: Context, datum: Sequence[ExternalDatum], holds: Callable[[], bool]) -> bool:
     """Let the outside write data until a condition holds; the values that make it so stay. False: nothing does.
 
-    told: the data that the condition reads.
+    datum: the data that the condition reads.
     """
-    before = [one.assigned for one in told]
-    for tries in _together([_tries(run, one) for one in told]):
-        for one, (value, _) in zip(told, tries, strict=True):
+    before = [one.assigned for one in datum]
+    for tries in _together([_tries(run, one) for one in datum]):
+        for one, (value, _) in zip(datum, tries, strict=True):
             one.assigned = value
         if holds():
-            for one, (_, taken) in zip(told, tries, strict=True):
+            for one, (_, taken) in zip(datum, tries, strict=True):
                 run.external.take("data", one.name, taken)
             return True
-    for one, old in zip(told, before, strict=True):
+    for one, old in zip(datum, before, strict=True):
         one.assigned = old
     return False
 
 
-def _tries(run: Context, told: Told) -> list[tuple[Value, int]]:
+def _tries(run: Context, datum: ExternalDatum) -> list[tuple[Value, int]]:
     """The values that data may have in a wait, as it stands first, and how many of its sequence each takes."""
-    now = [] if told.assigned is None else [(told.assigned, 0)]
-    left = run.external.left("data", told.name) if run.external.gives(told.name) else ()
-    return [*now, *((run.external.value(told, answer), i + 1) for i, answer in enumerate(left))]
+    now = [] if datum.assigned is None else [(datum.assigned, 0)]
+    left = run.external.left("data", datum.name) if run.external.gives(datum.name) else ()
+    return [*now, *((run.external.value(datum, answer), i + 1) for i, answer in enumerate(left))]
 
 
 def ask(
@@ -242,8 +244,8 @@ def ask(
     for name_node in unknown:
         key = name_node.name.lower()
         for data in values:
-            told = run.external.data[key] = Told(key, run.external.reading, _type_of(data))
-            told.value = Value(told.type, data)
+            datum = run.external.data[key] = ExternalDatum(key, run.external.reading, _type_of(data))
+            datum.value = Value(datum.type, data)
             true = _tried(holds)
             del run.external.data[key]
             if true:

@@ -19,7 +19,7 @@ from trajopt_cli.rapid.data.datatypes import (
     same_type,
 )
 from trajopt_cli.rapid.data.errors import Mismatch
-from trajopt_cli.rapid.data.scope import CallFrame, Datum, ModuleScope, Scope, Told
+from trajopt_cli.rapid.data.scope import CallFrame, Datum, ExternalDatum, ModuleScope, Scope
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.context import Context
@@ -80,7 +80,7 @@ def _load(run: Context, modules: Sequence[tuple[Module, Places]]) -> tuple[Modul
                         _add(run, scopes, scope, item, declare(run, item, frame))
     for scope, _ in scopes:
         for datum in scope.data.values():
-            if type(datum) is not Told:  # its values are read already, and reading it takes one of a sequence
+            if type(datum) is not ExternalDatum:  # its values are read already, and reading it takes one of a sequence
                 _ = datum.value
     return tuple(scope for scope, _ in scopes)
 
@@ -111,7 +111,7 @@ def _add(
     key = node.name.lower()
     if run.external.gives(key):
         before = None if node.scope == "LOCAL" else run.shared.data.get(key)
-        datum = before if type(before) is Told else external_data.declared(run, node, node.name, datum)
+        datum = before if type(before) is ExternalDatum else external_data.declared(run, node, node.name, datum)
     shared = None if node.scope == "LOCAL" else run.shared.data.get(key)
     if key in scope.data or shared is not None:
         if key in scope.data or shared is None or not (shared.storage == node.storage == "PERS"):

@@ -13,7 +13,7 @@ from itertools import takewhile
 
 from trajopt_cli.motion import Hold, Move, Wait, Written
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
-from trajopt_cli.rapid.data.scope import Place, Told
+from trajopt_cli.rapid.data.scope import ExternalDatum, Place
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.answers import root
 from trajopt_cli.rapid.execution.arguments import Arguments, bind
@@ -214,9 +214,9 @@ def _from_outside(run: Context, node: ProcedureCall, wanted: Expression, terms: 
     return False
 
 
-def _given(run: Context, name: str) -> Told | None:
+def _given(run: Context, name: str) -> ExternalDatum | None:
     place = run.find(name)
-    return place if isinstance(place, Told) and run.external.gives(place.name) else None
+    return place if isinstance(place, ExternalDatum) and run.external.gives(place.name) else None
 
 
 def _parts(run: Context, node: Expression) -> Iterator[Expression]:
