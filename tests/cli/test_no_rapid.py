@@ -61,7 +61,7 @@ def test_moves_kept_as_programmed_are_told_by_a_diff_without_changes(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     kept = "any words: tiny.mod:6 (hangs on signal di1); a statement of its own would free it"
-    monkeypatch.setattr("trajopt_cli.exporters.rapid_writable._Text.kept", lambda *_: [kept])
+    monkeypatch.setattr("trajopt_cli.problem.editable_text.EditableText._kept", lambda *_: [kept])
     assert run(["optimize", str(program)]) == 0
     summary = json.loads(Path("results/tiny/summary.json").read_text())
     assert (summary["notes"], summary["kept"]) == ([kept], [kept])

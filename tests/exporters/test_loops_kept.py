@@ -11,11 +11,10 @@ from rail_plans import J1, changed_lines, made, plan_for, read_back
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.exporters.rapid import export_rapid
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_writable import KEPT, text_changes
 from trajopt_cli.job import read_job
 from trajopt_cli.motion import MoveJ, MoveL, Program, SignalEvent
 from trajopt_cli.problem.editable import Changes, Loops
+from trajopt_cli.problem.editable_text import KEPT, EditableText
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
@@ -37,7 +36,7 @@ def plant() -> Plant:
 
 
 def changes(program: Program, plant: Plant, loops: Loops = Loops.KEEP, scenario: Scenario | None = None) -> Changes:
-    return text_changes(program, plant, Reading(program, plant, scenario or Scenario()), loops)
+    return EditableText(program, plant, scenario or Scenario(), loops).changes
 
 
 def test_all_passes_through_one_target_are_tied(plant: Plant) -> None:
@@ -184,11 +183,10 @@ def test_a_literal_that_a_kept_target_is_computed_from_stays(plant: Plant) -> No
 def test_without_a_rail_a_configuration_would_be_theirs_too() -> None:
     """The shipped bench: what is set down at p is also approached at Offs(p,0,0,lift)."""
     job = read_job(PROGRAMS / "bench_irb140.mod")
-    reading = Reading(job.program, job.plant, job.scenario)
-    found = text_changes(job.program, job.plant, reading)
+    found = changes(job.program, job.plant, scenario=job.scenario)
     lines = {motion.source.line for i, motion in enumerate(job.program.motions) if i in found.values}
     assert lines & set(range(30, 44)) == {30, 31, 32, 34, 35}
-    assert len(text_changes(job.program, job.plant, reading, Loops.UNROLL).values) == len(
+    assert len(changes(job.program, job.plant, Loops.UNROLL, job.scenario).values) == len(
         [motion for motion in job.program.motions if not isinstance(motion, SignalEvent)]
     )
 

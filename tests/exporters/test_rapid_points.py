@@ -12,8 +12,6 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid import export_rapid
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_writable import text_changes
 from trajopt_cli.exporters.rapid_write import RapidExport
 from trajopt_cli.geometry import pose
 from trajopt_cli.judge.verify import verify
@@ -21,6 +19,7 @@ from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program, TextFile
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.detours import Detour, Numbering, Via, folded, with_detours
 from trajopt_cli.problem.editable import Changes, Loops
+from trajopt_cli.problem.editable_text import EditableText
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.reader import run_program
@@ -91,7 +90,7 @@ def there_and_back(
 
 
 def changes(program: Program, loops: Loops = Loops.KEEP, scenario: Scenario | None = None) -> Changes:
-    return text_changes(program, PLANT, Reading(program, PLANT, scenario or Scenario(), "main"), loops)
+    return EditableText(program, PLANT, scenario or Scenario(), loops).changes
 
 
 def test_points_are_lines_of_their_own_and_constants_beside_the_others() -> None:

@@ -9,10 +9,9 @@ from rail_plans import J1, made, plan_for
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.exporters.rapid import export_rapid
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_writable import KEPT, text_changes
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.editable import Loops
+from trajopt_cli.problem.editable_text import KEPT, EditableText
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Answer, Given, Scenario
@@ -54,7 +53,7 @@ def test_a_target_is_pinned_by_what_it_hangs_on_only(plant: Plant, body: str, an
     scenario = Scenario(answers={"n": answer})
     program = asking(body, scenario, "    VAR num n;\n    VAR num h:=50;\n")
     free = {i + 1 for i in free}  # the first motion is the wait for the operator
-    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == free
+    assert EditableText(program, plant, scenario, Loops.UNROLL).changes.values == free
     rails = {i: 0.2 if i not in free else 0.3 + i / 10 for i in range(1, len(program.motions))}
     assert export_rapid(program, plan_for(program, plant, rails), plant, scenario=scenario).texts
 
@@ -66,7 +65,7 @@ def test_a_target_is_pinned_by_what_it_hangs_on_only(plant: Plant, body: str, an
 def test_a_target_that_hangs_on_data_of_the_cell_file_is_pinned(plant: Plant, value: Given, up: str) -> None:
     scenario = Scenario(data={"h": value})
     program = asking(UP.replace("50", up) + J1, scenario)
-    assert text_changes(program, plant, Reading(program, plant, scenario)).values == {1}
+    assert EditableText(program, plant, scenario).changes.values == {1}
 
 
 ARRAY = (
@@ -90,16 +89,16 @@ def test_a_literal_that_cannot_get_another_beside_it_is_pinned_by_what_is_comput
     ask = '        TPReadNum n,"?";\n'
     hanging = "        MoveL Offs(ps{2},0,0,n),v100,fine,tool0;\n"
     several = asking(f"{ask}{EACH}", scenario, ARRAY, LEFT)
-    assert text_changes(several, plant, Reading(several, plant, scenario), Loops.UNROLL).values == {1, 2}
+    assert EditableText(several, plant, scenario, Loops.UNROLL).changes.values == {1, 2}
     program = asking(f"{ask}{EACH}{hanging}{J1}", scenario, ARRAY, LEFT)
-    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == {4}
+    assert EditableText(program, plant, scenario, Loops.UNROLL).changes.values == {1, 4}  # ps{1} is read by none
     plan = plan_for(program, plant, {1: 0.2, 2: 0.3, 3: 0.3, 4: 0.35})
     assert "[350,9E9" in export_rapid(program, plan, plant, scenario=scenario).texts["m.mod"]
 
 
 def kept(body: str, plant: Plant, scenario: Scenario) -> list[str]:
     program = asking(body, scenario)
-    notes = text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).kept
+    notes = EditableText(program, plant, scenario, Loops.UNROLL).changes.kept
     return [note.removeprefix(f"{KEPT}: ") for note in notes]
 
 

@@ -26,22 +26,19 @@ The edited text is read again and held against the plan, motion by motion, befor
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_check import mismatches, rail_moves
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_scopes import Scopes
-from trajopt_cli.exporters.rapid_stretches import Stretches
+from trajopt_cli.exporters.rapid_check import mismatches, rail_moves, read_again
 from trajopt_cli.exporters.rapid_targets import Targets
-from trajopt_cli.exporters.rapid_text import Edits, Names, refusal
-from trajopt_cli.exporters.rapid_writable import safest
-from trajopt_cli.exporters.rapid_write import Choices, Intent, RapidExport, write
+from trajopt_cli.exporters.rapid_text import Edits, Names
+from trajopt_cli.exporters.rapid_write import Intent, RapidExport, write
 from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program, Wait
 from trajopt_cli.problem.detours import Numbering, unfolded, with_detours
 from trajopt_cli.problem.editable import Loops
+from trajopt_cli.problem.editable_text import EditableText
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.scenario import Scenario
 
 
@@ -59,73 +56,37 @@ def export_rapid(
     faster: indices of MoveJ and MoveAbsJ that the plan moves faster than programmed; only with plant.free_speed.
     scenario, entry: as the program was read with, for reading the result back. loops: as the plan was made for; KEEP
     makes no number of what depends on a variable, unless nothing else carries the plan. Raises InputError, with the
-    place, for what cannot be written; text_changes() knows before planning what that is.
+    place, for what cannot be written; EditableText knows before planning what that is.
     """
     if plan.target is not Target.RAPID:
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")
     if faster and not plant.free_speed:
         raise ValueError("motions faster than programmed need a plant with free_speed")
-    reading = Reading(program, plant, scenario or Scenario(), entry)
-    scopes = Scopes(program.files)
-    stretches = Stretches(program, scopes, reading)
+    scenario = scenario or Scenario()
+    intents = _intents(program, plan, plant, faster)
+    try:
+        export = write(EditableText(program, plant, scenario, loops), intents)
+    except InputError as error:
+        if loops is Loops.UNROLL:
+            raise
+        try:
+            export = write(EditableText(program, plant, scenario, Loops.UNROLL), intents)
+        except InputError:
+            raise error from None
     there, parts = with_detours(program, plant, plan.detours), unfolded(plan)
     numbering = Numbering(len(program.motions), plan.detours)
-    intents = _intents(program, plan, plant, faster, scopes)
     faster = frozenset(k for k in range(numbering.with_points) if numbering.own(k) in faster)
-    choices, last = Choices(loops=loops), False
-    refused: InputError | None = None
-    while True:
-        found: list[tuple[int | None, InputError]] = []
-        try:
-            export = write(program, plant, scopes, stretches, intents, choices)
-            found = list(mismatches(there, parts, plant, reading, export.texts, export.new, faster))
-        except InputError as error:
-            refused = failure = refused or error
-        else:
-            if not found:
-                return export
-            failure = found[0][1]
-        # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
-        others = {numbering.own(index) for index, _ in found if index is not None and not numbering.is_point(index)}
-        computed = {index for index in others if _is_computed(program, index)}
-        spans = {program.motions[index].written.statement for index in computed}  # with all passes of each
-        wrong = {index for index, motion in enumerate(program.motions) if motion.written.statement in spans}
-        own = {index for index in wrong if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
-        if own:
-            choices = replace(choices, own=choices.own | own)
-        elif not choices.isolated:
-            choices = Choices(isolated=True, loops=loops)
-        elif not last:
-            choices, last = safest(program, plant, scopes, reading, loops), True
-        else:
-            hanging = computed - choices.own
-            raise refused or (_hanging(program, scopes, stretches, min(hanging)) if hanging else failure)
+    try:
+        read = read_again(program, plant, scenario, export.texts, export.new)
+    except InputError as error:
+        raise InputError(f"the plan cannot be written into this program; edited, it reads: {error}") from error
+    for mismatch in mismatches(there, parts, plant, read, faster):
+        raise mismatch
+    return export
 
 
-def _may_be_said(program: Program, scopes: Scopes, stretches: Stretches, loops: Loops, index: int) -> bool:
-    """Whether a computed target may be written out in numbers."""
-    motion = program.motions[index]
-    assert isinstance(motion, Move)
-    return stretches.constant(index) and (loops is Loops.UNROLL or scopes.depends_on(motion) is None)
-
-
-def _hanging(program: Program, scopes: Scopes, stretches: Stretches, index: int) -> InputError:
-    motion = program.motions[index]
-    assert isinstance(motion, Move)
-    variable = scopes.depends_on(motion) if stretches.constant(index) else None
-    why = "hangs on what only the scenario says" if variable is None else f"depends on {variable}"
-    return refusal(
-        motion.source, f"the plan wants other values for {motion.target}, which {why}; it cannot be written out"
-    )
-
-
-def _is_computed(program: Program, index: int) -> bool:
-    motion = program.motions[index]
-    return isinstance(motion, Move) and motion.written.aggregate is None
-
-
-def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int], scopes: Scopes) -> dict[int, Intent]:
-    targets = Targets(program, plant, Edits(program.files), Names({}), scopes)  # for its wishes only
+def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int]) -> dict[int, Intent]:
+    targets = Targets(program, plant, Edits(program.files), Names({}), Scopes({}))  # for its wishes only
     numbering = Numbering(len(program.motions), plan.detours)
     there = with_detours(program, plant, plan.detours)
     parts = {one.index: one for one in unfolded(plan).motions}
@@ -144,7 +105,7 @@ def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int],
                 wish = targets.wish(motion, part, leave_open=runs[text[0]] > 1 and text not in moving)
                 before = there.motions[part.index - len(planned.via) : part.index]
                 points = tuple(one for one in before if isinstance(one, MoveJ | MoveAbsJ))
-                out[planned.index] = Intent(wish, fast=planned.index in faster, points=points)
+                out[planned.index] = Intent(wish, part, fast=planned.index in faster, points=points)
         elif isinstance(motion, Wait):
             out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)
     return out

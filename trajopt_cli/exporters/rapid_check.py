@@ -1,4 +1,4 @@
-"""An exported program, read again, against the plan: the last look before anybody sees it."""
+"""An exported program, read again, against the plan: the last check before anybody sees it."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_targets import PoseMove, confdata_counts, is_nearest
+from trajopt_cli.exporters.rapid_targets import is_nearest
 from trajopt_cli.exporters.rapid_text import refusal
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import (
@@ -25,9 +24,13 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
+from trajopt_cli.problem.editable_text import PoseMove, confdata_counts
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.programmed import PlantKinematics
+from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits
+from trajopt_cli.scenario import ConstantSpeed, HoldRail, Scenario
 from trajopt_cli.units import MM
 
 # What is written is rounded to 0.001 mm and 1e-6, and then to the 24 bits of a num. So rapid.csv is what the controller
@@ -40,23 +43,28 @@ _NUM = 2.0**-24  # share of a value by which rounding to a num may change it
 _SPEED = 1e-8  # m/s, rad/s
 
 
-def mismatches(
+def read_again(
     program: Program,
-    plan: Plan,
     plant: Plant,
-    reading: Reading,
+    scenario: Scenario,
     texts: Mapping[str, str],
-    new: Mapping[str, TextFile],
-    faster: frozenset[int] = frozenset(),
-) -> Iterator[tuple[int | None, InputError]]:
-    """Every motion, by index, that the texts do not give as planned, and why; None and the last word where they cannot
-    be read, or have lost step with the program."""
-    try:
-        read = iter(reading.again(texts, new).motions)
-    except InputError as error:
-        message = f"the plan cannot be written into this program; edited, it reads: {error}"
-        yield None, InputError(message)
-        return
+    new: Mapping[str, TextFile] | None = None,
+) -> Program:
+    """The program of edited texts, by path, and of new modules, read as the program was.
+
+    Raises InputError as reading does.
+    """
+    files = [replace(file, text=texts[path]) for path, file in program.files.items()]
+    # Lines that the scenario names are those of the text as it was.
+    world = replace(scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())
+    return run_program([*files, *(new or {}).values()], world, program.entry, PlantKinematics(plant))
+
+
+def mismatches(
+    program: Program, plan: Plan, plant: Plant, read_program: Program, faster: frozenset[int] = frozenset()
+) -> Iterator[InputError]:
+    """Why motions that were read are not as planned; the last one where reading has lost step with the program."""
+    read = iter(read_program.motions)
     by_index = {planned.index: planned for planned in plan.motions}
     before: Move | None = None
     for index, motion in enumerate(program.motions):
@@ -76,14 +84,13 @@ def mismatches(
                 found = next(read, None)
                 errors = _check_move(motion, planned, plant, found, index in faster)
                 if type(found) is not type(motion):
-                    yield None, errors[0]
+                    yield errors[0]
                     return
                 before = motion
-        for found_error in errors:
-            yield index, found_error
+        yield from errors
     surplus = next(read, None)
     if surplus is not None:
-        yield None, InputError(f"the edited program has one motion too many at {surplus.source}")
+        yield InputError(f"the edited program has one motion too many at {surplus.source}")
 
 
 def first_difference(program: Program, read: Program) -> int | None:

@@ -1,4 +1,4 @@
-"""Stretches of a program that cannot carry a plan in place, written out flat in a module of their own."""
+"""Statements that cannot carry a plan in place, written out motion by motion in a module of their own."""
 
 from __future__ import annotations
 
@@ -7,27 +7,24 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_call import called, last_argument, read_move
 from trajopt_cli.exporters.rapid_points import Point, point_lines
-from trajopt_cli.exporters.rapid_scopes import Scopes
-from trajopt_cli.exporters.rapid_stretches import Stretch
 from trajopt_cli.exporters.rapid_targets import TargetEdit, Targets, type_of
-from trajopt_cli.exporters.rapid_text import Edits, Names, plain, refusal
+from trajopt_cli.exporters.rapid_text import Edits, Names, plain
 from trajopt_cli.motion import (
     Hold,
     Motion,
     Move,
     MoveAbsJ,
     MoveC,
-    MoveExtJ,
     MoveJ,
     Program,
     SignalEvent,
     Span,
     TextFile,
-    Wait,
 )
+from trajopt_cli.problem.editable_text import SingleRun
+from trajopt_cli.problem.move_call import called, last_argument, read_move
+from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.rapid.language.syntax import Assign, LateCall, Node, ProcedureCall
 from trajopt_cli.rapid.marks import FLAT, HOLD
 from trajopt_cli.units import DEG, MM
@@ -69,21 +66,12 @@ class FlatModule:
             self._data.append(f"{_INDENT}LOCAL CONST {type_} {name}:={literal};")
         return self._known[type_, literal]
 
-    def add(self, stretch: Stretch, indices: Sequence[int], how: Callable[[int], FlatMotion]) -> ProgramWarning:
-        """Write a stretch as a procedure and call it where the statement stood; what users should know.
+    def add(self, run: SingleRun, indices: Sequence[int], how: Callable[[int], FlatMotion]) -> ProgramWarning:
+        """Write a statement out as a procedure and call it where it stood; what users should know.
 
-        indices: its motions without those that are dropped. how: what becomes of each. Raises
-        InputError for what another module cannot say.
+        indices: its motions without those that are dropped. how: what becomes of each.
         """
-        self._beside = self._beside or stretch.span.file
-        moves = [motion for index in indices if isinstance(motion := self._program.motions[index], Move)]
-        for move in moves:
-            if move.settings != moves[0].settings:
-                raise refusal(
-                    move.source,
-                    "cannot be written flat: its settings (PDisp, EOffs, ConfJ, AccSet, ...) are not those of the "
-                    "moves before it in the stretch; set them before the stretch",
-                )
+        self._beside = self._beside or run.span.file
         name = self._names.new("trajopt_flat", "", len(self._bodies) + 1)
         lines: list[str] = []
         for index in indices:
@@ -93,14 +81,14 @@ class FlatModule:
             lines += self._points(motion, done, text)
             lines += [*done.before, f"{text} {HOLD}" if held else text, *done.behind]
         self._bodies.append((name, lines))
-        self._edits.replace_by(stretch.span, f"{name};", FLAT)
-        written = " ".join(self._edits.text(stretch.span).split())
+        self._edits.replace_by(run.span, f"{name};", FLAT)
+        written = " ".join(self._edits.text(run.span).split())
         short = written if len(written) <= 40 else f"{written[:37]}..."
-        left = self._left_behind(stretch)
+        left = self._left_behind(run)
         also = f"; not carried over: {', '.join(left)}" if left else ""
-        line = self._edits.line_number(stretch.span)
+        line = self._edits.line_number(run.span)
         text = f"'{short}' is written flat as {name}{also}"
-        return ProgramWarning(WarningKind.CHANGED, text, f"{stretch.span.file}:{line}")
+        return ProgramWarning(WarningKind.CHANGED, text, f"{run.span.file}:{line}")
 
     def module(self, entry: str) -> tuple[str, TextFile] | None:
         """Path and text of the module; None where no stretch was added."""
@@ -136,18 +124,11 @@ class FlatModule:
         if isinstance(motion, Move):
             assert how.wish is not None
             changes = self._of_move(motion, how.wish, how.fast, text)
-        elif (name := self._scopes.shared(text, span.file, span.start)) is not None:
-            value = None
-            if isinstance(motion, SignalEvent) and called(text, span).lower() in ("setdo", "setgo", "setao"):
-                value = motion.value
-            elif isinstance(motion, Wait) and motion.condition is None and called(text, span).lower() == "waittime":
-                value = motion.programmed
-            last = last_argument(motion, text) if value is not None else ""
-            start = text.rindex(last) if last else 0
-            rest = text[:start] + text[start + len(last) :]
-            if value is None or self._scopes.shared(rest, span.file, span.start) is not None:
-                raise self._unseen(motion, name)
-            changes = [(Span(span.file, span.start + start, span.start + start + len(last)), plain(value))]
+        elif self._scopes.shared(text, span.file, span.start) is not None:  # its value alone is known here alone
+            last = last_argument(motion, text)
+            start = span.start + text.rindex(last)
+            value = motion.value if isinstance(motion, SignalEvent) else motion.programmed
+            changes = [(Span(span.file, start, start + len(last)), plain(value))]
         for where, new in sorted(changes, key=lambda change: -change[0].start):
             text = text[: where.start - span.start] + new + text[where.end - span.start :]
         gap = (lambda match: match[1] + _INDENT * 3) if "!" in text else " "  # behind a comment the line must end
@@ -168,38 +149,22 @@ class FlatModule:
         if fast:
             changes.append((call.speed, "vmax"))
         elif self._scopes.shared(self._edits.text(call.speed), span.file, span.start) is not None:
-            settings, speed = move.settings, move.speed
-            if settings.override != 1.0 or settings.v_max is not None or isinstance(move, MoveExtJ):
-                raise self._unseen(move, self._edits.text(call.speed))
+            speed = move.speed
             values = (speed.v_tcp / MM, speed.v_ori / DEG, speed.v_leax / MM, speed.v_reax / DEG)
             changes.append((call.speed, f"[{','.join(plain(value) for value in values)}]"))
             fast = True
         if fast and call.override is not None:  # a literal has it, and it would hold vmax down
             changes.append((call.override, ""))
-        rest = text
-        for where, new in sorted(changes, key=lambda change: -change[0].start):
-            gap = "" if new == "" else "0"
-            rest = rest[: where.start - span.start] + gap + rest[where.end - span.start :]
-        unseen = self._scopes.shared(rest, span.file, span.start)
-        if unseen is not None:
-            raise self._unseen(move, unseen)
         return changes
 
-    @staticmethod
-    def _unseen(motion: Motion, name: str) -> InputError:
-        return refusal(
-            motion.source,
-            f"cannot be written flat: {name} is known in its own routine or module only; declare it for all modules",
-        )
-
-    def _left_behind(self, stretch: Stretch) -> list[str]:
+    def _left_behind(self, run: SingleRun) -> list[str]:
         """What else the statement does, by the names of its instructions, each once."""
         carried = {
             called(self._edits.text(motion.written.statement), motion.written.statement).lower()
-            for motion in self._program.motions[stretch.first : stretch.last]
+            for motion in self._program.motions[run.first : run.last]
         }
         found: dict[str, str] = {}
-        for node in self._scopes.instructions(stretch.span):
+        for node in self._scopes.instructions(run.span):
             name = _instruction(node)
             known = name is None or name.lower() in carried or name.lower() in self._scopes.procedures
             if name is not None and not known:

@@ -1,79 +1,19 @@
-"""Additional points of a plan in a program's text: which moves can have them, and the lines that drive to them."""
+"""Additional points of a plan in a program's text: the lines that move to them."""
 
 from __future__ import annotations
 
 import re
-from collections import defaultdict
-from collections.abc import Set
 from dataclasses import dataclass
 
-import numpy as np
-
-from trajopt_cli.exporters.rapid_call import read_move
-from trajopt_cli.exporters.rapid_scopes import Scopes
 from trajopt_cli.exporters.rapid_text import Edits
-from trajopt_cli.motion import Hold, MoveAbsJ, MoveJ, Program, Span
+from trajopt_cli.motion import Hold, MoveAbsJ, MoveJ, Span
 from trajopt_cli.problem.detours import JointMove
-from trajopt_cli.problem.editable import why_straight
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.rapid.language.parser import parse_statement
 from trajopt_cli.rapid.language.syntax import ProcedureCall
 from trajopt_cli.rapid.marks import HOLD, way_around
 
-Groups = tuple[tuple[int, ...], ...]
 _MARKED = re.compile(r"[ \t]*!\s*trajopt\s*:", re.IGNORECASE)
-
-
-def text_detours(
-    program: Program, plant: Plant, scopes: Scopes, free: Set[int], alone: Set[int] = frozenset()
-) -> tuple[Groups, dict[int, str]]:
-    """The joint moves before which the text can have points, in groups that must have the same, and why others cannot.
-
-    free: motions whose rail position can be another. alone: those that can be written out, each for itself.
-    """
-    straight: dict[int, str] = {}
-    passes: dict[Span, list[int]] = defaultdict(list)
-    for i, motion in enumerate(program.motions):
-        if not isinstance(motion, MoveJ | MoveAbsJ):
-            continue
-        why = why_straight(motion) or _why_not(motion, plant, scopes, i in free)
-        if why is not None:
-            straight[i] = why
-        passes[motion.written.statement].append(i)
-    groups: list[tuple[int, ...]] = []
-    for indices in passes.values():
-        together = tuple(i for i in indices if i not in alone)
-        refused = any(i in straight for i in together)
-        if not refused and not _one_frame(program, together):
-            straight |= dict.fromkeys(together, "its tool, work object or settings are not the same in all passes")
-        elif refused:
-            why = next(straight[i] for i in together if i in straight)
-            straight |= {i: why for i in together if i not in straight}
-        elif together:
-            groups.append(together)
-        groups += [(i,) for i in indices if i in alone and i not in straight]
-    return tuple(sorted(groups)), dict(sorted(straight.items()))
-
-
-def _why_not(motion: JointMove, plant: Plant, scopes: Scopes, free: bool) -> str | None:
-    if motion.written.statement in scopes.compact:
-        return "it is part of an IF without THEN; IF ... THEN ... ENDIF would free it"
-    if plant.rail_eax is not None and motion.extax[plant.rail_eax] is None and not free:
-        return "it leaves the rail where it is (9E9), and its target cannot be changed"
-    return None
-
-
-def _one_frame(program: Program, passes: tuple[int, ...]) -> bool:
-    """Whether the passes of one statement see one target in one place."""
-    moves = [motion for i in passes if isinstance(motion := program.motions[i], MoveJ | MoveAbsJ)]
-    frames = {_frame(one) for one in moves}
-    return len(frames) < 2 and all((one.settings, one.speed) == (moves[0].settings, moves[0].speed) for one in moves)
-
-
-def _frame(motion: JointMove) -> tuple[bytes, bytes]:
-    """Tool and place of the frame that a target of a move is written in."""
-    X_WO = motion.X_WO if isinstance(motion, MoveJ) else None
-    return motion.tool.X_FT.tobytes(), b"" if X_WO is None else np.asarray(X_WO).tobytes()
 
 
 @dataclass(frozen=True)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.exporters.rapid_call import read_move
-from trajopt_cli.exporters.rapid_scopes import Scopes
 from trajopt_cli.exporters.rapid_text import PLACE, Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
-from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
+from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, Program, Span
+from trajopt_cli.problem.editable_text import PoseMove, confdata_counts, declared_name
+from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.parser import parse_statement
 from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number, ProcedureCall
@@ -28,7 +29,6 @@ _TURNED = 5e-7  # rad: half of what the judge lets pass; written with six decima
 _RAIL_STILL = 1e-9  # m
 _NEARER = 1e-9  # rad: below, two configurations are equally near
 _MEASURES = (1, 2, np.inf)  # of joint turns: their sum, Euclid's length, the largest
-PoseMove = MoveJ | MoveL | MoveC
 
 
 @dataclass(frozen=True)
@@ -43,16 +43,6 @@ class TargetEdit:
     monitored: bool = False
 
 
-@dataclass(eq=False)
-class _Literal:
-    """A literal of the program, the values it carries or will carry, and the names that carry them.
-
-    versions: None stands for the literal itself, edited in place.
-    """
-
-    versions: dict[TargetEdit, str | None] = field(default_factory=dict)
-
-
 _STORAGE = ("CONST", "PERS", "VAR")
 _PERS = re.compile(r"^[ \t]*(?:TASK\s+)?PERS\s+\w+\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 
@@ -60,16 +50,17 @@ _PERS = re.compile(r"^[ \t]*(?:TASK\s+)?PERS\s+\w+\s+(\w+)", re.IGNORECASE | re.
 class Targets:
     """Hands out, motion by motion, the name under which a target with the wished values is declared.
 
-    isolated: declarations stay as they are, and every target with other values is a new one. So do, in any case, those
-    of a PERS that several modules declare: they are one piece of data, and edited in one place they would disagree.
+    pinned: literals that stay as they are, so that a target with other values is a new one. So do those of a PERS that
+    several modules declare: they are one piece of data, and edited in one place they would disagree.
     """
 
     def __init__(
-        self, program: Program, plant: Plant, edits: Edits, names: Names, scopes: Scopes, isolated: bool = False
-    ):
+        self, program: Program, plant: Plant, edits: Edits, names: Names, scopes: Scopes,
+        pinned: frozenset[Span] = frozenset(),
+    ):  # fmt: skip
         self._program, self._plant, self._edits, self._names = program, plant, edits, names
-        self._scopes, self._isolated = scopes, isolated
-        self._literals: dict[Span, _Literal] = {}
+        self._scopes, self._pinned = scopes, pinned
+        self._literals: dict[Span, dict[str, str | None]] = {}  # the names by what they say; None: the literal itself
         self._declared: dict[tuple[str, str, str], str] = {}
         self._points: set[str] = set()
         self.notes: list[ProgramWarning] = []
@@ -121,9 +112,7 @@ class Targets:
         span = move.written.aggregate
         if span is None:
             return None  # a computed target; whether the plan can live with it is seen when the text is read back
-        return self._version(
-            span, move, wish, "", 2, in_place=several or not (self._isolated and move.written.declaration)
-        )
+        return self._version(span, move, wish, "", 2, in_place=several or span not in self._pinned)
 
     def own(self, move: Move, wish: TargetEdit) -> str:
         """The name of a new target that says in numbers what a move computes, with the wished values."""
@@ -195,18 +184,17 @@ class Targets:
     def _version(
         self, span: Span, move: Move, wish: TargetEdit, suffix: str, first: int, in_place: bool = True
     ) -> str | None:
-        literal = self._literals.setdefault(span, _Literal())
-        key = TargetEdit(wish.rail, wish.conf)
-        if key in literal.versions:
-            return literal.versions[key]
+        versions = self._literals.setdefault(span, {})
         text = self.written_with(self._edits.text(span), move, wish)
+        if text in versions:
+            return versions[text]
         shared = self._shared(move.written.declaration)
         in_place = in_place and not shared
-        if text == self._edits.text(span) and (self._isolated or shared):
-            literal.versions[key] = None
+        if text == self._edits.text(span) and (span in self._pinned or shared):
+            versions[text] = None
             return None
-        if in_place and None not in literal.versions.values():
-            literal.versions[key] = None
+        if in_place and None not in versions.values():
+            versions[text] = None
             if text != self._edits.text(span):
                 self._edits.replace(span, text)
             return None
@@ -216,7 +204,7 @@ class Targets:
             self._declare(move.written.declaration, span, name, type_of(move), text)
         else:
             name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
-        literal.versions[key] = name
+        versions[text] = name
         if not suffix:
             now = self.as_written(move)
             others = ["rail position"] * (wish.rail != now.rail)
@@ -339,8 +327,7 @@ class Targets:
                 said: float | None = item.value
             else:
                 said = None if value is None else value - self._offsets(move)[eax]
-            wish_rail = float(wish.rail)
-            if said is None or not (abs(said - wish_rail) <= _SAME_RAIL or same_num(said, wish_rail)):
+            if said is None or not same_rail(said, float(wish.rail)):
                 changes.append((item, wish.rail if isinstance(part, Aggregate) else self._external(move, wish)))
         for item, new in sorted(changes, key=lambda change: -change[0].start):
             text = text[: item.start] + new + text[item.end :]
@@ -379,9 +366,9 @@ class Targets:
         self._edits.put_behind(beside, f"{' '.join(storage[0].split())} {type_} {name}:={literal};")
 
 
-def confdata_counts(move: PoseMove) -> bool:
-    r"""Whether the controller looks at a move's confdata (ConfJ, ConfL \On)."""
-    return move.settings.conf_j if isinstance(move, MoveJ) else move.settings.conf_l
+def same_rail(one: float, other: float) -> bool:
+    """Whether two rail positions [mm] are one as far as the text tells."""
+    return abs(one - other) <= _SAME_RAIL or same_num(one, other)
 
 
 def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
@@ -406,11 +393,6 @@ def base_name(target: str) -> str:
     names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(?!:=)(\()?", target)
     found = [name for name, opens in names if not opens] or [name for name, _ in names]
     return found[0] if found else "p"
-
-
-def declared_name(declaration: str) -> str:
-    """The name in a data declaration, without the dimensions of an array."""
-    return declaration.split(":=")[0].split("{")[0].split()[-1]
 
 
 def type_of(move: Move) -> str:

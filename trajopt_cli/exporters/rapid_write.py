@@ -1,18 +1,19 @@
-"""One way to write a plan's wishes into a program: edits in place, new targets, and a module of flat stretches."""
+"""A plan's wishes written into a program: edits in place, new targets, and a module of statements written out."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from trajopt_cli.exporters.rapid_call import MoveCall, last_argument, read_move
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.exporters.rapid_check import rail_moves
 from trajopt_cli.exporters.rapid_flat import FlatModule, FlatMotion
 from trajopt_cli.exporters.rapid_points import Point, point_lines, put_above
 from trajopt_cli.exporters.rapid_points import point as made_point
-from trajopt_cli.exporters.rapid_scopes import Scopes
-from trajopt_cli.exporters.rapid_stretches import Stretch, Stretches, outermost
-from trajopt_cli.exporters.rapid_targets import PoseMove, TargetEdit, Targets
+from trajopt_cli.exporters.rapid_targets import TargetEdit, Targets, same_rail
 from trajopt_cli.exporters.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import (
     Motion,
@@ -20,17 +21,24 @@ from trajopt_cli.motion import (
     MoveAbsJ,
     MoveExtJ,
     MoveJ,
-    Program,
     Source,
     Span,
     TextFile,
     Wait,
 )
+from trajopt_cli.problem.data_flow import ROBOT, Key
 from trajopt_cli.problem.detours import JointMove, quoted
 from trajopt_cli.problem.editable import Loops
+from trajopt_cli.problem.editable_text import EditableText, PoseMove, SingleRun, confdata_counts, outermost
+from trajopt_cli.problem.move_call import MoveCall, last_argument, read_move
 from trajopt_cli.problem.plan import PlannedMotion
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import confdata_admits
 from trajopt_cli.warnings import ProgramWarning, WarningKind
+
+# A target that has the external axes and the configuration of the one that it names.
+_MOVED_POINT = re.compile(
+    r"(\w+:=\s*)?((Offs|RelTool)\s*\(\s*)*\w+(\s*\{\s*\d+\s*\})?\s*([,)].*)?", re.IGNORECASE | re.DOTALL
+)
 
 
 @dataclass(frozen=True)
@@ -49,11 +57,12 @@ class RapidExport:
 class Intent:
     """What shall become of one motion.
 
-    wish: of a move's target. dwell: of a wait in which the rail moves, how it is planned. points: additional joint
-    moves before a joint move.
+    wish: of a move's target; planned: how the move is planned. dwell: of a wait in which the rail moves, how it is
+    planned. points: additional joint moves before a joint move.
     """
 
     wish: TargetEdit | None = None
+    planned: PlannedMotion | None = None
     drop: bool = False
     fast: bool = False
     dwell: PlannedMotion | None = None
@@ -73,89 +82,128 @@ class _Action:
     points: tuple[Point, ...] = ()
 
 
-@dataclass(frozen=True)
-class Choices:
-    """own: computed targets that get a declaration. flat: stretches that are written flat, whatever is wished.
-
-    isolated: no declaration is edited in place, because what is computed from it must stay. loops: KEEP puts no new
-    target where a variable says which one is meant.
-    """
-
-    own: frozenset[int] = frozenset()
-    flat: tuple[Stretch, ...] = ()
-    isolated: bool = False
-    loops: Loops = Loops.KEEP
-
-
-def write(
-    program: Program,
-    plant: Plant,
-    scopes: Scopes,
-    stretches: Stretches,
-    intents: Mapping[int, Intent],
-    choices: Choices,
-) -> RapidExport:
+def write(text: EditableText, intents: Mapping[int, Intent]) -> RapidExport:
     """The edited program. Raises InputError, with the place, for a statement that cannot do what is wished."""
-    flat = list(choices.flat)
+    flat: list[SingleRun] = []
     while True:
-        attempt = _Attempt(program, plant, scopes, intents, choices, flat)
+        attempt = _Attempt(text, intents, flat)
         conflicts = attempt.conflicts()
         if not conflicts:
             return attempt.result()
         for index in conflicts:
-            stretch = stretches.around(index)
-            if stretch is None:
-                raise refusal(
-                    program.motions[index].source,
-                    "this statement runs more than once, and the plan wants something else of it each time; "
-                    "write it out once for each time it runs",
-                )
-            flat.append(stretch)
+            run = next((one for one in text.flat if one.first <= index < one.last), None)
+            if run is None:
+                raise attempt.refused(index)
+            flat.append(run)
         flat = outermost(flat)
 
 
 class _Attempt:
-    def __init__(
-        self,
-        program: Program,
-        plant: Plant,
-        scopes: Scopes,
-        intents: Mapping[int, Intent],
-        choices: Choices,
-        flat: Iterable[Stretch],
-    ):
-        self._program, self._plant, self._scopes, self._intents = program, plant, scopes, intents
-        self._choices, self._flat = choices, list(flat)
-        self._edits, self._names = Edits(program.files), Names(program.files)
-        self._targets = Targets(program, plant, self._edits, self._names, scopes, choices.isolated)
+    """The program with some statements written out, and all others edited in place."""
+
+    def __init__(self, text: EditableText, intents: Mapping[int, Intent], flat: Sequence[SingleRun]):
+        self._text, self._program, self._plant, self._scopes = text, text.program, text.plant, text.scopes
+        self._intents, self._flat = intents, flat
+        self._edits, self._names = Edits(self._program.files), Names(self._program.files)
+        self._targets = Targets(self._program, self._plant, self._edits, self._names, self._scopes, text.pinned)
         self._notes: list[ProgramWarning] = []
         self._monitored: list[Source] = []
         self._actions: dict[Span, list[tuple[int, _Action]]] = {}
-        covered = {index for stretch in flat for index in range(stretch.first, stretch.last)}
-        self._runs = Counter(motion.written.statement for motion in program.motions)
+        covered = {index for run in flat for index in range(run.first, run.last)}
         # Statements that cannot refer to a second target first, so the literal is theirs.
-        alone = [i for i in sorted(intents) if i not in covered]
-        for index in sorted(alone, key=lambda i: not self._is_bound(program.motions[i])):
-            span = program.motions[index].written.statement
+        order = sorted((i for i in sorted(intents) if i not in covered), key=lambda i: not self._is_bound(i))
+        self._own, self._unsaid = self._computed(order)
+        for index in order:
+            span = self._program.motions[index].written.statement
             self._actions.setdefault(span, []).append((index, self._action(index)))
 
-    def _is_bound(self, motion: Motion) -> bool:
-        """Whether a statement runs several times, or moves to whatever a variable names."""
-        if self._runs[motion.written.statement] > 1:
+    def _computed(self, order: Sequence[int]) -> tuple[set[int], list[int]]:
+        """The computed targets that must say something else: those that get a declaration, and those that can have
+        none."""
+        trial = Targets(
+            self._program, self._plant, Edits(self._program.files), Names({}), self._scopes, self._text.pinned
+        )
+        edited: dict[tuple[Key, int | None], TargetEdit] = {}
+        moves = [(i, move) for i in order if isinstance(move := self._program.motions[i], Move)]
+        for i, move in moves:
+            wish = self._intents[i].wish
+            if wish is None or move.written.aggregate is None:
+                continue
+            named = trial.point(move, wish, self._is_bound(i))
+            if named is None and wish != trial.as_written(move) and (data := self._text.literal_data(move)) is not None:
+                edited[data] = wish
+        own, unsaid = set[int](), list[int]()
+        for i, move in moves:
+            intent = self._intents[i]
+            if intent.wish is None or move.written.aggregate is not None or intent.planned is None:
+                continue
+            says = self._says(i, move, edited, trial)
+            if says is None or not self._agree(move, intent.planned, intent.wish, says):
+                if i in self._text.own:
+                    own.add(i)
+                else:
+                    unsaid.append(i)
+        spans = {self._program.motions[i].written.statement for i in own}
+        return {i for i in self._text.own if self._program.motions[i].written.statement in spans}, unsaid
+
+    def _says(
+        self, index: int, move: Move, edited: Mapping[tuple[Key, int | None], TargetEdit], targets: Targets
+    ) -> TargetEdit | None:
+        """What a computed target will say with some literals edited; None where only a run of the program tells."""
+        reads = self._text.trace(move, target=True)
+        found = [edit for data, edit in edited.items() if reads.reads(*data)]
+        said = targets.as_written(move)
+        if ROBOT in reads.keys and index in self._text.own:
+            return None
+        if not found:
+            return said
+        if len(found) > 1 or not _MOVED_POINT.fullmatch(move.target):
+            return None
+        return TargetEdit(found[0].rail or said.rail, found[0].conf or said.conf)
+
+    def _agree(self, move: Move, planned: PlannedMotion, wish: TargetEdit, says: TargetEdit) -> bool:
+        """Whether a target that says this brings the robot where it is planned."""
+        if self._plant.rail_eax is not None and (wish.rail, says.rail) != (None, None):
+            if says.rail is None:
+                if rail_moves(planned, self._plant):
+                    return False
+            elif wish.rail is None or not same_rail(float(wish.rail), float(says.rail)):
+                return False
+        if not isinstance(move, PoseMove) or not (confdata_counts(move) or wish.monitored):
             return True
-        if self._choices.loops is Loops.UNROLL or not isinstance(motion, Move):
-            return False
-        return self._scopes.depends_on(motion) is not None
+        assert says.conf is not None
+        return confdata_admits(self._plant.robot, says.conf, np.asarray(planned.q_1[self._plant.layout.arm]))
+
+    def refused(self, index: int) -> InputError:
+        """Why a motion cannot become what is wished."""
+        motion, text = self._program.motions[index], self._text
+        if index in self._unsaid and isinstance(motion, Move):
+            hangs = text.depends_on_scenario(index)
+            variable = None if hangs else self._scopes.depends_on(motion)
+            why = f"depends on {variable}" if variable is not None else "hangs on what only the scenario says"
+            if variable is not None or hangs:
+                message = f"the plan wants other values for {motion.target}, which {why}; it cannot be written out"
+                return refusal(motion.source, message)
+        return refusal(
+            motion.source,
+            "this statement runs more than once, and the plan wants something else of it each time; "
+            "write it out once for each time it runs",
+        )
+
+    def _is_bound(self, index: int) -> bool:
+        """Whether a statement runs several times, or moves to whatever a variable names."""
+        if index not in self._text.single:
+            return True
+        return self._text.loops is not Loops.UNROLL and index in self._text.bound
 
     def _action(self, index: int) -> _Action:
         motion, intent = self._program.motions[index], self._intents[index]
         if intent.drop:
             return _Action(drop=True)
         if isinstance(motion, Move) and intent.wish is not None:
-            own = index in self._choices.own
-            several = self._is_bound(motion)
-            wish = intent.wish
-            point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, several)
+            wish, bound = intent.wish, self._is_bound(index)
+            own = index in self._own
+            point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, bound)
             points = self._points_of(motion, intent)
             return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored, points=points)
         if isinstance(motion, Wait) and intent.dwell is not None:
@@ -175,13 +223,10 @@ class _Attempt:
         return tuple(out)
 
     def conflicts(self) -> list[int]:
-        """Motions whose statement would have to do one thing at one time and another at another."""
-        return [
-            index
-            for group in self._actions.values()
-            if any(action != group[0][1] for _, action in group)
-            for index, _ in group
-        ]
+        """Motions whose statement would have to do one thing at one time and another at another, or say what it
+        cannot."""
+        several = (group for group in self._actions.values() if any(action != group[0][1] for _, action in group))
+        return [*self._unsaid, *(index for group in several for index, _ in group)]
 
     def result(self) -> RapidExport:
         """The texts with all edits made."""
@@ -191,9 +236,9 @@ class _Attempt:
                 self._refuse_compact(span, index, action)
                 self._notes += self._apply(index, action)
         flat = FlatModule(self._program, self._edits, self._names, self._scopes, self._targets)
-        for stretch in self._flat:
-            indices = [i for i in range(stretch.first, stretch.last) if not self._drops(i)]
-            self._notes.append(flat.add(stretch, indices, lambda i: self._flat_motion(i, flat)))
+        for run in self._flat:
+            indices = [i for i in range(run.first, run.last) if not self._drops(i)]
+            self._notes.append(flat.add(run, indices, lambda i: self._flat_motion(i, flat)))
         new = {}
         if (module := flat.module(self._program.entry)) is not None:
             path, file = module

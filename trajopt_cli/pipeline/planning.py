@@ -88,13 +88,11 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
 
     loops: what a plan for the RAPID controller makes of them; a stream has none.
     """
-    from trajopt_cli.exporters.rapid_reading import Reading
-    from trajopt_cli.exporters.rapid_writable import text_changes
+    from trajopt_cli.problem.editable_text import EditableText
 
     if target is Target.STREAM:
         return everything(job.program, job.plant)
-    reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
-    return text_changes(job.program, job.plant, reading, loops)
+    return EditableText(job.program, job.plant, job.scenario, loops).changes
 
 
 def plan_all(

@@ -11,12 +11,11 @@ from itertools import pairwise
 from pathlib import PurePath
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_check import first_difference
-from trajopt_cli.exporters.rapid_reading import Reading
-from trajopt_cli.exporters.rapid_scopes import nodes
+from trajopt_cli.exporters.rapid_check import first_difference, read_again
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.scopes import nodes
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import (
     Assign,
@@ -101,7 +100,7 @@ class Group:
             return one
         texts = {path: file.text for path, file in self.job.program.files.items()} | {self.file: self.text(order)}
         try:
-            read = self._reading.again(texts)
+            read = read_again(self.job.program, self.job.plant, self.job.scenario, texts)
         except InputError as error:
             return f"in that order it reads: {error}"
         wanted = self.program(order)
@@ -110,11 +109,6 @@ class Group:
             return None
         motion = wanted.motions[min(difference, len(wanted.motions) - 1)]
         return f"{motion.source} asks for something else in that order: an instruction of another part changes it"
-
-    @cached_property
-    def _reading(self) -> Reading:
-        job = self.job
-        return Reading(job.program, job.plant, job.scenario, job.program.entry)
 
     @cached_property
     def _shared(self) -> tuple[str, ...]:
@@ -233,7 +227,7 @@ def _with_motions(group: Group, key: str) -> Group:
         marked, at = marked + _MARK, offset
     texts = {path: file.text for path, file in job.program.files.items()} | {group.file: marked + text[at:]}
     try:
-        read = group._reading.again(texts).motions
+        read = read_again(job.program, job.plant, job.scenario, texts).motions
     except InputError as error:
         raise job.cell.error(key, f"with a wait before each part the program cannot be read: {error}") from error
     places = [motion.written.statement for motion in read]

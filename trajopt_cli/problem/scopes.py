@@ -19,12 +19,14 @@ from trajopt_cli.rapid.language.syntax import (
     Element,
     For,
     If,
+    LateCall,
     Module,
     Name,
     Node,
     ProcedureCall,
     RecordDeclaration,
     Routine,
+    String,
 )
 
 # What a name stands for: something of the routine or of the module that begins at that offset of that file, or None
@@ -72,6 +74,34 @@ class Scopes:
             if getattr(item, "scope", None) == "LOCAL":
                 module.own.add(getattr(item, "name", "").lower())
         return module
+
+    def routines(self) -> Iterator[tuple[str, Routine]]:
+        """Every routine with its file."""
+        for path, several in self._modules.items():
+            yield from ((path, routine) for module in several for routine in module.routines)
+
+    def reached(self, entry: str) -> Iterator[tuple[str, Routine]]:
+        """The routines that run from an entry on, as far as the text tells, and all TRAPs, with their files."""
+        stack = [routine for _, routine in self.routines() if routine.kind == "TRAP"]
+        stack += self.procedures.get(entry.lower(), ())
+        seen: set[int] = set()
+        while stack:
+            routine = stack.pop()
+            if id(routine) in seen:
+                continue
+            seen.add(id(routine))
+            for name in called_names((routine.body, routine.handlers)):
+                stack += [one for _, one in self.routines()] if name is None else self.procedures.get(name, ())
+        return ((path, routine) for path, routine in self.routines() if id(routine) in seen)
+
+    def module_data(self) -> Iterator[tuple[str, DataDeclaration]]:
+        """Every declaration of a module's data with its file."""
+        for path, several in self._modules.items():
+            yield from ((path, data) for module in several for data in module.declared.values())
+
+    def path_of(self, routine: Routine) -> str:
+        """The file that a routine stands in."""
+        return self._paths[id(routine)]
 
     def _module(self, path: str, offset: int) -> _Module | None:
         modules = self._modules[path]
@@ -240,6 +270,15 @@ def nodes(thing: object) -> Iterator[Node]:
             yield top
             if is_dataclass(top):
                 stack += [getattr(top, part.name) for part in reversed(fields(top))]
+
+
+def called_names(thing: object) -> Iterator[str | None]:
+    """What a node or a block calls, in lower case; None: it may be anything."""
+    for one in nodes(thing):
+        if isinstance(one, ProcedureCall | Call):
+            yield one.name.lower()
+        elif isinstance(one, LateCall):
+            yield one.name.value.rsplit(":", 1)[-1].lower() if isinstance(one.name, String) else None
 
 
 def _names_of(routine: Routine) -> set[str]:
