@@ -24,9 +24,10 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
-from trajopt_cli.problem.editable_text import PoseMove, confdata_counts
+from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.program_text import PoseMove
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits

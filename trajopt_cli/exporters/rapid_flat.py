@@ -22,9 +22,9 @@ from trajopt_cli.motion import (
     Span,
     TextFile,
 )
-from trajopt_cli.problem.editable_text import SingleRun
 from trajopt_cli.problem.move_call import called, last_argument, read_move
 from trajopt_cli.problem.scopes import Scopes
+from trajopt_cli.problem.single_runs import SingleRun
 from trajopt_cli.rapid.language.syntax import Assign, LateCall, Node, ProcedureCall
 from trajopt_cli.rapid.marks import FLAT, HOLD
 from trajopt_cli.units import DEG, MM

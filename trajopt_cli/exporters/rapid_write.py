@@ -29,9 +29,11 @@ from trajopt_cli.motion import (
 from trajopt_cli.problem.data_flow import ROBOT, Key
 from trajopt_cli.problem.detours import JointMove, quoted
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.editable_text import EditableText, PoseMove, SingleRun, confdata_counts, outermost
+from trajopt_cli.problem.editable_text import EditableText, confdata_counts
 from trajopt_cli.problem.move_call import MoveCall, last_argument, read_move
 from trajopt_cli.problem.plan import PlannedMotion
+from trajopt_cli.problem.program_text import PoseMove
+from trajopt_cli.problem.single_runs import SingleRun, outermost
 from trajopt_cli.robot.inverse import confdata_admits
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 

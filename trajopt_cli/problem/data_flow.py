@@ -360,15 +360,6 @@ class DataFlow:
         """Of things of the scenario the one that stands first in it."""
         return min(labels, key=self.order.index, default=None)
 
-    def changes_in(self, nodes: Iterable[tuple[str, Node]]) -> list[Change]:
-        """The changes that statements make, given by file and node."""
-        starts = {(path, node.start) for path, node in nodes}
-        return [one for several in self.changes.values() for one in several if _at(one) in starts]
-
-
-def _at(change: Change) -> tuple[str, int]:
-    return change.place.path, change.place.start
-
 
 def _sees(change: Change, at: Place) -> bool:
     if change.within is None:
