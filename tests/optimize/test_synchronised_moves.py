@@ -17,7 +17,7 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.stepwise import analyse
+from trajopt_cli.report.stepwise import analyse
 from trajopt_cli.scenario import Scenario
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")

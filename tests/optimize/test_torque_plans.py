@@ -18,16 +18,15 @@ from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_timing import Shares, in_force
 from trajopt_cli.path_timing.sampled_path import course_of
 from trajopt_cli.plan import optimize
-from trajopt_cli.problem.loads import torques_along
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
-from trajopt_cli.problem.plan_series import follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.report.over_time import joints
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.joint_torque import of_room
+from trajopt_cli.trajectories.plan_series import follow, torques_along
 from trajopt_cli.trajectory import hermite
 
 pytestmark = pytest.mark.usefixtures("coarse")

@@ -18,9 +18,9 @@ from trajopt_cli.plan import optimize
 from trajopt_cli.problem.detours import Detour, Numbering, Via, folded, with_detours
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import in_space, over_time, style
 from trajopt_cli.scene import program_points
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 PLANT = plant_with_rail()
 ONE = np.r_[0.25, 0.6, -0.4, -0.3, 0.4, 0.9, -0.5]

@@ -14,9 +14,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import arm, in_space, over_time, style
 from trajopt_cli.report.names import by_place
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 BODY = """MoveJ p_in, v2500, z50, tool0;
 MoveL Offs(p_in,0,0,-60), v500, z10, tool0;

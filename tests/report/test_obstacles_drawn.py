@@ -11,10 +11,10 @@ from small_cells import plant_with_rail
 from test_added_points import planned
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.problem.plan_series import follow
 from trajopt_cli.report import in_space, obstacles
 from trajopt_cli.report.arm import arm
 from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
+from trajopt_cli.trajectories.plan_series import follow
 
 TABLE = Solid(Box("table", np.array([0.4, 0.6, 0.1]), pose(rotation_about([0, 0, 1], 0.3), [0.6, 0.5, 0.2])))
 POST = Solid(Capsule("post", np.array([0.4, 1.2, 0.0]), np.array([0.4, 1.2, 0.8]), 0.05))

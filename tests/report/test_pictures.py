@@ -17,11 +17,11 @@ import pytest
 from drawn_plans import PAUSE, TOOL, Drawn, as_svg, drawn
 from matplotlib.figure import Figure
 
-from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.report import style
 from trajopt_cli.report.bars import Bar, comparison, comparison_figure, savings, savings_figure
 from trajopt_cli.report.pictures import PICTURES, draw
 from trajopt_cli.report.skeleton import skeleton
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
 

@@ -17,17 +17,17 @@ from test_corner_pictures import course as corners
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.problem.plant import build_plant
-from trajopt_cli.problem.stepwise import analyse
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.report.bars import Bar, comparison_figure, savings_figure
 from trajopt_cli.report.levers import levers_figure
 from trajopt_cli.report.names import _contain
 from trajopt_cli.report.pictures import PICTURES, STEP_PICTURES
 from trajopt_cli.report.steps import Steps, steps_of
+from trajopt_cli.report.stepwise import analyse
 from trajopt_cli.report.style import house_style, new_figure
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 LONG = "the_third_line_of_the_left_magazine_and_of_the_right_magazine_as_of_today.mod"
 CASES = ("rail", "no rail", "corners", "many")

@@ -14,11 +14,11 @@ from matplotlib.text import Text
 from trajopt_cli.cell.loader import load_cell, parse_cell
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plant import Plant, build_plant
-from trajopt_cli.problem.stepwise import Analysis, analyse
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.report import steps
 from trajopt_cli.report.names import _apart
 from trajopt_cli.report.pictures import STEP_PICTURES, stepwise
+from trajopt_cli.report.stepwise import Analysis, analyse
 from trajopt_cli.report.style import house_style
 from trajopt_cli.scenario import Scenario
 

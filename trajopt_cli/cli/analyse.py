@@ -26,7 +26,7 @@ def analyse(
     from trajopt_cli.cli.analysis_table import MODEL, analysis_record, analysis_table, sums
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.problem.stepwise import analyse
+    from trajopt_cli.report.stepwise import analyse
 
     with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())

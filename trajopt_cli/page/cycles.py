@@ -17,11 +17,11 @@ from trajopt_cli.page.samples import sample_times
 from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
-from trajopt_cli.problem.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.runs.results import motion_label
 from trajopt_cli.table import place
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 

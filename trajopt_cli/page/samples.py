@@ -6,7 +6,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.problem.plan_series import before
+from trajopt_cli.trajectories.plan_series import before
 from trajopt_cli.trajectory import Trajectory, hermite
 
 GAP = 4e-3  # s between rows, at most, in cycles of up to a minute

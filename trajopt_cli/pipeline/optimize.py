@@ -350,8 +350,8 @@ def _place_of_new(path: str) -> str:
 
 def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     """The pictures of one plan and of the program in steps of speed, by their place in a results folder."""
-    from trajopt_cli.problem.stepwise import analyse
     from trajopt_cli.report.pictures import draw, stepwise
+    from trajopt_cli.report.stepwise import analyse
 
     name = job.title
     pictures = draw(job.program, job.plant, plan, name)

@@ -10,9 +10,8 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_from_wxyz
 from trajopt_cli.motion import Load, Move, MoveExtJ, Program, SignalEvent, Source, Tool, Wait
-from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
+from trajopt_cli.robot.dynamics import ToolLoad
 
 _UNIT = 0.02  # by which the length of an orientation may be off, as where RAPID is read
 
@@ -28,20 +27,6 @@ def loads_of(program: Program) -> list[ToolLoad | None]:
             continue
         tool = tool if isinstance(motion, MoveExtJ) else motion.tool
         out.append(_carried(tool, motion.settings.load, motion.source))
-    return out
-
-
-def torques_along(course: PlanSeries) -> Array:
-    """Torques (n, k) [Nm, N for a rail] of all axes at the samples of a course, with what is carried there."""
-    robot, by_motion = (
-        course.plant.robot,
-        dict(zip(map(id, course.program.motions), loads_of(course.program), strict=True)),
-    )
-    out = np.zeros_like(course.q)
-    for leg in course.legs:
-        at = course.during(leg)
-        dynamics = Dynamics(robot, by_motion[id(leg.motion)], rotor=robot.rotor)
-        out[at] = dynamics.torque(course.q[at], course.qd[at], course.qdd[at])
     return out
 
 

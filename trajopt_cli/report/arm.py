@@ -15,7 +15,6 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.report import obstacles
 from trajopt_cli.report.names import short
 from trajopt_cli.report.skeleton import skeleton
@@ -34,6 +33,7 @@ from trajopt_cli.report.style import (
     new_figure,
 )
 from trajopt_cli.scene import rail_ends
+from trajopt_cli.trajectories.plan_series import PlanSeries
 from trajopt_cli.units import MM
 
 _TAG = 45.0  # mm from an elbow up to its number

@@ -16,7 +16,6 @@ from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import MoveC, MoveL, Wait
-from trajopt_cli.problem.plan_series import PlanSeries, TimedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report import obstacles
@@ -37,6 +36,7 @@ from trajopt_cli.report.style import (
 )
 from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.scene import rail_ends
+from trajopt_cli.trajectories.plan_series import PlanSeries, TimedMotion
 from trajopt_cli.units import MM
 
 # How the path looks in lines and arcs (the thesis' functional parts), elsewhere, where only the rail moves, in corners.

@@ -10,8 +10,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.plan_series import PlanSeries
 from trajopt_cli.report.style import GREY, PALE
+from trajopt_cli.trajectories.plan_series import PlanSeries
 
 WAIT = Patch(color=PALE, linewidth=0, label="wait")
 _LINE: dict[str, Any] = {"color": "#c4c4c4", "linewidth": 0.9}

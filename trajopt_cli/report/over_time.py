@@ -13,8 +13,6 @@ from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
-from trajopt_cli.problem.loads import torques_along
-from trajopt_cli.problem.plan_series import PlanSeries, programmed_speed, target_flange
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.report.marks import PASSED, WAIT, mark_motions
 from trajopt_cli.report.names import name_times, spread
@@ -35,6 +33,7 @@ from trajopt_cli.report.style import (
     new_figure,
     settle,
 )
+from trajopt_cli.trajectories.plan_series import PlanSeries, programmed_speed, target_flange, torques_along
 from trajopt_cli.units import DEG, MM
 
 TIME = "time [s]"

@@ -8,12 +8,12 @@ from matplotlib.figure import Figure
 
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Plan
-from trajopt_cli.problem.plan_series import PlanSeries, follow
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.stepwise import Analysis
 from trajopt_cli.report import arm, in_space, over_time, steps
 from trajopt_cli.report.bars import Bar, comparison, savings
+from trajopt_cli.report.stepwise import Analysis
 from trajopt_cli.report.style import files, house_style
+from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 __all__ = ["PICTURES", "Bar", "comparison", "draw", "savings", "stepwise"]
 

@@ -11,8 +11,10 @@ from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.detours import unfolded, with_detours
+from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.trajectory import hermite
 
 _EDGE = 1 + 1e-6  # of a zone: its edge is inside
@@ -197,3 +199,15 @@ def programmed_speed(plant: Plant, motion: object) -> float | None:
     if isinstance(motion, MoveJ | MoveAbsJ) and plant.free_speed:
         return None
     return None if motion.duration is not None else motion.speed.v_tcp  # type: ignore[attr-defined]
+
+
+def torques_along(series: PlanSeries) -> Array:
+    """Torques (n, k) [Nm, N for a rail] of all axes at the samples, with what is carried there."""
+    robot = series.plant.robot
+    carried = dict(zip(map(id, series.program.motions), loads_of(series.program), strict=True))
+    out = np.zeros_like(series.q)
+    for leg in series.legs:
+        at = series.during(leg)
+        dynamics = Dynamics(robot, carried[id(leg.motion)], rotor=robot.rotor)
+        out[at] = dynamics.torque(series.q[at], series.qd[at], series.qdd[at])
+    return out

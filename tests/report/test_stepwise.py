@@ -15,9 +15,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plant import Plant, build_plant
-from trajopt_cli.problem.stepwise import Analysis, analyse
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.rapid.reader import read_program
+from trajopt_cli.report.stepwise import Analysis, analyse
 from trajopt_cli.robot.inverse import confdata_admits, inverse, solutions
 from trajopt_cli.scenario import Scenario
 
