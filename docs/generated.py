@@ -119,7 +119,7 @@ def cell_keys() -> str:
 
 def task_keys() -> str:
     """Every key of a task file with all that it may hold."""
-    from trajopt_cli.iiwa.task.schema import task_schema
+    from trajopt_cli.iiwa.task.document import task_schema
 
     return _keys(task_schema())
 

@@ -133,7 +133,7 @@ def test_an_arm_angle_is_chosen_told_and_drawn(
     assert run(["iiwa", "joints", str(folder), *options, "--plots", str(plots)]) == 0
     shown = capsys.readouterr()
     assert "arm angle chosen for speed" in shown.out
-    assert "joints: best course on the map" in shown.err
+    assert "joints: best path on the map" in shown.err
     assert {path.name for path in plots.iterdir()} == {
         f"{name}.{kind}" for name in ("arm_angle", "joints") for kind in ("png", "svg")
     }

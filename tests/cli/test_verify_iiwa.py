@@ -72,7 +72,7 @@ def test_a_spoiled_sequence_ends_with_exit_code_1(
     assert run(["verify", str(tmp_path / "spoiled")]) == 1
     printed = capsys.readouterr().out.replace("\n", " ")
     assert "equilibrium_quaternion.csv: ILLEGAL" in printed
-    assert "start -> side is off the straight way by" in printed
+    assert "start -> side is off the straight path by" in printed
 
 
 def test_joints_of_a_file_are_judged_against_a_task_or_a_robot(
@@ -97,7 +97,7 @@ def test_joints_of_a_file_are_judged_against_a_task_or_a_robot(
     )
     file.write_text(write_csv_text(Trajectory(rows.names, rows.t, aside)))
     assert run(["verify", str(file), "--task", str(made / "task.yaml")]) == 1
-    assert "start -> side is off the straight way by" in capsys.readouterr().out.replace("\n", " ")
+    assert "start -> side is off the straight path by" in capsys.readouterr().out.replace("\n", " ")
 
 
 def test_coarse_digits_and_rows_beside_the_period_are_doubted_not_condemned(made: Path, tmp_path: Path) -> None:

@@ -102,26 +102,3 @@ def test_turned_boxes_give_turned_forces_within_the_cone_that_never_feed_sliding
         assert push >= -1e-12
         assert np.linalg.norm(rub) <= MU * push + 1e-9
         assert rub @ point <= 1e-9
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"stiffness": 0.0}, "obstacle 'block': stiffness 0 N/m"),
-        ({"damping": -1.0}, "obstacle 'block': damping -1"),
-        ({"friction": float("nan")}, "friction nan"),
-        ({"stiffness": 1e300}, r"obstacle 'block': stiffness 1e\+300 N/m, .* at most 1e\+09 N/m"),
-        ({"stiffness": float("inf")}, "stiffness inf N/m"),
-        ({"damping": 1e11}, r"obstacle 'block': damping 1e\+11 N s/m, wanted 0 to 1e\+09 N s/m"),
-        ({"friction": 1e300}, r"obstacle 'block': friction 1e\+300, wanted 0 to 1000"),
-    ],
-)
-def test_numbers_no_contact_can_have_are_refused(change, message):
-    with pytest.raises(ValueError, match=message):
-        boxes(**change)
-
-
-@pytest.mark.parametrize(("tip", "shown"), [(0.0, "0"), (float("nan"), "nan"), (1.01, "1.01"), (1e300, r"1e\+300")])
-def test_tips_no_tool_has_are_refused(tip, shown):
-    with pytest.raises(ValueError, match=f"tip {shown} m, wanted a radius above zero, at most 1 m"):
-        BallOnBoxes(Contact((), tip))

@@ -109,10 +109,7 @@ def test_a_load_beyond_all_numbers_is_refused(iiwa7, X_FT, floor, capfd):
     ("stiffness", "damping", "message"),
     [
         (9e8, 0.0, r"stiffness 9e\+08 N/m, at most [4-5]\.\d*e\+07 N/m"),
-        (1e12, 0.0, r"stiffness 1e\+12 N/m, .* at most 1e\+09 N/m"),
-        (1e300, 0.0, r"stiffness 1e\+300 N/m, .* at most 1e\+09 N/m"),
         (1e4, 1e8, r"damping 1e\+08 N s/m, at most [3-4]\.\d*e\+04 N s/m"),
-        (1e4, 1e12, r"damping 1e\+12 N s/m, wanted 0 to 1e\+09 N s/m"),
     ],
 )
 def test_contacts_too_hard_for_the_physics_steps_are_refused(iiwa7, X_FT, load, floor, stiffness, damping, message):

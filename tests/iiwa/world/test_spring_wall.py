@@ -80,8 +80,3 @@ def test_a_reset_forgets_the_motion_before(iiwa7, X_FT, load, floor):
     assert world.reset(q) == first
     assert first.qd == (0.0,) * 7
     assert first.contact[2] == pytest.approx(20.0, abs=1e-6)
-
-
-def test_step_needs_a_start(iiwa7, X_FT):
-    with pytest.raises(ValueError, match="reset comes before"):
-        SpringWorld(iiwa7, X_FT, None, None, H).step((0.0,) * 7)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from math import inf, isfinite
+from math import inf
 
 import numpy as np
 
@@ -45,20 +45,12 @@ class Lead:
 @dataclass(frozen=True)
 class Allowed:
     """lag [m]: greatest distance between arm and plan, at every row. turn_lag [rad]: greatest angle between their
-    orientations. lead, turn_lead: of force and moment. None: no bound. Raises ValueError for what is not above zero."""
+    orientations. lead, turn_lead: of force and moment. All above zero; None: no bound."""
 
     lag: float
     turn_lag: float | None = None
     lead: Lead | None = None
     turn_lead: Lead | None = None
-
-    def __post_init__(self) -> None:
-        leads = (one.most if one else None for one in (self.lead, self.turn_lead))
-        for name, value in zip(
-            ("lag", "turn_lag", "lead", "turn_lead"), (self.lag, self.turn_lag, *leads), strict=True
-        ):
-            if value is not None and not (isfinite(value) and value > 0):
-                raise ValueError(f"{name} is {value:g}: wanted a finite number above zero")
 
     def lags(self, K: Array) -> tuple[float, float | None]:
         """Lag [m] and turn lag [rad] of an arm behind its equilibrium that pushes no more than the leads allow.

@@ -1,4 +1,4 @@
-"""The way a dosed sequence goes, free of its old timing: poses over a path parameter, with the greatest rate.
+"""The path of a sequence, free of its old timing: poses over a path parameter, with the greatest rate.
 
 The parameter s [s] is the time at the programmed speed: one second of s takes at least one second. All six coordinates
 are functions of the one s, so that translation and rotation stay together as the segments had them. Where orientations
@@ -18,7 +18,7 @@ from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotati
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import RotationLaw, SegmentSpeeds
 
-_STRAIGHT = 1e-9  # relative change of dX/ds below which rows are one straight stretch; rounding of rows is 1e-12
+_STRAIGHT = 1e-9  # relative change of dX/ds below which rows are one straight segment; rounding of rows is 1e-12
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class PathInterval:
 
 @dataclass(frozen=True, eq=False)
 class DosePath:
-    """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each stretch, > 0.
+    """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each segment, > 0.
 
     legs: what lies between the waypoints, in order; every waypoint becomes a row of the dosed sequence. R (n, 3, 3):
     the orientations of the rows where the last three coordinates are turns, None where they are Tait-Bryan angles.
@@ -76,7 +76,7 @@ def dose_path(
     """The path of an equilibrium sequence, at most as fast as its segments' v_max and omega_max.
 
     speeds: the caps of the pieces that move, in order; None keeps each row's old pace as the greatest. joints (n, k)
-    [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down a stretch
+    [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down a segment
     where the programmed speed would break them. Raises ValueError where nothing moves.
     """
     q = None if joints is None else np.asarray(joints, dtype=np.float64)
@@ -117,7 +117,7 @@ def _coordinates(equilibrium: Equilibrium) -> Array:
 
 
 def coarser(path: DosePath, step: float) -> DosePath:
-    """The same path in stretches of about step [s] where it had shorter ones; waypoints and least time are kept."""
+    """The same path in segments of about step [s] where it had shorter ones; waypoints and least time are kept."""
     kept = np.r_[True, np.diff(np.floor(path.s / step)) > 0]
     kept[[0, *(leg.last for leg in path.legs)]] = True
     rows = np.flatnonzero(kept)
@@ -133,7 +133,7 @@ def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds |
     pose = equilibrium.pose[piece.first : piece.last + 1]
     if speeds is None:
         return np.where(np.any(np.diff(pose, axis=0) != 0, axis=1), equilibrium.h, 0.0)
-    way = np.linalg.norm(np.diff(pose[:, :3], axis=0), axis=1)
+    moved = np.linalg.norm(np.diff(pose[:, :3], axis=0), axis=1)
     if equilibrium.rotation is RotationLaw.SLERP:
         R = equilibrium.R[piece.first : piece.last + 1]
         # ||R1 - R0||_F = 2 sqrt(2) sin(angle / 2)
@@ -141,11 +141,11 @@ def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds |
         turn = 2 * np.arcsin(np.minimum(half, 1.0))
     else:
         turn = np.linalg.norm(np.diff(pose[:, 3:], axis=0), axis=1)
-    return np.asarray(np.maximum(way / speeds.v_max, turn / speeds.omega_max), dtype=np.float64)
+    return np.asarray(np.maximum(moved / speeds.v_max, turn / speeds.omega_max), dtype=np.float64)
 
 
 def _straightened(ds: Array, pose: Array, cap: Array) -> list[tuple[float, int, float]]:
-    """Length, last row and cap of the straight stretches that rows (n, 6) with steps ds (n - 1,) are made of."""
+    """Length, last row and cap of the straight segments that rows (n, 6) with steps ds (n - 1,) are made of."""
     kept = ds > 0
     if not np.any(kept):
         return []

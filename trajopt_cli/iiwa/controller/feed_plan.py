@@ -15,9 +15,9 @@ from trajopt_cli.iiwa.controller.greedy_feed import State, Walk
 
 ROWS = 3_000_000
 """Rows a dosed sequence may have: 50 min at 1 ms."""
-LOOKED = 10_000_000
-"""Periods that one way from the first row to the last may look ahead in all: about a minute of computing."""
-_BLOCK, _LARGEST = 8, 256  # periods walked between two looks at safety
+MOST_LOOKAHEAD = 10_000_000
+"""Periods that one walk from the first row to the last may look ahead in all: about a minute of computing."""
+_BLOCK, _LARGEST = 8, 256  # periods walked between two checks of safety
 _HALVINGS = 12  # of the last eager step before an unsafe state
 _WINDOW = 2.5  # time constants before and after a waypoint that a brake is judged by
 _BEGINS = (0.1, 0.3, 0.6, 1.0, 1.5)  # tried begins before the waypoint, in time constants
@@ -44,7 +44,7 @@ class _Advance:
         self.braked = 0
         self.brakes = list(brakes)
         self._block = _BLOCK
-        self._looked = walk.looked
+        self._lookahead = walk.lookahead
 
     @property
     def arrived(self) -> bool:
@@ -53,8 +53,8 @@ class _Advance:
 
     @property
     def done(self) -> bool:
-        """Whether the path is at its end, or there are too many rows, or it has looked ahead too far."""
-        return self.arrived or len(self.states) > ROWS or self.walk.looked - self._looked > LOOKED
+        """Whether the path is at its end, or there are too many rows, or it has lookahead ahead too far."""
+        return self.arrived or len(self.states) > ROWS or self.walk.lookahead - self._lookahead > MOST_LOOKAHEAD
 
     def go(self, most: float, until: float = inf) -> None:
         """Go on for at least most periods, or until s is past until, or to the end."""
@@ -115,7 +115,7 @@ class _Advance:
 def plan(walk: Walk, coarse: Walk | None, swings: float) -> tuple[list[State], int]:
     """States from the first row to the last, or to where it was given up, and how many periods were held back.
 
-    It is given up after ROWS rows, or LOOKED periods of looking ahead.
+    It is given up after ROWS rows, or MOST_LOOKAHEAD periods of looking ahead.
 
     coarse: the same path with a longer period on which brakes are searched for, None where no axis swings. swings [s]:
     time constant of the axis that swings longest.
@@ -132,29 +132,29 @@ def plan(walk: Walk, coarse: Walk | None, swings: float) -> tuple[list[State], i
 
 def _brakes(walk: Walk, swings: float) -> list[Brake]:
     """One brake before each waypoint where it saves time."""
-    way = _Advance(walk, walk.start())
+    advance = _Advance(walk, walk.start())
     window = int(_WINDOW * swings / walk.h) + 1
     earlier = 0
     brakes: list[Brake] = []
     for row in sorted({leg.last for leg in walk.path.legs} - {0}):
-        way.go(inf, until=float(walk.path.s[row]))
-        if walk.s(way.states[-1]) < walk.path.s[row]:
+        advance.go(inf, until=float(walk.path.s[row]))
+        if walk.s(advance.states[-1]) < walk.path.s[row]:
             break  # given up
-        way.go(window)
-        arrival = _arrival(way.states, row, earlier)
-        better = _best_brake(way, earlier, arrival, row, window, swings)
+        advance.go(window)
+        arrival = _arrival(advance.states, row, earlier)
+        better = _best_brake(advance, earlier, arrival, row, window, swings)
         if better is not None:
-            way, brake = better
+            advance, brake = better
             brakes.append(brake)
-        earlier = _arrival(way.states, row, earlier)
+        earlier = _arrival(advance.states, row, earlier)
     return brakes
 
 
 def _best_brake(
-    way: _Advance, earlier: int, arrival: int, row: int, window: int, swings: float
+    advance: _Advance, earlier: int, arrival: int, row: int, window: int, swings: float
 ) -> tuple[_Advance, Brake] | None:
     """The same walk with the best brake before the waypoint in path row, which it reaches in state arrival."""
-    walk, states = way.walk, way.states
+    walk, states = advance.walk, advance.states
     first = max(earlier, arrival - window)
     while first > earlier and walk.unsafe_after(states[first]) < inf:
         first = max(earlier, first - _BACK)
@@ -198,7 +198,7 @@ def _best_brake(
 
 
 def _arrival(states: Sequence[State], row: int, first: int) -> int:
-    return next(k for k in range(first, len(states)) if states[k].stretch >= row)
+    return next(k for k in range(first, len(states)) if states[k].segment >= row)
 
 
 def _reached(walk: Walk, states: Sequence[State], first: int, goal: float) -> float:

@@ -201,7 +201,7 @@ def _greedy(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
     if not walk.done(states[-1]):
         more = "stiffness or less damping" if swinging is None else "damping, so that the arm swings less"
         return CannotDose(
-            f"given up after {len(states)} rows and {walk.looked} periods of looking ahead, at "
+            f"given up after {len(states)} rows and {walk.lookahead} periods of looking ahead, at "
             f"{walk.s(states[-1]) / path.s[-1]:.0%} of the path; allow more lag, or more {more}"
         )
     s = np.array([walk.s(state) for state in states])
@@ -429,8 +429,8 @@ def _resting_time(moves: Sequence[bool] | NDArray[np.bool_], laws: Sequence[Axis
 
 def _pieces(path: DosePath, states: Sequence[State], h: float) -> tuple[Piece, ...]:
     """The rows of every leg."""
-    stretch = np.array([state.stretch for state in states])
-    arrivals = np.searchsorted(stretch, np.arange(len(path.s)))  # first row at or past each path row
+    segment = np.array([state.segment for state in states])
+    arrivals = np.searchsorted(segment, np.arange(len(path.s)))  # first row at or past each path row
     out: list[Piece] = []
     row = 0
     for leg in path.legs:

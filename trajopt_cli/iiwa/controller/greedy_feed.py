@@ -1,7 +1,7 @@
 """One period after another along a path, the arm's answer beside it: as far ahead as the lag allows, or as little.
 
 With the equilibrium at P(s) and the arm at p, the bound |P(s) - p| <= b leaves an interval of s on every straight
-stretch, the roots of a quadratic; where the equilibrium's speed is fed too, so does a bound on the push K (P - p) + D
+segment, the roots of a quadratic; where the equilibrium's speed is fed too, so does a bound on the push K (P - p) + D
 P'. Eager takes its far end, lazy its near end, never back. A state is safe when lazy steps from it keep the bounds for
 ever; lazy steps from a safe state lead to safe states, so a walk that only enters safe states can always go on.
 """
@@ -22,21 +22,21 @@ from trajopt_cli.iiwa.controller.regulator import Coefficients
 Three = tuple[float, float, float]
 
 SLIVER = 1e-10
-"""Share of a period's way by which one may go too far to end a stretch: rounding of s must not cost a row there."""
+"""Fraction of a period's way by which one may go too far to end a segment: rounding of s must not cost a row there."""
 
-_INSIDE = 1e-9  # share of the bound kept free for rounding
-_ROUNDING = 2e-10  # share of the squared bound that a standing equilibrium may seem over it by rounding
-_WINDOW = 3.0  # slowest time constants until which a free response is looked at sample by sample
+_INSIDE = 1e-9  # fraction of the bound kept free for rounding
+_ROUNDING = 2e-10  # fraction of the squared bound that a standing equilibrium may seem over it by rounding
+_WINDOW = 3.0  # slowest time constants until which a free response is lookahead at sample by sample
 _LONGEST = 20_000  # rows of that window
 _PATIENCE = 400_000  # lazy periods after which a state counts as unsafe
 _LOOK = 32  # lazy periods between two looks whether standing still will do, at first
-_SPARSE = 16  # of that many rows of the window one is looked at first
+_SPARSE = 16  # of that many rows of the window one is lookahead at first
 
 
 class State(NamedTuple):
-    """Where the equilibrium is (sigma past the start of stretch, standing for hold more periods), and the arm."""
+    """Where the equilibrium is (sigma past the start of segment, standing for hold more periods), and the arm."""
 
-    stretch: int
+    segment: int
     sigma: float
     hold: int
     p: Three
@@ -52,7 +52,7 @@ _Line = tuple[float, float, float, float, float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class _Stretch:
+class _Segment:
     """A straight piece of the path: X(sigma) = origin + slope sigma, 0 <= sigma <= length, d sigma / dt <= cap."""
 
     length: float
@@ -78,7 +78,7 @@ class SpeedFed(NamedTuple):
 
 
 class Walk:
-    """A path walked with period h [s]. axes: coefficients of the controller's law for the six coordinates.
+    """A path walked greedily with period h [s]. axes: coefficients of the controller's law for the six coordinates.
 
     bound [m] and turn_bound [rad], or None: greatest norms of the lag of position and angles. fed: None where the
     controller is fed positions alone.
@@ -94,15 +94,15 @@ class Walk:
         fed: SpeedFed | None = None,
     ) -> None:
         self.path, self.h = path, h
-        self.looked = 0  # lazy periods that unsafe_after has walked so far
+        self.lookahead = 0  # lazy periods that unsafe_after has walked so far
         self._square = (bound * (1 - _INSIDE)) ** 2
         self._turn_square = None if turn_bound is None else (turn_bound * (1 - _INSIDE)) ** 2
         self._axes = tuple((a, b, p, q) for a, b, _, p, q, _ in axes)
         self._fed = None if fed is None else _Fed(fed, self._axes, h)
         self._bounds = _bounds(self._square, self._turn_square, self._fed)
         self._turns = any(bound.turn for bound in self._bounds)
-        self._stretches = _stretches(path, h, self._bounds)
-        self._length = len(self._stretches)
+        self._segments = _segments(path, h, self._bounds)
+        self._length = len(self._segments)
         self._moved, self._turned = self._axes[:3], self._axes[3:6]
         last = path.pose[-1].tolist()
         self._end: tuple[Three, Three] = (_three(last[:3]), _three(last[3:]))
@@ -119,11 +119,11 @@ class Walk:
 
     def done(self, state: State) -> bool:
         """Whether the equilibrium is in the last pose and has stood there for as long as it should."""
-        return state.stretch == self._length and state.hold == 0
+        return state.segment == self._length and state.hold == 0
 
     def s(self, state: State) -> float:
         """The path parameter."""
-        return float(self.path.s[state.stretch]) + state.sigma
+        return float(self.path.s[state.segment]) + state.sigma
 
     def step(self, state: State, eagerness: float) -> State | None:
         """The next period's state; eagerness 0 goes on as little as the bounds demand, 1 as far as they allow.
@@ -156,9 +156,9 @@ class Walk:
             p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, self._place(i, sigma, 0))
             if self._turns:
                 turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, self._place(i, sigma, 1))
-        stretch = self._stretches[i]
-        if sigma >= stretch.length:
-            return _state(State, (i + 1, 0.0, stretch.hold, p, v, turn, w))
+        segment = self._segments[i]
+        if sigma >= segment.length:
+            return _state(State, (i + 1, 0.0, segment.hold, p, v, turn, w))
         return _state(State, (i, sigma, 0, p, v, turn, w))
 
     def run(self, state: State, periods: int, eagerness: float) -> list[State]:
@@ -180,22 +180,22 @@ class Walk:
         for k in range(_PATIENCE):
             if k == look:
                 if self._may_stand(state):
-                    self.looked += k
+                    self.lookahead += k
                     return inf
                 look += max(_LOOK, k // 4)
             following = self.step(state, 0.0)
             if following is None:
-                self.looked += k
+                self.lookahead += k
                 return k
             state = following
-        self.looked += _PATIENCE
+        self.lookahead += _PATIENCE
         return _PATIENCE
 
     def _place(self, i: int, sigma: float, part: int) -> Three:
         """Of the equilibrium: part 0 its position, part 1 its angles."""
         if i == self._length:
             return self._end[part]
-        (x, y, z), (dx, dy, dz) = self._stretches[i].parts[part]
+        (x, y, z), (dx, dy, dz) = self._segments[i].parts[part]
         return x + sigma * dx, y + sigma * dy, z + sigma * dz
 
     def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three, ease: float = 1 + _ROUNDING) -> bool:
@@ -217,12 +217,12 @@ class Walk:
         low = high = None
         time = self.h
         while True:
-            stretch = self._stretches[i]
-            room = sigma + stretch.cap * time
-            if room > stretch.full:
-                room = stretch.length
-            near, far = sigma, room
-            for line, centre in zip(stretch.lines, centres, strict=True):
+            segment = self._segments[i]
+            reach = sigma + segment.cap * time
+            if reach > segment.full:
+                reach = segment.length
+            near, far = sigma, reach
+            for line, centre in zip(segment.lines, centres, strict=True):
                 near, far = _within(line, centre, near, far)
                 if near > far:
                     break
@@ -230,15 +230,15 @@ class Walk:
                 if low is None:
                     low = (i, near)
                 high = (i, far)
-            if (low is not None and (nearest or far < room)) or room < stretch.length or stretch.mark:
+            if (low is not None and (nearest or far < reach)) or reach < segment.length or segment.mark:
                 return low, high
-            time = max(0.0, time - (stretch.length - sigma) / stretch.cap)
+            time = max(0.0, time - (segment.length - sigma) / segment.cap)
             i, sigma = i + 1, 0.0
 
-    def _between(self, low: tuple[int, float], high: tuple[int, float], share: float) -> tuple[int, float]:
-        """The place a share of the way from low to high."""
-        lengths = [self._stretches[i].length for i in range(low[0], high[0])]
-        sigma = low[1] + share * (sum(lengths) + high[1] - low[1])
+    def _between(self, low: tuple[int, float], high: tuple[int, float], fraction: float) -> tuple[int, float]:
+        """The place a fraction of the distance from low to high."""
+        lengths = [self._segments[i].length for i in range(low[0], high[0])]
+        sigma = low[1] + fraction * (sum(lengths) + high[1] - low[1])
         for i, length in enumerate(lengths, low[0]):
             if sigma < length:
                 return i, sigma
@@ -247,12 +247,12 @@ class Walk:
 
     def _may_stand(self, state: State) -> bool:
         """Whether the bound holds for ever if the equilibrium stays where it is."""
-        p_e = self._place(state.stretch, state.sigma, 0)
+        p_e = self._place(state.segment, state.sigma, 0)
         if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING / 2)):
             return False
         if self._turn_rest is None or self._turn_square is None:
             return True
-        turn_e = self._place(state.stretch, state.sigma, 1)
+        turn_e = self._place(state.segment, state.sigma, 1)
         return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
 
 
@@ -400,7 +400,7 @@ def _within(line: _Line, x: Three, low: float, high: float) -> tuple[float, floa
     return (low, high) if low <= high else (inf, -inf)
 
 
-def _stretches(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Stretch]:
+def _segments(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Segment]:
     marks = {leg.last for leg in path.legs}
     holds: dict[int, int] = {}
     for leg in path.legs:
@@ -414,7 +414,7 @@ def _stretches(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Stre
         parts = ((_three(pose[:3]), _three(slope[:3])), (_three(pose[3:]), _three(slope[3:])))
         lines = tuple(_line(one, *parts[one.turn]) for one in bounds)
         full = length - SLIVER * cap * h
-        out.append(_Stretch(length, cap, parts, full, lines, row in marks, holds.get(row, 0)))
+        out.append(_Segment(length, cap, parts, full, lines, row in marks, holds.get(row, 0)))
     return out
 
 

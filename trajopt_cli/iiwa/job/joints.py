@@ -33,11 +33,11 @@ def follow_joints(
 
     opened = open_folder(folder)
     task = opened.task
-    wish, rows = None, len(opened.equilibrium.pose)
+    objective, rows = None, len(opened.equilibrium.pose)
     if goal is not None:
         from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective
 
-        wish = ArmAngleObjective(goal, task.load, tell)
+        objective = ArmAngleObjective(goal, task.load, tell)
     if rows >= LONG:
         tell(f"inverse kinematics and checks of {rows} poses")
     answer = follow(
@@ -49,7 +49,7 @@ def follow_joints(
         task.definition,
         task.arm_angle,
         free,
-        wish=wish,
+        objective=objective,
     )
     if isinstance(answer, Followed) and stops_nothing(answer):
         if rows >= LONG:

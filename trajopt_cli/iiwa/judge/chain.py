@@ -45,7 +45,7 @@ def follow(
     m plus rad, less what is allowed.
 
     A row takes the earliest place on the chain, not before that of the row before, from which it is within both
-    tolerances: where this fails no other assignment in order does better. How far it is off is told for the nearest
+    tolerances: where this fails no other assignment in order does better. How far it is off is reported for the nearest
     place that lies a little ahead of it.
     """
     parts = [_Part.of(leg, turn_tolerance) for leg in chain]
@@ -200,7 +200,7 @@ def check_chain(
 def _vertices(
     name: str, chain: list[StraightPiece], rows: Poses, found: Followed, tolerance: float, source: Source
 ) -> Finding:
-    """How far poses are from the straight way between rows, at most. What such a way cuts off a curve is granted: an
+    """How far poses are from the straight path between rows, at most. What such a path cuts off a curve is granted: an
     eighth of the greatest change of step."""
     p = rows.p[found.first : found.last + 1]
     steps = np.diff(p, axis=0)

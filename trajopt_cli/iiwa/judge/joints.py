@@ -105,10 +105,13 @@ def _speed_columns(
 
 
 def check_posture(
-    order: Order, rows: Trajectory, told: ArmAngleRange | None, first_is_start: bool
+    order: Order, rows: Trajectory, reported: ArmAngleRange | None, first_is_start: bool
 ) -> Iterator[Finding]:
-    """One configuration, that of the start, and one arm angle: the task's, else that of the start; told: the range in
-    which the maker says it moves instead. first_is_start: the first pose is the tool's at the start's joints."""
+    """One configuration, that of the start, and one arm angle: the task's, else that of the start.
+
+    reported: the range in which the maker says it moves instead. first_is_start: the first pose is the tool's at the
+    start's joints.
+    """
     q, t, start = rows.q, rows.t, order.start_joints
     wanted = configuration(start)
     for bit, j in enumerate(SIGNED):
@@ -124,10 +127,10 @@ def check_posture(
     at_start = arm_angles(order.arm.mechanism, start[None], order.swivel)[0]
     fixed = float(at_start[0]) if order.arm_angle is None else order.arm_angle
     doubt = np.where(off > 0, 10 * ROUNDING / np.maximum(off, 1e-300), np.inf)
-    moves = told is not None and told.greatest - told.least > ARM_ANGLE
+    moves = reported is not None and reported.greatest - reported.least > ARM_ANGLE
     if moves or order.arm_angle_free:
-        if told is not None:
-            middle, half = (told.least + told.greatest) / 2, (told.greatest - told.least) / 2
+        if reported is not None:
+            middle, half = (reported.least + reported.greatest) / 2, (reported.greatest - reported.least) / 2
             off = np.maximum(np.abs(wrapped(angle - middle)) - half - doubt, 0.0)
             yield worst("arm angle range", "elbow", off, ARM_ANGLE, "rad", t, words="leaves its reported range by")
     else:

@@ -1,4 +1,4 @@
-"""The way between a task's poses, built anew."""
+"""The path between a task's poses, built anew."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ class StraightPiece:
 
     @property
     def L_p(self) -> float:
-        """Way of the position, m."""
+        """Length of the path of the position, m."""
         return float(np.linalg.norm(self.way))
 
     @property
     def L_q(self) -> float:
-        """Way of the orientation, rad."""
+        """Length of the path of the orientation, rad."""
         return float(np.linalg.norm(self.turn))
 
     def as_gone(self, q: Array) -> StraightPiece:
@@ -81,7 +81,7 @@ class StraightPiece:
         return ROUNDING / max(float(np.cos(beta).min()), 1e-3)
 
     def share(self, p: Array, q: Array) -> Array:
-        """The share (n,) of the way whose pose is nearest, position and orientation together, 1 m as 1 rad."""
+        """The share (n,) of the path whose pose is nearest, position and orientation together, 1 m as 1 rad."""
         return np.asarray(((p - self.p) @ self.way + self.turned(q) @ self.turn) / (self.L_p**2 + self.L_q**2))
 
     def at(self, s: Array) -> tuple[Array, Array]:

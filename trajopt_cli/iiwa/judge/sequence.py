@@ -90,7 +90,7 @@ def _dwells(order: Order, found: list[Visit], rows: Poses, retimed: bool) -> Ite
 
 
 def _on_leg(leg: StraightPiece, rows: Poses, part: slice) -> Iterator[Finding]:
-    """How far rows lie off the way between two poses, and back along it. Rows at its ends that are not on it, because
+    """How far rows lie off the path between two poses, and back along it. Rows at its ends that are not on it, because
     no row stands at the pose itself, belong to the neighbours as much."""
     if np.any(rows.open):
         part = slice(part.start + 1, part.stop - 1)
@@ -173,7 +173,7 @@ def _caps_there(way: list[StraightPiece], on: Followed | None, key: str, count: 
 
 
 def _accelerations(steps: Array, gaps: Array, rests: bool) -> Array:
-    """Second divided differences; of a way from rest to rest also at its ends: who is at a step's end after a gap has
+    """Second divided differences; of a path from rest to rest also at its ends: who is at a step's end after a gap has
     needed twice the step over the gap's square at least."""
     inner = 2 * np.diff(steps / gaps, axis=0) / (gaps[1:] + gaps[:-1])
     if not rests:
@@ -182,7 +182,7 @@ def _accelerations(steps: Array, gaps: Array, rests: bool) -> Array:
 
 
 def _jerks(steps: Array, h: float, rests: bool) -> Array:
-    """Third differences over the cube of the period; rests: of a way that stands still before and behind it."""
+    """Third differences over the cube of the period; rests: of a path that stands still before and behind it."""
     rest = np.zeros((2 if rests else 0, steps.shape[1]))
     return np.asarray(np.diff(np.concatenate([rest, steps, rest]), n=2, axis=0) / h**3)
 

@@ -1,7 +1,7 @@
 """What a task file orders, read anew for the judge: stops, caps, tool, base, robot and limits, start, arm angle.
 
-Poses come from the task's own list or from a CSV file. A RAPID program, and keys that the judge does not know, are told
-as unchecked, never passed over.
+Poses come from the task's own list or from a CSV file. A RAPID program, and keys that the judge does not know, are
+reported as unchecked, never passed over.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ def read_order(
     path: str, program: str | None = None, first: Callable[[FramePose, JudgedArm], FramePose] | None = None
 ) -> Order:
     """The order in a task file. program: a RAPID program, or a path as CSV, takes the place of its poses. first: where
-    the sequence begins, of the tool and the arm, which decides whether it has a way from the start to the first pose
+    the sequence begins, of the tool and the arm, which decides whether it has a path from the start to the first pose
     where the task does not say.
 
     Raises InputError with file, line and key for what the judge cannot use.
@@ -186,7 +186,7 @@ def _reframed(task: Written) -> bool:
 def _approach(
     task: Written, start: FramePose, relative: bool, stops: list[Stop], caps: _Caps, begin: FramePose | None
 ) -> tuple[FramePose, list[Stop], bool, _Caps]:
-    """The same with the way from the start to the first pose, where they differ: a line before it, or the arm driven
+    """The same with the path from the start to the first pose, where they differ: a line before it, or the arm driven
     there before the controller is switched on, whose relative angles count from that pose then."""
     q = turns.from_angles(stops[0].pose[3:])
     first = FramePose(stops[0].pose[:3], turns.product(q, start.q) if relative else q)
@@ -251,12 +251,12 @@ def arm_frame(mechanism: Mechanism, q: Array) -> FramePose:
 
 
 def periods(dwell: float, h: float) -> int:
-    """Whole periods of a dwell: it is never shorter than told, and at least one where there is any."""
+    """Whole periods of a dwell: it is never shorter than asked for, and at least one where there is any."""
     return max(1, math.ceil(dwell / h * (1 - 1e-9))) if dwell > 0 else 0
 
 
 def _foreign(task: Written) -> list[str]:
-    """A line for every key that the judge does not know: what it changes is not judged, and so neither is the way."""
+    """A line for every key that the judge does not know: what it changes is not judged, and so neither is the path."""
     return [
         f"{task.file}:{task.line(key)}: path and speeds, because the judge does not know the key '{key}'"
         for key in task.content

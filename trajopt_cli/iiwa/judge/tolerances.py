@@ -24,7 +24,7 @@ RAMP = 1e-6
 """Relative excess of a_max, epsilon_max and the jerks: differences of differences lose that many digits more."""
 
 ARM_CAP = 1e-3
-"""The same of joints that anybody wrote, whose rows may stand between those of the sequence: on the way from row to row
+"""The same of joints that anybody wrote, whose rows may stand between those of the sequence: from row to row
 joints turn evenly, the tool not quite (1e-4 of a_max at 1 kHz), and the caps are numbers of two or three digits."""
 
 ROUNDING = 4e-15
@@ -59,5 +59,5 @@ REST = 1e-5
 """Joint speed that counts as rest, rad/s: 10 nrad in a row of 1 kHz."""
 
 SLACK = 2
-"""Rows by which a dwell may seem longer than told: the first and the last row of a smooth ramp can lie within rounding
-of the pose."""
+"""Rows by which a dwell may seem longer than asked for: the first and the last row of a smooth ramp can lie within
+rounding of the pose."""

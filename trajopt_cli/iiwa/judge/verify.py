@@ -205,8 +205,8 @@ def _joint_file(
         middle = Trajectory(rows.names, (rows.t[:-1] + rows.t[1:]) / 2, (rows.q[:-1] + rows.q[1:]) / 2)
         yield from check_between(poses_of_joints(order.arm, order.X_FT, middle, None, order.h), tool)
     said = _section(sections, "joints", run.folder).get("arm_angle", {})
-    told = ArmAngleRange(float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
-    yield from check_posture(order, rows, told, begins)
+    reported = ArmAngleRange(float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
+    yield from check_posture(order, rows, reported, begins)
 
 
 def _begins_at_start(order: Order, tool: Poses) -> bool:
@@ -230,7 +230,7 @@ def _simulation_file(
     unchecked = [f"{file}: what the controller does; only what it was fed, and its deviation"]
     offs = [("period", np.abs(t - np.arange(len(t)) * order.h), PERIOD, "s", "is off its place in time by")]
     if order.reframed:
-        unchecked.append(f"{file}: what was fed, because the task changes frames on the way")
+        unchecked.append(f"{file}: what was fed, because the task changes frames during the run")
     else:
         k = np.minimum(np.arange(len(t)), len(wanted.t) - 1)
         off = np.linalg.norm(p_e - wanted.p[k], axis=1)

@@ -40,8 +40,10 @@ class Visit:
 
 
 def visits(order: Order, way: list[StraightPiece], rows: Poses) -> Iterator[Visit]:
-    """The stops in order, as far as the rows reach them; of repeated poses the last is told, with the dwells of all.
-    Ends with the first one that is not reached."""
+    """The stops in order, as far as the rows reach them; of repeated poses the last one, with the dwells of all.
+
+    Ends with the first one that is not reached.
+    """
     assert order.stops is not None
     row, dwell, before, last = 0, 0, 0, len(order.stops) - 1
     for i, stop in enumerate(order.stops):

@@ -20,7 +20,7 @@ _SAME = 1e-6  # m, rad: nearer counts as the same pose
 
 @dataclass(frozen=True, eq=False)
 class Approached:
-    """A path with the way to it: joints (7,) [rad] where the controller is switched on, waypoints, caps, notes."""
+    """A path with the move to it: joints (7,) [rad] where the controller is switched on, waypoints, caps, notes."""
 
     start_joints: Array
     waypoints: Sequence[Waypoint]

@@ -1,97 +1,65 @@
 """An arm angle that moves: the redundant freedom of seven joints, used to stay away from limits and singularities.
 
-Dynamic programming over a grid of stages in time and cells of arm angle finds the cheapest course; moving averages
-make it smooth; every row of the result is then checked. What one pair of grids misses, the next finer one is tried on.
+Dynamic programming over a grid of stages in time and cells of arm angle finds the cheapest path; moving averages
+smooth it; every row of the result is then checked. What one pair of grids misses, the next finer one is tried on.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import partial
 from math import pi, radians
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.iiwa.task.arm_map import FREE, Blocked, cheapest, fans, stages
-from trajopt_cli.iiwa.task.joint_checks import ELBOW, Place
-from trajopt_cli.iiwa.task.joint_rows import RELATIVE, accelerations, joints_along, passes, position_excess, speeds
+from trajopt_cli.iiwa.task.arm_map import FREE, ArmTask, Blocked, NoPlan, cheapest, fans, stages
+from trajopt_cli.iiwa.task.joint_checks import ELBOW
+from trajopt_cli.iiwa.task.joint_rows import RELATIVE, accelerations, passes, position_excess, speeds
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle
 
 _GRIDS = ((0.1, 360), (0.05, 720), (0.025, 720))
 """Stage [s] and cells per turn, coarse first."""
 _FEWEST_STAGES = 20  # so that a short motion, too, has stages to turn in
 _SINGULAR = radians(10.0)  # rad of joint_2 or joint_6 from zero where nearness costs as much as 70 % of a joint's range
-_MOTION = 4.0  # cost of joint speed against that of nearness to limits: above one, a course that rests more
+_MOTION = 4.0  # cost of joint speed against that of nearness to limits: above one, a path that rests more
 _WINDOWS = (1.0, 0.5, 0.25, 0.12, 0.06)
 """s: widths of the moving average, smoothest first."""
-_BETTER = 0.99  # a smoother course is kept unless the next one's accelerations are this share of its own
-_PASSES = 3  # averages of averages: a corner of the course becomes an arc whose acceleration is continuous
+_BETTER = 0.99  # a smoother path is kept unless the next one's accelerations are this share of its own
+_PASSES = 3  # averages of averages: a corner of the path becomes an arc whose acceleration is continuous
 
 
-@dataclass(frozen=True, eq=False)
-class ArmCourse:
-    """Arm angles (n,) [rad] without jumps, and the joints q (n, 7) [rad] that keep position and speed limits."""
+def find_path(task: ArmTask) -> tuple[Array, Array] | NoPlan:
+    """Arm angles (n,) [rad] without jumps and joints (n, 7) [rad] of an arm whose poses are all in reach.
 
-    arm_angle: Array
-    q: Array
-
-
-@dataclass(frozen=True)
-class NoCourse:
-    """None was found: the time [s] at which it fails, and why."""
-
-    time: float
-    message: str
-
-
-def find_course(
-    robot: SrsRobot,
-    X_WF: Array,
-    h: float,
-    limits: JointLimits,
-    definition: ArmAngle,
-    configuration: int,
-    start: Array,
-    place: Place,
-) -> ArmCourse | NoCourse:
-    """A course of the arm angle along flange poses X_WF (n, 4, 4), h [s] apart, all of them in reach.
-
-    It begins at the arm angle of the start joints (7,) and rests at both ends; the configuration stays. Of the smooth
-    courses that keep positions and speeds, the first whose accelerations pass too (or are no worse than the elbow's,
-    which no arm angle changes), otherwise the one with the least. place: names a row for people.
+    The arm angle begins at that of the start joints and rests at both ends. Of the smooth paths that keep positions and
+    speeds, the first whose accelerations pass too (or are no worse than the elbow's, which no arm angle changes),
+    otherwise the one with the least.
     """
-    begin = float(arm_angle(robot, start, definition))
-    best: tuple[float, ArmCourse] | None = None
-    failure = NoCourse(0.0, "")
+    h, limits, begin, n = task.h, task.limits, task.begin, len(task.X_WF)
+    best: tuple[float, Array, Array] | None = None
+    failure = NoPlan(0, "")
     for stage, cells in _GRIDS:
-        count = max(_FEWEST_STAGES, int(np.ceil((len(X_WF) - 1) * h / stage)))
-        rows = stages(len(X_WF), count)
+        rows = stages(n, max(_FEWEST_STAGES, int(np.ceil((n - 1) * h / stage))))
         cell = 2 * pi / cells
         grid = np.asarray(begin + cell * np.arange(cells), dtype=np.float64)
-        every = fans(robot, X_WF[rows], definition, configuration, grid)
+        every = fans(task.robot, task.X_WF[rows], task.definition, task.configuration, grid)
         nodes = cheapest(every, np.diff(rows) * h, limits, cell, partial(_holding, limits=limits), _driving)
         if isinstance(nodes, Blocked):
-            row = int(rows[nodes.stage])
-            failure = NoCourse(row * h, f"at t = {row * h:.3f} s ({place(row)}) {nodes.why}")
+            failure = NoPlan(int(rows[nodes.stage]), nodes.why)
             continue
         for window in _WINDOWS:
-            angles = _smooth(np.asarray(begin + cell * nodes, dtype=np.float64), rows, len(X_WF), round(window / h))
-            course = ArmCourse(angles, joints_along(robot, X_WF, angles, definition, configuration, start))
-            if not passes(course.q, h, limits):
-                row = _first_broken(course.q, h, limits)
-                at = f"t = {row * h:.3f} s ({place(row)})"
-                failure = NoCourse(row * h, f"the one found on a grid, made smooth, breaks a limit at {at}")
+            angles = _smooth(np.asarray(begin + cell * nodes, dtype=np.float64), rows, n, round(window / h))
+            q = task.joints(angles)
+            if not passes(q, h, limits):
+                failure = NoPlan(_first_broken(q, h, limits), "the one found on a grid, made smooth, breaks a limit")
                 continue
-            used = (accelerations(course.q, h) / limits.acceleration).max(axis=0)
+            used = (accelerations(q, h) / limits.acceleration).max(axis=0)
             worst = float(used.max())
             if worst <= max(1.0, float(used[ELBOW])) * (1 + RELATIVE):
-                return course
+                return angles, q
             if best is None or worst < _BETTER * best[0]:
-                best = worst, course
-    return failure if best is None else best[1]
+                best = worst, angles, q
+    return failure if best is None else best[1:]
 
 
 def _driving(share: Array) -> Array:
@@ -113,9 +81,9 @@ def _holding(q: Array, limits: JointLimits) -> Array:
 
 
 def _smooth(nodes: Array, rows: IndexArray, n: int, width: int) -> Array:
-    """Angles (n,) of a smooth course near nodes (K + 1,) at rows: moving averages of width rows over straight pieces.
+    """Angles (n,) of a smooth path near nodes (K + 1,) at rows: moving averages of width rows over straight pieces.
 
-    The ends are mirrored, so the course rests there. What the average takes from the first value is given back, fading
+    The ends are mirrored, so the path rests there. What the average takes from the first value is given back, fading
     out over the time that the averages look ahead.
     """
     half = max(1, min(width // 2, (n - 1) // (2 * _PASSES)))

@@ -1,4 +1,4 @@
-"""A map of the redundant freedom: what every arm angle means at stages of a path, and the cheapest course through it.
+"""A map of the redundant freedom: what every arm angle means at stages of a path, and the cheapest path through it.
 
 A cell is forbidden where a joint is out of its range, a step where a joint's mean speed exceeds its limit. The joints
 are taken as the inverse gives them, within half a turn, so a step across half a turn is forbidden as too fast: right
@@ -16,16 +16,46 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.iiwa.task.joint_checks import ELBOW
-from trajopt_cli.iiwa.task.joint_rows import RELATIVE, position_excess
+from trajopt_cli.iiwa.task.joint_rows import RELATIVE, joints_along, position_excess
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.srs import JOINTS, SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, inverse_branch
+from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch
 
 FREE = [j for j in range(JOINTS) if j != ELBOW]
 """The joints that an arm angle moves: joint_4 follows from the pose alone."""
 _RATE = radians(90.0)  # rad/s: the fastest arm angle looked at; a joint with such a speed is near its limit anyway
 
 Cost = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class NoPlan:
+    """None was found: the row at which it fails, and why."""
+
+    row: int
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class ArmTask:
+    """What the arm follows: flange poses X_WF (n, 4, 4), h [s] apart, in one configuration, from start joints (7,)."""
+
+    robot: SrsRobot
+    X_WF: Array
+    h: float
+    limits: JointLimits
+    definition: ArmAngle
+    configuration: int
+    start: Array
+
+    @property
+    def begin(self) -> float:
+        """The arm angle of the start joints [rad]."""
+        return float(arm_angle(self.robot, self.start, self.definition))
+
+    def joints(self, angles: Array | float) -> Array:
+        """Joints (n, 7) at arm angles (n,) or one [rad], continuous."""
+        return joints_along(self.robot, self.X_WF, angles, self.definition, self.configuration, self.start)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +111,7 @@ def margins(q: Array, limits: JointLimits) -> Array:
 
 @dataclass(frozen=True)
 class Blocked:
-    """No course of cells leads to this stage, and why."""
+    """No path of cells leads to this stage, and why."""
 
     stage: int
     why: str
@@ -96,12 +126,12 @@ def cheapest(
     drive: Cost,
     join: Any = np.add,
 ) -> IndexArray | Blocked:
-    """Cells (K + 1,), counted on over whole turns, of the cheapest course from cell 0: the best there is on this grid.
+    """Cells (K + 1,), counted on over whole turns, of the cheapest path from cell 0: the best there is on this grid.
 
     fans: the joints (m, 7) of every cell, stage after stage, K + 1 of them. dt (K,) [s]: time from stage to stage.
     cell [rad]: width of one. hold: from joints (m, 7) to what standing there costs per second, inf where it is
     forbidden. drive: from mean speeds (7, m, o), as shares of their limits, to what a step costs per second. join:
-    np.add; np.maximum, with costs that are no rates, finds the course whose worst stage is best.
+    np.add; np.maximum, with costs that are no rates, finds the path whose worst stage is best.
     """
     before = next(fans)
     cells = len(before)

@@ -1,4 +1,4 @@
-"""The best course of the arm angle along a path: far from limits, slow, or with little torque, over the whole path.
+"""The best path of the arm angle along a path: far from limits, slow, or with little torque, over the whole path.
 
 First dynamic programming over a grid of stages and arm angles: nothing on that grid is better. Then damped Gauss-Newton
 steps over nodes in time, without the grid's steps, with what passes a limit as a penalty; a cubic spline through the
@@ -24,12 +24,10 @@ from scipy.interpolate import CubicSpline
 from scipy.linalg import solveh_banded
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, Blocked, arm_map, cheapest, margins, stages
-from trajopt_cli.iiwa.task.joint_rows import accelerations, central_speeds, joints_along, passes, speeds
-from trajopt_cli.limits import JointLimits
+from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, ArmTask, Blocked, NoPlan, arm_map, cheapest, margins, stages
+from trajopt_cli.iiwa.task.joint_rows import accelerations, central_speeds, passes, speeds
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
-from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch
+from trajopt_cli.robot.srs_inverse import inverse_branch
 
 
 class Goal(Enum):
@@ -45,41 +43,41 @@ _MOVING = {Goal.LIMITS: 0.1, Goal.SPEED: 1.0, Goal.TORQUE: 0.01}
 _GRIDS = ((0.1, 720), (0.2, 360), (0.05, 1440))
 """Stage [s] and cells per turn; the second and the third where the one before fails."""
 _STAGES = 40, 400  # at least, so that a short motion can turn; at most, so that a long one ends
-_NODE, _NODES = 0.02, (40, 1200)  # s between nodes of the smooth course, how many
+_NODE, _NODES = 0.02, (40, 1200)  # s between nodes of the smooth path, how many
 _SINGULAR = np.sin(radians(10.0))  # of joint_2 or joint_6 from zero: costs as much as 70 % of a joint's range
-_FLOOR = radians(2.0)  # rad from a limit that is kept where the start and the way let it
+_FLOOR = radians(2.0)  # rad from a limit that is kept where the start and the motion let it
 _GIVEN = 0.98  # of the best least distance from a limit: what the other stages may be better off for
 _TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes keep, for the rows between them
 _SLOWER = (_TOP_SPEED, 0.7, 0.5, 0.35)  # top speeds on the grid, lower where accelerations break their limits otherwise
 _SMOOTHING = (10.0, 1.0, 1e-1, 1e-2, 1e-3, 1e-4)  # of the square of the arm angle's acceleration [rad/s2]
-_WORTH, _OF_SAVING = 0.01, 0.1  # of the least cost, and of what it saves: what a smoother course may cost more
+_WORTH, _OF_SAVING = 0.01, 0.1  # of the least cost, and of what it saves: what a smoother path may cost more
 _WALL_POSITION, _WALL_SPEED, _WALL_ACCELERATION = 3000.0, 30.0, 10.0  # penalties' roots, per rad and per share
 _STEP = 1e-5  # rad: for differences
 _STILL = 0.1  # m/s2 or rad/s2: no step of a speed is less within a period
 _ITERATIONS = 60
-_TORQUE_ROWS = 4000  # rows that torques are told from
+_TORQUE_ROWS = 4000  # rows that torques are taken from
 
 Report = Callable[[str], None]
 
 
 @dataclass(frozen=True)
 class ArmAngleObjective:
-    """What the arm angle is chosen for; load: what the flange carries. tell: is told what is being worked on."""
+    """What the arm angle is chosen for; load: what the flange carries. progress: told what is worked on."""
 
     goal: Goal
     load: ToolLoad | None = None
-    tell: Report = lambda phase: None
+    progress: Report = lambda phase: None
 
 
 @dataclass(frozen=True)
 class ArmFigures:
-    """What a course of the arm angle costs, over all its rows; joints by index, joint_4 left out but in torque.
+    """What a path of the arm angle costs, over all its rows; joints by index, joint_4 left out but in torque.
 
     margin [rad]: least distance from a position limit, of joint near. speed, acceleration: greatest shares of limits,
     of joints fast and abrupt; steady: root of the mean square over time of all joints' speed shares. gravity: greatest
     share of a torque sensor's range that holds the arm, of joint loaded; effort: as steady, of these shares; torque:
-    greatest share with the arm's inertia, of joint strained. elbow [m]: way of the elbow; turned [rad]: of the arm
-    angle. passes: every position and speed limit is kept, joint_4's, too.
+    greatest share with the arm's inertia, of joint strained. elbow [m]: how far the elbow moves; turned
+    [rad]: the arm angle. passes: every position and speed limit is kept, joint_4's, too.
     """
 
     margin: float
@@ -101,11 +99,11 @@ class ArmFigures:
 
 @dataclass(frozen=True, eq=False)
 class ArmPlan:
-    """A course of the arm angle (n,) [rad] with its joints q (n, 7), and how it was found.
+    """A path of the arm angle (n,) [rad] with its joints q (n, 7), and how it was found.
 
     map: the grid it was looked for on. held: why the fixed arm angle is kept after all, "" where it is not. grid_cost:
-    of the best course on the grid; cost, fixed_cost: of this one and of the fixed arm angle, all at the grid's stages,
-    inf where limits are broken. grid_margin [rad]: least distance from a limit on the grid's course. smoothing: weight
+    of the best path on the grid; cost, fixed_cost: of this one and of the fixed arm angle, all at the grid's stages,
+    inf where limits are broken. grid_margin [rad]: least distance from a limit on the grid's path. smoothing: weight
     that was needed. fixed, best: figures of the fixed arm angle and of this one.
     """
 
@@ -123,74 +121,44 @@ class ArmPlan:
     best: ArmFigures
 
 
-@dataclass(frozen=True)
-class NoPlan:
-    """None was found: the row at which it fails, and why."""
+def plan_arm(task: ArmTask, fixed: float, objective: ArmAngleObjective, stops: bool = True) -> ArmPlan | NoPlan:
+    """The best path of the arm angle along a motion whose poses are all in reach, from the start joints' arm angle on.
 
-    row: int
-    message: str
-
-
-@dataclass(frozen=True, eq=False)
-class ArmTask:
-    """What the arm follows: flange poses X_WF (n, 4, 4), h [s] apart, in one configuration, from start joints (7,)."""
-
-    robot: SrsRobot
-    X_WF: Array
-    h: float
-    limits: JointLimits
-    definition: ArmAngle
-    configuration: int
-    start: Array
-
-    @property
-    def begin(self) -> float:
-        """The arm angle of the start joints [rad]."""
-        return float(arm_angle(self.robot, self.start, self.definition))
-
-    def joints(self, angles: Array | float) -> Array:
-        """Joints (n, 7) at arm angles (n,) or one [rad], continuous."""
-        return joints_along(self.robot, self.X_WF, angles, self.definition, self.configuration, self.start)
-
-
-def plan_arm(way: ArmTask, fixed: float, wish: ArmAngleObjective, stops: bool = True) -> ArmPlan | NoPlan:
-    """The best course of the arm angle along a way whose poses are all in reach, from the start joints' arm angle on.
-
-    fixed [rad]: the arm angle to compare with, kept where the course found is no better and it keeps the limits. stops:
+    fixed [rad]: the arm angle to compare with, kept where the path found is no better and it keeps the limits. stops:
     whether the arm has to be at rest in the last row.
     """
-    q_fixed = way.joints(fixed)
-    bench = _Bench(way, wish, q_fixed, stops)
-    fixed_figures = bench.figures(q_fixed, np.full(len(q_fixed), fixed), stops)
+    q_fixed = task.joints(fixed)
+    costs = _Costs(task, objective, q_fixed, stops)
+    fixed_figures = costs.figures(q_fixed, np.full(len(q_fixed), fixed), stops)
     failure = NoPlan(0, "")
     for stage, cells in _GRIDS:
-        count = int(np.clip(np.ceil((len(way.X_WF) - 1) * way.h / stage), *_STAGES))
-        rows = stages(len(way.X_WF), count)
-        wish.tell(f"map of {len(rows)} x {cells} arm angles")
-        chart = arm_map(way.robot, way.X_WF, rows, way.definition, way.configuration, way.begin, cells)
-        fixed_cost = bench.cost(q_fixed[rows], rows) if fixed_figures.passes else np.inf
-        found = bench.search(chart, fixed_figures, fixed_cost, stops)
+        count = int(np.clip(np.ceil((len(task.X_WF) - 1) * task.h / stage), *_STAGES))
+        rows = stages(len(task.X_WF), count)
+        objective.progress(f"map of {len(rows)} x {cells} arm angles")
+        chart = arm_map(task.robot, task.X_WF, rows, task.definition, task.configuration, task.begin, cells)
+        fixed_cost = costs.cost(q_fixed[rows], rows) if fixed_figures.passes else np.inf
+        found = costs.search(chart, fixed_figures, fixed_cost, stops)
         if isinstance(found, NoPlan) and not fixed_figures.passes:
             failure = found
             continue
         plan = ArmPlan(
-            wish.goal, np.full(len(q_fixed), fixed), q_fixed, chart, "", fixed_cost, fixed_cost, fixed_cost,
+            objective.goal, np.full(len(q_fixed), fixed), q_fixed, chart, "", fixed_cost, fixed_cost, fixed_cost,
             fixed_figures.margin, 0.0, fixed_figures, fixed_figures,
         )  # fmt: skip
         if isinstance(found, NoPlan):
             return replace(plan, held=found.message)
-        course, grid_cost, grid_margin = found
+        path, grid_cost, grid_margin = found
         plan = replace(plan, grid_cost=grid_cost, grid_margin=grid_margin)
-        best = bench.figures(course.q, course.angles, stops)
-        if fixed_figures.passes and not bench.better(best, course.cost, fixed_figures, fixed_cost):
-            return replace(plan, held="no smooth course is better")
-        return replace(plan, arm_angle=course.angles, q=course.q, cost=course.cost, smoothing=course.weight, best=best)
+        best = costs.figures(path.q, path.angles, stops)
+        if fixed_figures.passes and not costs.better(best, path.cost, fixed_figures, fixed_cost):
+            return replace(plan, held="no smooth path is better")
+        return replace(plan, arm_angle=path.angles, q=path.q, cost=path.cost, smoothing=path.weight, best=best)
     return failure
 
 
 @dataclass(frozen=True, eq=False)
 class _Smooth:
-    """A smooth course that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share.
+    """A smooth path that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share.
 
     Rows at which the sequence's own speed steps do not count there.
     """
@@ -202,16 +170,16 @@ class _Smooth:
     cost: float
 
 
-class _Bench:
-    """What costs are counted with."""
+class _Costs:
+    """What a path of the arm angle costs."""
 
-    def __init__(self, way: ArmTask, wish: ArmAngleObjective, q_fixed: Array, stops: bool) -> None:
-        """q_fixed (n, 7): joints at the fixed arm angle, which tell where the way accelerates."""
-        limits = way.limits
-        self.way, self.goal, self.limits, self.tell = way, wish.goal, limits, wish.tell
-        self._dynamics = Dynamics(way.robot, wish.load)
-        hard = (accelerations(q_fixed, way.h, stops) / limits.acceleration).max(axis=1)
-        self.steps = _steps(way.X_WF, way.h, stops)
+    def __init__(self, task: ArmTask, objective: ArmAngleObjective, q_fixed: Array, stops: bool) -> None:
+        """q_fixed (n, 7): joints at the fixed arm angle, which say where the motion accelerates."""
+        limits = task.limits
+        self.task, self.goal, self.limits, self.progress = task, objective.goal, limits, objective.progress
+        self._dynamics = Dynamics(task.robot, objective.load)
+        hard = (accelerations(q_fixed, task.h, stops) / limits.acceleration).max(axis=1)
+        self.steps = _steps(task.X_WF, task.h, stops)
         self.hard = np.where(self.steps, 0.0, hard)
         self.middle, self.half = (limits.upper + limits.lower) / 2, (limits.upper - limits.lower) / 2
 
@@ -226,12 +194,12 @@ class _Bench:
 
     def cost(self, q: Array, rows: IndexArray) -> float:
         """Of joints q (K + 1, 7) at rows, as the grid counts it: stages at their ends, steps by their mean speed."""
-        dt = np.diff(rows) * self.way.h
+        dt = np.diff(rows) * self.task.h
         share = np.diff(q, axis=0) / (self.limits.velocity * dt[:, None])
         return float(dt @ (self.standing(q[1:]) + self.moving * np.square(share).sum(axis=1)))
 
     def better(self, best: ArmFigures, cost: float, fixed: ArmFigures, fixed_cost: float) -> bool:
-        """Whether a course is better than the fixed arm angle: the goal's own measure first, over all rows."""
+        """Whether a path is better than the fixed arm angle: the goal's own measure first, over all rows."""
         if self.goal is Goal.LIMITS and abs(best.margin - fixed.margin) > (1 - _GIVEN) * abs(best.margin):
             return best.margin > fixed.margin
         return cost < fixed_cost
@@ -239,15 +207,15 @@ class _Bench:
     def search(
         self, chart: ArmMap, fixed: ArmFigures, fixed_cost: float, stops: bool
     ) -> tuple[_Smooth, float, float] | NoPlan:
-        """The best smooth course near the best one on a map; the latter's cost and distance from limits.
+        """The best smooth path near the best one on a map; the latter's cost and distance from limits.
 
-        Where accelerations break their limits, slower courses on the map are tried; then the one with the least.
+        Where accelerations break their limits, slower paths on the map are tried; then the one with the least.
         """
-        courses: list[_Smooth] = []
+        paths: list[_Smooth] = []
         top_fixed = float(self.hard.max())
         grid: tuple[float, float] | None = None
         for top in _SLOWER:
-            self.tell("best course on the map" + (f", at {100 * top:.0f} % of the speed limits" if grid else ""))
+            self.progress("best path on the map" + (f", at {100 * top:.0f} % of the speed limits" if grid else ""))
             found = self.on_grid(chart, top, fixed.margin if fixed.passes else -np.inf)
             if isinstance(found, Blocked):
                 if grid is None:
@@ -256,32 +224,32 @@ class _Bench:
             cells, floor = found
             q = chart.q[np.arange(len(chart.rows)), cells % len(chart.delta)]
             grid = grid or (self.cost(q, chart.rows), float(margins(q, self.limits).min()))
-            self.tell("smooth courses near it")
-            courses += self.smooth(chart, cells, floor, top, stops)
-            quiet = [one for one in courses if one.acceleration <= 1]
+            self.progress("smooth paths near it")
+            paths += self.smooth(chart, cells, floor, top, stops)
+            quiet = [one for one in paths if one.acceleration <= 1]
             if quiet:
                 least = min(one.cost for one in quiet)
                 most = least + min(_WORTH * least, _OF_SAVING * max(fixed_cost - least, 0.0))
                 return next(one for one in quiet if one.cost <= most), *grid
-            if fixed.passes and any(one.acceleration <= top_fixed for one in courses):
+            if fixed.passes and any(one.acceleration <= top_fixed for one in paths):
                 break
-        calmest = min(courses, key=lambda one: one.acceleration, default=None)
+        calmest = min(paths, key=lambda one: one.acceleration, default=None)
         if grid is None or calmest is None or (fixed.passes and calmest.acceleration > top_fixed):
-            return NoPlan(0, "no smooth course near the best on the grid keeps the limits")
+            return NoPlan(0, "no smooth path near the best on the grid keeps the limits")
         return calmest, *grid
 
     def on_grid(self, chart: ArmMap, top: float, least: float) -> tuple[IndexArray, float] | Blocked:
-        """Cells of the best course on a map, and the distance from limits [rad] that it keeps.
+        """Cells of the best path on a map, and the distance from limits [rad] that it keeps.
 
         top: share of speed limits. least: distance from limits [rad] that is not given away again.
         """
-        dt = np.diff(chart.rows) * self.way.h
+        dt = np.diff(chart.rows) * self.task.h
         reserve = margins(chart.q, self.limits)
         floor = min(_FLOOR, max(float(reserve[0, 0]), 0.0))
 
         def inside(q: Array) -> Array:
-            room = margins(q, self.limits)
-            return np.where(room < 0, np.inf, -room)
+            margin = margins(q, self.limits)
+            return np.where(margin < 0, np.inf, -margin)
 
         def slow(share: Array) -> Array:
             return np.where(share.max(axis=0) > top, np.inf, -np.inf)
@@ -296,7 +264,7 @@ class _Bench:
         if self.goal is not Goal.LIMITS:
             found = best(floor)
             if not isinstance(found, Blocked):
-                return found, floor  # else the distance that is kept may be what closes the way
+                return found, floor  # else the distance that is kept may be what closes every path
         widest = cheapest(iter(chart.q), dt, self.limits, chart.cell, inside, slow, np.maximum)
         if isinstance(widest, Blocked):
             return widest
@@ -309,8 +277,8 @@ class _Bench:
         return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
 
     def smooth(self, chart: ArmMap, cells: IndexArray, floor: float, top: float, stops: bool) -> Iterator[_Smooth]:
-        """Smooth courses near cells that keep positions and speeds in every row, the smoothest first."""
-        way, h, n = self.way, self.way.h, len(self.way.X_WF)
+        """Smooth paths near cells that keep positions and speeds in every row, the smoothest first."""
+        task, h, n = self.task, self.task.h, len(self.task.X_WF)
         nodes = stages(n, int(np.clip(np.ceil((n - 1) * h / _NODE), *_NODES)))
         t = np.asarray(nodes * h, dtype=np.float64)
         grid = np.asarray(np.interp(nodes, chart.rows, chart.delta[0] + chart.cell * cells), dtype=np.float64)
@@ -320,7 +288,7 @@ class _Bench:
             begins = [grid] if delta is grid else [grid, delta]
             _, delta = min((fit.solve(begin) for begin in begins), key=lambda one: one[0])
             angles = np.asarray(CubicSpline(t, delta, bc_type=((1, 0.0), (1, 0.0)))(np.arange(n) * h))
-            q = way.joints(angles)
+            q = task.joints(angles)
             if passes(q, h, self.limits):
                 shares = (accelerations(q, h, stops) / self.limits.acceleration)[:, FREE].max(axis=1)
                 worst = float(shares[~self.steps].max(initial=0.0))
@@ -328,8 +296,8 @@ class _Bench:
 
     def figures(self, q: Array, angles: Array, stops: bool) -> ArmFigures:
         """Of joints (n, 7) at arm angles (n,)."""
-        way, limits, h = self.way, self.limits, self.way.h
-        room = np.minimum(limits.upper - q, q - limits.lower).min(axis=0)[FREE]
+        task, limits, h = self.task, self.limits, self.task.h
+        margin = np.minimum(limits.upper - q, q - limits.lower).min(axis=0)[FREE]
         shares = speeds(q, h) / limits.velocity
         abrupt = (accelerations(q, h, stops) / limits.acceleration).max(axis=0)[FREE]
         rows = stages(len(q), _TORQUE_ROWS)
@@ -337,11 +305,11 @@ class _Bench:
         qdd = np.zeros_like(q)
         qdd[1:-1] = np.diff(q, n=2, axis=0) / (h * h)
         moved = self._dynamics.torque(q[rows], central_speeds(q, h)[rows], qdd[rows])
-        gravity, torque = (np.abs(tau / way.robot.torque).max(axis=0) for tau in (held, moved))
-        elbow = way.robot.axes_and_points(q)[2][:, 3]
+        gravity, torque = (np.abs(tau / task.robot.torque).max(axis=0) for tau in (held, moved))
+        elbow = task.robot.axes_and_points(q)[2][:, 3]
         return ArmFigures(
-            margin=float(room.min()),
-            near=FREE[int(np.argmin(room))],
+            margin=float(margin.min()),
+            near=FREE[int(np.argmin(margin))],
             speed=float(shares[:, FREE].max()),
             fast=FREE[int(np.argmax(shares[:, FREE].max(axis=0)))],
             steady=float(np.sqrt(np.square(shares).sum(axis=1).mean())),
@@ -349,7 +317,7 @@ class _Bench:
             abrupt=FREE[int(np.argmax(abrupt))],
             gravity=float(gravity.max()),
             loaded=int(np.argmax(gravity)),
-            effort=float(np.sqrt(np.square(held / way.robot.torque).sum(axis=1).mean())),
+            effort=float(np.sqrt(np.square(held / task.robot.torque).sum(axis=1).mean())),
             torque=float(torque.max()),
             strained=int(np.argmax(torque)),
             elbow=float(np.linalg.norm(np.diff(elbow, axis=1), axis=0).sum()),
@@ -363,7 +331,7 @@ class _Bench:
             return np.zeros((*q.shape[:-1], 1))
         if self.goal is Goal.TORQUE:
             tau = self._dynamics.gravity_torque(q.reshape(-1, q.shape[-1])).reshape(q.shape)
-            return np.asarray(tau / self.way.robot.torque)
+            return np.asarray(tau / self.task.robot.torque)
         used = np.clip(((q - self.middle) / self.half)[..., FREE], -0.999, 0.999)
         sines = np.sin(q[..., [1, 5]])
         sines = np.copysign(np.maximum(np.abs(sines), 1e-3), sines)
@@ -373,17 +341,17 @@ class _Bench:
 class _Fit:
     """Least squares over the arm angles of nodes: each term's residuals touch one node or up to three in a row."""
 
-    def __init__(self, bench: _Bench, nodes: IndexArray, floor: float, top: float, weight: float) -> None:
-        self._bench, self._way, self._floor, self._weight, self._top = bench, bench.way, floor, weight, top
-        X_WF, t = bench.way.X_WF, np.asarray(nodes * bench.way.h, dtype=np.float64)
-        # around each inner node the row at which the way accelerates most, with its neighbours
+    def __init__(self, costs: _Costs, nodes: IndexArray, floor: float, top: float, weight: float) -> None:
+        self._costs, self._task, self._floor, self._weight, self._top = costs, costs.task, floor, weight, top
+        X_WF, t = costs.task.X_WF, np.asarray(nodes * costs.task.h, dtype=np.float64)
+        # around each inner node the row at which the motion accelerates most, with its neighbours
         borders = (nodes[1:] + nodes[:-1] + 1) // 2
         pairs = zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True)
-        rows = np.array([first + int(np.argmax(bench.hard[first:end])) for first, end in pairs], dtype=np.intp)
+        rows = np.array([first + int(np.argmax(costs.hard[first:end])) for first, end in pairs], dtype=np.intp)
         rows = np.clip(rows, 1, len(X_WF) - 2)
         self._X = np.concatenate([X_WF[nodes], *(X_WF[rows + k] for k in (-1, 0, 1))])
         self._dt = np.diff(t)
-        ends = np.concatenate([self._dt[:1], self._dt, self._dt[-1:]])  # as if mirrored: the course rests there
+        ends = np.concatenate([self._dt[:1], self._dt, self._dt[-1:]])  # as if mirrored: the path rests there
         self._w = (ends[:-1] + ends[1:]) / 2
         self._before, self._after = 1 / (ends[:-1] * self._w), 1 / (ends[1:] * self._w)
 
@@ -411,34 +379,34 @@ class _Fit:
 
     def _at(self, delta: Array) -> tuple[float, Array, Array]:
         """Sum of squares, the normal matrix' upper bands (3, K + 1), half the gradient (K + 1,)."""
-        way, limits, bench = self._way, self._way.limits, self._bench
+        task, limits, costs = self._task, self._task.limits, self._costs
         b, a = self._before[1:-1], self._after[1:-1]
         rate = (delta[2:] - delta[:-2]) / (self._dt[1:] + self._dt[:-1])
         bend = b * delta[:-2] - (a + b) * delta[1:-1] + a * delta[2:]
         # around the hardest rows the arm angle goes as it does at the node
-        around = (delta[1:-1] + k * way.h * rate + k * k * way.h**2 / 2 * bend for k in (-1, 0, 1))
+        around = (delta[1:-1] + k * task.h * rate + k * k * task.h**2 / 2 * bend for k in (-1, 0, 1))
         # at each place the arm angle there, a little more and a little less, all in one inverse
         angles = np.concatenate([delta, *around]) + np.array([[0.0], [_STEP], [-_STEP]])
-        every = inverse_branch(way.robot, self._X, angles, way.definition, way.configuration)
+        every = inverse_branch(task.robot, self._X, angles, task.definition, task.configuration)
         q, up, down = every[:, : len(delta)]
         q, q_d = np.unwrap(q, axis=0), _turn(up - down) / (2 * _STEP)
         normal = _Normal(len(delta))
         root = np.sqrt(self._w)[:, None]
-        if bench.goal is not Goal.SPEED:
-            slope = (bench.points(q + _STEP * q_d) - bench.points(q - _STEP * q_d)) / (2 * _STEP)
-            normal.add(root * bench.points(q), root * slope)
-        off = (q - bench.middle)[:, FREE]
-        excess = np.maximum(np.abs(off) - (bench.half[FREE] - self._floor), 0.0)
+        if costs.goal is not Goal.SPEED:
+            slope = (costs.points(q + _STEP * q_d) - costs.points(q - _STEP * q_d)) / (2 * _STEP)
+            normal.add(root * costs.points(q), root * slope)
+        off = (q - costs.middle)[:, FREE]
+        excess = np.maximum(np.abs(off) - (costs.half[FREE] - self._floor), 0.0)
         inward = np.where(excess > 0, np.sign(off), 0.0) * q_d[:, FREE]
         normal.add(_WALL_POSITION * root * excess, _WALL_POSITION * root * inward)
 
         share = np.diff(q, axis=0) / (limits.velocity * self._dt[:, None])
         per = q_d[:-1] / (limits.velocity * self._dt[:, None]), q_d[1:] / (limits.velocity * self._dt[:, None])
-        stretch = np.sqrt(self._dt)[:, None]
-        scale = np.sqrt(bench.moving) * stretch
+        root_dt = np.sqrt(self._dt)[:, None]
+        scale = np.sqrt(costs.moving) * root_dt
         normal.add(scale * share, -scale * per[0], scale * per[1])
         fast = np.where(np.abs(share) > self._top, np.sign(share), 0.0)
-        scale = _WALL_SPEED * stretch
+        scale = _WALL_SPEED * root_dt
         normal.add(scale * np.maximum(np.abs(share) - self._top, 0.0), -scale * fast * per[0], scale * fast * per[1])
 
         self._bends(normal, delta, q, q_d, every[:, len(delta) :].reshape(3, 3, -1, every.shape[2]))
@@ -449,7 +417,7 @@ class _Fit:
 
         around (3, 3, K - 1, 7): joints as they are, more and less, each of three rows near the hardest at each node.
         """
-        h, top = self._way.h, self._way.limits.acceleration
+        h, top = self._task.h, self._task.limits.acceleration
         root, calm = np.sqrt(self._w)[:, None], np.sqrt(self._weight * self._w)[:, None]
         b, a = self._before[1:-1, None], self._after[1:-1, None]
         inner, second = slice(1, -1), (b, -(a + b), a)
@@ -466,12 +434,12 @@ class _Fit:
         slopes = [wall * (by_rate * v + by_bend * w) for v, w in zip(first, second, strict=True)]
         slopes[1] = slopes[1] + wall * by_angle
         normal.add(_WALL_ACCELERATION * root[inner] * over, *slopes)
-        for k in (0, len(delta) - 2):  # from rest and to rest: as if the way were mirrored there
+        for k in (0, len(delta) - 2):  # from rest and to rest: as if the motion were mirrored there
             end = slice(0, 1) if k == 0 else slice(-1, None)
             lead = (self._before + self._after)[end, None] * (1.0 if k == 0 else -1.0)
             normal.add(calm[end] * lead * (delta[k + 1] - delta[k]), -calm[end] * lead, calm[end] * lead, first=k)
             bent = lead * (q[k + 1] - q[k]) / top
-            if self._bench.steps[0 if k == 0 else -1]:  # the way is at speed there: what the arm angle adds
+            if self._costs.steps[0 if k == 0 else -1]:  # the motion is at speed there: what the arm angle adds
                 bent = lead * q_d[k] * (delta[k + 1] - delta[k]) / top
             over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
             wall = _WALL_ACCELERATION * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib.resources import files
 from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
@@ -31,6 +32,7 @@ from trajopt_cli.quantity import (
     takes_number,
 )
 from trajopt_cli.units import DEG
+from trajopt_cli.validation import json_schema
 
 FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
 STIFFNESS, TURN_STIFFNESS = {"N/m": 1.0, "N/mm": 1e3}, {"Nm/rad": 1.0}
@@ -390,3 +392,12 @@ class TaskDocument(Section):
         if (self.poses is None) == (self.program is None):
             raise complain("give one of 'poses' (a list) and 'program' (a RAPID file with MoveL motions)")
         return self
+
+
+def task_schema() -> dict[str, Any]:
+    """What a task file may hold, with a description of every key."""
+    keys = files("trajopt_cli.iiwa.task").joinpath("keys.md").read_text(encoding="utf-8")
+    schema = json_schema(TaskDocument, "trajopt iiwa task file", keys)
+    # a path in a file of its own stands where the loader looks before the document does
+    schema["properties"]["poses"]["anyOf"].append({"type": "string", "pattern": r"\.[cC][sS][vV]\s*$"})
+    return schema

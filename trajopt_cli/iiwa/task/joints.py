@@ -10,7 +10,8 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
-from trajopt_cli.iiwa.task.arm_angle_path import ArmCourse, NoCourse, find_course
+from trajopt_cli.iiwa.task.arm_angle_path import find_path
+from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
 from trajopt_cli.iiwa.task.joint_rows import central_speeds, joints_along
@@ -67,15 +68,15 @@ def follow(
     arm_angle: float | None,
     free: bool,
     stops: bool = True,
-    wish: ArmAngleObjective | None = None,
+    objective: ArmAngleObjective | None = None,
 ) -> Followed | Unfollowable:
     """Joints of every pose of the sequence, each sample held against the limits.
 
     robot: mounted in the world. X_FT (4, 4): TCP in the flange frame. start_joints (7,) [rad]: where the controller is
     switched on; R_start, the configuration, the joints' turns and, if arm_angle is None, the arm angle come from them.
     free: if a fixed arm angle breaks a position or speed limit, the arm angle may move, from that of the start joints
-    on. stops: whether the arm has to be at rest in the last row. wish: what the arm angle is chosen for, from that of
-    the start joints on; free does not count then.
+    on. stops: whether the arm has to be at rest in the last row. objective: what the arm angle is chosen for, from
+    that of the start joints on; free does not count then.
     """
     start = np.asarray(start_joints, dtype=np.float64)
 
@@ -97,39 +98,39 @@ def follow(
         return Unfollowable(row * h, row, place(row), message)
 
     angles = np.full(len(q), fixed)
-    free = free or wish is not None
-    findings = check_joints(q, h, limits, place, free=wish is not None, stops=stops)
+    free = free or objective is not None
+    findings = check_joints(q, h, limits, place, free=objective is not None, stops=stops)
     notes: list[str] = []
     plan: ArmPlan | None = None
     broken = stops_loop(findings)
     hopeless = any(finding.subject == limits.names[ELBOW] for finding in broken)
-    course: ArmCourse | ArmPlan | NoCourse | None = None
-    if wish is not None and not hopeless:
-        from trajopt_cli.iiwa.task.arm_plan import ArmTask, NoPlan, plan_arm
-
-        found = plan_arm(ArmTask(robot, X_WF, h, limits, definition, configuration, start), fixed, wish, stops)
-        if isinstance(found, NoPlan):
-            course = NoCourse(found.row * h, f"at t = {found.row * h:.3f} s ({place(found.row)}) {found.message}")
-        elif found.held:
-            plan = found
-            notes.append(f"the arm angle stays at {_printed(fixed)}: {found.held}")
-        else:
-            course = plan = found
-    elif free and not broken:
+    moved = False
+    if free and objective is None and not broken:
         notes.append(f"the arm angle stays at {_printed(fixed)}: it keeps every position and speed limit")
     elif free and not hopeless:
-        course = find_course(robot, X_WF, h, limits, definition, configuration, start, place)
-    if isinstance(course, NoCourse):
-        notes.append(f"no course of the arm angle was found: {course.message}")
-    elif course is not None:
-        q, angles = course.q, course.arm_angle
-        if broken:
-            at = place(round((broken[0].time or 0.0) / h))
-            notes.append(
-                f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
-                f" held at {_printed(fixed)}: {broken_limit(broken[0], at)}"
-            )
-    if (free and broken) or course is not None:
+        task = ArmTask(robot, X_WF, h, limits, definition, configuration, start)
+        if objective is None:
+            found = find_path(task)
+        else:
+            from trajopt_cli.iiwa.task.arm_plan import plan_arm
+
+            chosen = plan_arm(task, fixed, objective, stops)
+            plan = None if isinstance(chosen, NoPlan) else chosen
+            found = chosen if isinstance(chosen, NoPlan) else (chosen.arm_angle, chosen.q)
+        if isinstance(found, NoPlan):
+            at = f"at t = {found.row * h:.3f} s ({place(found.row)})"
+            notes.append(f"no path of the arm angle was found: {at} {found.message}")
+        elif plan is not None and plan.held:
+            notes.append(f"the arm angle stays at {_printed(fixed)}: {plan.held}")
+        else:
+            moved, (angles, q) = True, found
+            if broken:
+                at = place(round((broken[0].time or 0.0) / h))
+                notes.append(
+                    f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
+                    f" held at {_printed(fixed)}: {broken_limit(broken[0], at)}"
+                )
+    if (free and broken) or moved:
         findings = check_joints(q, h, limits, place, free=True, stops=stops)
     notes += _start_notes(X_start, X_WF[0] @ X_FT, start, q[0], limits)
     notes += remarks(robot, q, h, limits, place)

@@ -72,7 +72,7 @@ def written_waypoints(
 def program_route(
     path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | None, tolerance: float | None = None
 ) -> ProgramPoses:
-    """The poses of a RAPID program's MoveL motions; the first motion, a MoveJ or a MoveL, says where the way begins.
+    """The poses of a RAPID program's MoveL motions; the first motion, a MoveJ or a MoveL, says where the path begins.
 
     tolerance [m]: None for a stop at every pose; else fly-by zones are passed as its controller passes them, arcs are
     taken as well, and the poses are a chain within a tenth of it.
@@ -80,8 +80,8 @@ def program_route(
     R_WF (3, 3): the flange's orientation where the controller is switched on. X_FT (4, 4): the task's tool, None for
     the program's. Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells; signals (and zones
     without a tolerance) are left out and noted. Raises InputError with the place of any other motion, for modal state
-    that a segment does not have, for tools that change on the way, for a task's tool that is not the program's, and for
-    what a program asks that only a cell's scenario tells.
+    that a segment does not have, for tools that change on the path, for a task's tool that is not the program's, and
+    for what a program asks that only a cell's scenario tells.
     """
     program = _program(path)
     notes = [str(warning) for warning in program.warnings]

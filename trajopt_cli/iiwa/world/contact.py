@@ -13,13 +13,6 @@ FRICTION_RISE = 2000.0
 
 Below that speed the tip creeps instead of sticking. An assumption: what real surfaces do there nobody measured here.
 """
-STIFFEST = 1e9
-"""Largest stiffness [N/m] and damping [N s/m] of an obstacle: 5 mm of steel, pressed as a cube, have the first."""
-LARGEST_TIP = 1.0
-"""Largest radius [m] of a tip: more than the arm reaches."""
-ROUGHEST = 1000.0
-"""Largest friction coefficient: nothing slides there."""
-
 Three = tuple[float, float, float]
 
 
@@ -41,13 +34,9 @@ class BallOnBoxes:
     nearest face where the ball's centre is inside) with stiffness * depth + damping * speed of approach, never pulling,
     and rubs against the sliding with FRICTION_RISE * speed, at most friction * push. Both act half-way between the
     ball's deepest point and the box's surface. Boxes add up.
-
-    Raises ValueError for a tip or a stiffness that is not above zero, for a negative damping or friction, and for
-    numbers beyond LARGEST_TIP, STIFFEST and ROUGHEST.
     """
 
     def __init__(self, contact: Contact) -> None:
-        check(contact)
         self._tip, self._boxes = contact.tip, [_Box(obstacle) for obstacle in contact.obstacles]
 
     def overlap(self, p: Three) -> bool:
@@ -66,22 +55,6 @@ class BallOnBoxes:
             one = _push(box.obstacle, self._tip, depth, n, v, w)
             force = added(force, one)
         return Touch(force, deepest) if deepest else APART
-
-
-def check(contact: Contact) -> None:
-    """Raise ValueError for numbers no contact can have."""
-    if not 0 < contact.tip <= LARGEST_TIP:
-        raise ValueError(f"contact: tip {contact.tip:g} m, wanted a radius above zero, at most {LARGEST_TIP:g} m")
-    for obstacle in contact.obstacles:
-        where = f"obstacle '{obstacle.box.name}'"
-        if not 0 < obstacle.stiffness <= STIFFEST:
-            raise ValueError(
-                f"{where}: stiffness {obstacle.stiffness:g} N/m, wanted a number above zero, at most {STIFFEST:g} N/m"
-            )
-        if not 0 <= obstacle.damping <= STIFFEST:
-            raise ValueError(f"{where}: damping {obstacle.damping:g} N s/m, wanted 0 to {STIFFEST:g} N s/m")
-        if not 0 <= obstacle.friction <= ROUGHEST:
-            raise ValueError(f"{where}: friction {obstacle.friction:g}, wanted 0 to {ROUGHEST:g}")
 
 
 class _Box:

@@ -13,7 +13,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact
 from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven, Six
-from trajopt_cli.iiwa.world.contact import APART, FRICTION_RISE, about, added, check
+from trajopt_cli.iiwa.world.contact import APART, FRICTION_RISE, about, added
 from trajopt_cli.iiwa.world.mjcf import HULL, SLIP_RATIO, SOFTEST, TCP, TIP, collision_links, mjcf
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
@@ -100,14 +100,12 @@ class MujocoWorld:
     less what the joints lose. Equal commands give equal measurements, digit by digit. Once MuJoCo warns that its state
     is none any more, all that is measured is nan; it neither prints nor logs, and starts nothing anew.
 
-    Raises InputError where MuJoCo cannot be imported or refuses the arm, ValueError for numbers no contact can have
-    and for contacts that need shorter time steps than FINEST.
+    Raises InputError where MuJoCo cannot be imported or refuses the arm, ValueError for contacts that need
+    shorter time steps than FINEST.
     """
 
     def __init__(self, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float) -> None:
         mujoco = _imported()
-        if contact is not None:
-            check(contact)
         self._mj: Any = mujoco
         self._version, self._h = str(mujoco.__version__), h
         self._contact = contact
@@ -135,7 +133,7 @@ class MujocoWorld:
         self._names, self._limits = robot.axis_names, np.array(robot.torque)
         self._hulls = collision_links(robot) if contact is not None else ()
         self._warnings = data.warning.number
-        self._servo: _Servo | None = None
+        self._servo: _Servo
         self._tip = self.model.geom(TIP).id if contact is not None else -1
         self._tcp = self.model.site(TCP).id
         self._bodies = {self.model.geom(HULL + name).id: name for name in self._hulls}
@@ -191,9 +189,7 @@ class MujocoWorld:
         return _Servo(self._kp, self._kd, self._h, steps)
 
     def step(self, q: Seven) -> Measured:
-        """Follow the command q [rad] (7,) for one period. Raises ValueError before the first reset."""
-        if self._servo is None:
-            raise ValueError("MujocoWorld: reset comes before the first step")
+        """Follow the command q [rad] (7,) for one period, after a reset."""
         self._left -= 1
         if self._left <= 0:
             self._servo = self._refined(self._filtered)

@@ -10,11 +10,14 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact
 from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven
 from trajopt_cli.iiwa.world.contact import APART, BallOnBoxes, Touch
-from trajopt_cli.iiwa.world.links import link_contacts
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle
 from trajopt_cli.robot.srs_step import Jacobian, SrsStep
+
+EVERY = 10
+"""Of so many periods one is sampled for links: one at 1 m/s goes 10 mm in between with periods of 1 ms."""
 
 
 class SpringWorld:
@@ -25,9 +28,7 @@ class SpringWorld:
     tau = (inverse dynamics of q, qd, qdd) - J^T F: a force on the tool is borne by the motors and moves nothing. What
     stays unseen beside MuJoCo are the servo's lag and the arm's own give, which limits how hard a hit is:
     a controller of stiffness K and damping D that steps by forward Euler rests on a wall without chattering only while
-    h (K + stiffness) < D + damping. Links that are in an obstacle are told, but not pushed back.
-
-    Raises ValueError for numbers no contact can have.
+    h (K + stiffness) < D + damping. Links that are in an obstacle are reported, but not pushed back.
     """
 
     def __init__(self, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float) -> None:
@@ -37,8 +38,8 @@ class SpringWorld:
         self._arm = SrsStep(robot, ArmAngle.FARIA, 0, 0.0, X_FT)
         self._boxes = BallOnBoxes(contact) if contact is not None else None
         self._robot, self._contact = robot, contact
-        self._way: list[Seven] = []
-        self._q: Seven | None = None
+        self._path: list[Seven] = []
+        self._q: Seven = (0.0,) * 7
         self._qd: Seven = (0.0,) * 7
 
     @property
@@ -48,10 +49,23 @@ class SpringWorld:
 
     @property
     def link_contacts(self) -> tuple[LinkContact, ...]:
-        """Which links were in which obstacles since the reset; looked at, not pushed back."""
-        if self._contact is None or not self._way:
+        """Which links were in which obstacles since the reset: capsules of all links that move, not pushed back.
+
+        Of EVERY periods one is sampled, and the last.
+        """
+        if self._contact is None or not self._path:
             return ()
-        return link_contacts(self._robot, np.array(self._way), self._contact, self._h)
+        robot, count, found = self._robot, len(self._path), list[LinkContact]()
+        rows = sorted({*range(0, count, EVERY), count - 1})
+        X = dict(zip(robot.link_names, robot.links(np.array(self._path)[rows]).swapaxes(0, 1), strict=True))
+        for link in (name for name in robot.link_names[1:] if name in robot.capsules):
+            for box in (obstacle.box for obstacle in self._contact.obstacles):
+                depth = -Pair(robot.capsules[link], box).distances(X[link])
+                inside = [i for i, deep in enumerate(depth.tolist()) if deep > 0]
+                if inside:
+                    first, last = (rows[i] * self._h for i in (inside[0], inside[-1]))
+                    found.append(LinkContact(link, box.name, first, last, float(depth.max()), None))
+        return tuple(sorted(found, key=lambda one: one.first))
 
     @property
     def motors(self) -> tuple[Motor, ...]:
@@ -61,13 +75,11 @@ class SpringWorld:
     def reset(self, q: Seven) -> Measured:
         """Stand still at q [rad] (7,)."""
         still: Seven = (0.0,) * 7
-        self._way = []
+        self._path = []
         return self._measure(_seven(q), still, still)
 
     def step(self, q: Seven) -> Measured:
-        """Be at the command q [rad] (7,) one period later. Raises ValueError before the first reset."""
-        if self._q is None:
-            raise ValueError("SpringWorld: reset comes before the first step")
+        """Be at the command q [rad] (7,) one period later, after a reset."""
         q, h = _seven(q), self._h
         qd = _seven((new - old) / h for new, old in zip(q, self._q, strict=True))
         qdd = _seven((new - old) / h for new, old in zip(qd, self._qd, strict=True))
@@ -76,7 +88,7 @@ class SpringWorld:
     def _measure(self, q: Seven, qd: Seven, qdd: Seven) -> Measured:
         self._q, self._qd = q, qd
         if self._contact is not None:
-            self._way.append(q)
+            self._path.append(q)
         tau = self._dynamics.torque(*np.array((q, qd, qdd))).tolist()
         touch = APART
         if self._boxes is not None:

@@ -26,7 +26,7 @@ def make_world(
     """The world of an arm mounted in its place, with its TCP at X_FT (4, 4) in the flange frame and its tool's load.
 
     contact: what the tip may run into, None for free motion. h: the controller's period [s]. Raises InputError where
-    MuJoCo is asked for and cannot be imported, ValueError for numbers no contact can have.
+    MuJoCo is asked for and cannot be imported, ValueError for contacts too hard for its time steps.
     """
     match engine:
         case Engine.SPRING:
