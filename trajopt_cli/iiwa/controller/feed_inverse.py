@@ -6,33 +6,22 @@ M x'' + D x' is what the law pushes with, a bound on the lead is one on that.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import ceil
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, rotations_by
 from trajopt_cli.iiwa.controller.feed_limits import Allowed
-from trajopt_cli.iiwa.controller.feed_path import DosePath
+from trajopt_cli.iiwa.controller.feed_path import DosePath, Schedule
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.task.angles import angles_near
-from trajopt_cli.iiwa.task.equilibrium import Piece
 from trajopt_cli.iiwa.task.model import Compliance, Integration
 
 TURNED = float(np.radians(1.0))
 """How far [rad] corners of the orientation are rounded where no turn lag is bounded."""
 _AT_REST = 1e-6  # of the path's length: rows this near to a waypoint are at it
 _PIECES = (2_000, 40_000)  # of the grid at least and at most; between them one per period
-
-
-@dataclass(frozen=True, eq=False)
-class Inverse:
-    """Rows of a feed: its poses and those of plan and arm, (m, 6) and (m, 3, 3) each, and the path parameter s (m,)."""
-
-    feed: tuple[Array, Array]
-    plan: tuple[Array, Array]
-    s: Array
-    pieces: tuple[Piece, ...]
 
 
 def inverse(
@@ -42,7 +31,7 @@ def inverse(
     allowed: Allowed,
     integration: Integration,
     acceleration: tuple[float | None, float | None] = (None, None),
-) -> Inverse:
+) -> Schedule:
     """The fastest motion along path under allowed, and what to feed for it.
 
     acceleration: greatest of the arm's [m/s2] and [rad/s2], None for none.
@@ -69,7 +58,11 @@ def inverse(
         arm = path.poses(coordinates, row)
         R = rotations_by(lead[:, 3:]) @ arm[1]
         feed = (np.hstack([arm[0][:, :3] + lead[:, :3], angles_near(R, arm[0][:, 3:])]), R)
-    return Inverse(feed, plan, np.interp(planned, way.along, path.s), _pieces(way, planned, h))
+    # one that only passes a waypoint ends with the first row at or past it
+    arrivals = np.searchsorted(planned, way.along[[leg.last for leg in path.legs]]).tolist()
+    *before, end = path.pieces(arrivals, h)
+    rows = (*before, replace(end, last=len(planned) - 1))
+    return Schedule(*feed, *plan, np.interp(planned, way.along, path.s), rows)
 
 
 def _radius(law: Compliance, moves: Array) -> float:
@@ -150,15 +143,3 @@ def _through_waypoints(way: Rounded, s: Array) -> Array:
     for mark, a, b in zip(marks[own].tolist(), first[own].tolist(), last[own].tolist(), strict=True):
         out[a : b + 1] = mark
     return np.maximum.accumulate(out)
-
-
-def _pieces(way: Rounded, s: Array, h: float) -> tuple[Piece, ...]:
-    """The rows of every leg; one that only passes a waypoint ends with the first row at or past it."""
-    out: list[Piece] = []
-    row = 0
-    for leg in way.path.legs:
-        last = row + round(leg.dwell / h) if leg.dwell else int(np.searchsorted(s, way.along[leg.last]))
-        out.append(Piece(row, last, leg.origin, leg.goal, dwell=leg.dwell > 0))
-        row = last
-    out[-1] = replace(out[-1], last=len(s) - 1)
-    return tuple(out)

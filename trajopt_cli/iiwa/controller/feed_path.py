@@ -33,6 +33,20 @@ class PathInterval:
 
 
 @dataclass(frozen=True, eq=False)
+class Schedule:
+    """A feed before it is simulated: rows fed and where the arm should be, poses (m, 6) and R (m, 3, 3) each, at path
+    parameters s (m,), by leg. braked: periods in which it holds back for a later corner or end."""
+
+    pose: Array
+    R: Array
+    plan: Array
+    R_plan: Array
+    s: Array
+    pieces: tuple[Piece, ...]
+    braked: int = 0
+
+
+@dataclass(frozen=True, eq=False)
 class DosePath:
     """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each segment, > 0.
 
@@ -50,6 +64,16 @@ class DosePath:
     def least_time(self) -> float:
         """Time [s] of the path at its caps, dwells included: what no lag bound can go below."""
         return float(np.sum(np.diff(self.s) / self.cap)) + sum(leg.dwell for leg in self.legs)
+
+    def pieces(self, arrivals: Sequence[int], h: float) -> tuple[Piece, ...]:
+        """The rows of every leg; arrivals: the first row at or past the end of each leg that is no dwell."""
+        out: list[Piece] = []
+        row = 0
+        for leg, arrival in zip(self.legs, arrivals, strict=True):
+            last = row + round(leg.dwell / h) if leg.dwell else arrival
+            out.append(Piece(row, last, leg.origin, leg.goal, dwell=leg.dwell > 0))
+            row = last
+        return tuple(out)
 
     def at(self, s: Array) -> Array:
         """The six coordinates (m, 6) at parameters s (m,)."""

@@ -24,9 +24,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
 from trajopt_cli.iiwa.controller.feed_inverse import inverse
 from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
-from trajopt_cli.iiwa.controller.feed_path import DosePath, coarser
+from trajopt_cli.iiwa.controller.feed_path import DosePath, Schedule, coarser
 from trajopt_cli.iiwa.controller.feed_plan import ROWS, plan
-from trajopt_cli.iiwa.controller.greedy_feed import SpeedFed, State, Walk, moving_axes
+from trajopt_cli.iiwa.controller.greedy_feed import SpeedFed, Walk, moving_axes
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import coefficients, equilibrium_rates, response, response_rotation
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
@@ -119,19 +119,6 @@ class _Case:
     rest: float
 
 
-@dataclass(frozen=True, eq=False)
-class _Schedule:
-    """A feed before it is simulated: rows fed and planned, at path parameters s, by leg."""
-
-    pose: Array
-    R: Array
-    plan: Array
-    R_plan: Array
-    s: Array
-    pieces: tuple[Piece, ...]
-    braked: int = 0
-
-
 def dose(
     path: DosePath,
     compliance: Compliance,
@@ -183,7 +170,7 @@ def dose(
     return replace(best, least=least if best.duration <= _USEFUL * least else None)
 
 
-def _greedy(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
+def _greedy(case: _Case, allowed: Allowed) -> Schedule | CannotDose:
     """The plan itself as feed, one period after another."""
     path, law, h = case.path, case.law, case.h
     axes = coefficients(law.K, law.D, law.M, h, case.integration)
@@ -206,7 +193,9 @@ def _greedy(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
         )
     s = np.array([walk.s(state) for state in states])
     pose, R = path.poses(path.at(s), np.clip(np.searchsorted(path.s, s, side="right") - 1, 0, len(path.s) - 1))
-    return _Schedule(pose, R, pose, R, s, _pieces(path, states, h), braked)
+    segment = np.array([state.segment for state in states])
+    arrivals = np.searchsorted(segment, [leg.last for leg in path.legs]).tolist()
+    return Schedule(pose, R, pose, R, s, path.pieces(arrivals, h), braked)
 
 
 def _speed_fed(law: Compliance, allowed: Allowed) -> SpeedFed:
@@ -216,27 +205,27 @@ def _speed_fed(law: Compliance, allowed: Allowed) -> SpeedFed:
     return SpeedFed(weight * law.K, weight * law.D, most, turn_most)
 
 
-def _inverse(case: _Case, allowed: Allowed) -> _Schedule | CannotDose:
+def _inverse(case: _Case, allowed: Allowed) -> Schedule | CannotDose:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
     found = inverse(case.path, case.law, case.h, allowed, case.integration, case.acceleration)
     if len(found.s) > ROWS:
         return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
-    turned = float(np.max(_angles(found.feed[1], found.plan[1])))
+    turned = float(np.max(_angles(found.R, found.R_plan)))
     if turned > _LARGEST_LEAD:
         return CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
             "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
-    beta = float(np.max(np.abs(found.feed[0][:, 4])))
+    beta = float(np.max(np.abs(found.pose[:, 4])))
     if case.path.R is None and beta > BETA_LIMIT:
         return CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
             "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
         )
-    return _Schedule(*found.feed, *found.plan, found.s, found.pieces)
+    return found
 
 
-def _simulated(case: _Case, fed: _Schedule) -> Dosed:
+def _simulated(case: _Case, fed: Schedule) -> Dosed:
     """The controller's answer to a feed, and the greatest lag and push."""
     path, law, h, integration = case.path, case.law, case.h, case.integration
     x_e, plan_x = held(fed.pose, case.rest, h), held(fed.plan, case.rest, h)
@@ -425,16 +414,3 @@ def _resting_time(moves: Sequence[bool] | NDArray[np.bool_], laws: Sequence[Axis
     """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
     slowest = (law.slowest for law, there in zip(laws, moves, strict=True) if there and isfinite(law.slowest))
     return _REST * min(max(slowest, default=h), SLOWEST * h)
-
-
-def _pieces(path: DosePath, states: Sequence[State], h: float) -> tuple[Piece, ...]:
-    """The rows of every leg."""
-    segment = np.array([state.segment for state in states])
-    arrivals = np.searchsorted(segment, np.arange(len(path.s)))  # first row at or past each path row
-    out: list[Piece] = []
-    row = 0
-    for leg in path.legs:
-        last = row + round(leg.dwell / h) if leg.dwell else int(arrivals[leg.last])
-        out.append(Piece(row, last, leg.origin, leg.goal, dwell=leg.dwell > 0))
-        row = last
-    return tuple(out)

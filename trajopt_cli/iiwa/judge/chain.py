@@ -55,7 +55,14 @@ def follow(
     steps_p, steps_q = ([0.0, *steps[first:].tolist()] for steps in (rows.step_p, rows.step_q))
     near_end, places = (end <= 0).tolist(), rows.p[first:].tolist()
     at, share = 0, 0.0
-    where, ahead, off_p, off_q = list[int](), list[int](), list[float](), list[float]()
+    found: list[tuple[float, ...]] = []  # of each row: the first and the last leg it may be on, how far off it is
+
+    def followed(lost: int | None, more: int = 0) -> Followed:
+        """What was found; more: rows behind, at the end of the last leg."""
+        table = np.array([*found, *found[-1:] * more], dtype=np.float64).reshape(-1, 4).T
+        (leg, ahead), (off_p, off_q) = table[:2].astype(np.intp), table[2:]
+        return Followed(first, first + len(leg) - 1, leg, ahead, off_p, off_q, lost)
+
     for k, p in enumerate(places):
         i, low = at, share
         while True:
@@ -69,39 +76,21 @@ def follow(
             beyond_p = left_p[at] - left_p[i] > parts[at].L_p + 2 * steps_p[k] + 4 * tolerance
             beyond_q = left_q[at] - left_q[i] > parts[at].L_q + 2 * steps_q[k] + 4 * turn_tolerance
             if i == len(parts) or (beyond_p and (beyond_q or not left_q[0])) or (beyond_q and not left_p[0]):
-                return _followed(first, where, ahead, off_p, off_q, lost=first + k)
+                return followed(first + k)
         best, way, turn = (math.inf, math.inf), 0.0, 0.0
         while i < len(parts) and way <= 3 * tolerance and turn <= 3 * turn_tolerance:
             gone = share if i == at else 0.0
             best = min(best, parts[i].off(p, turned(i, k), gone, tolerance))
             way, turn = way + (1 - gone) * parts[i].L_p, turn + (1 - gone) * parts[i].L_q
             i += 1
-        where.append(at)
-        ahead.append(i - 1)
-        off_p.append(best[0])
-        off_q.append(best[1])
+        found.append((at, i - 1, *best))
         rest_p, rest_q = left_p[at] - share * parts[at].L_p, left_q[at] - share * parts[at].L_q
         if near_end[k] and rest_p <= 4 * tolerance and rest_q <= 4 * turn_tolerance:
             last = k
             while last + 1 < len(end) and end[last + 1] < end[last]:
                 last += 1
-            return _followed(first, where, ahead, off_p, off_q, None, last - k)
-    return _followed(first, where, ahead, off_p, off_q, lost=len(rows.t) - 1)
-
-
-def _followed(
-    first: int,
-    where: list[int],
-    ahead: list[int],
-    off_p: list[float],
-    off_q: list[float],
-    lost: int | None,
-    more: int = 0,
-) -> Followed:
-    """What was found; more: rows behind, at the end of the last leg."""
-    legs, last, p, q = (x + x[-1:] * more for x in (where, ahead, off_p, off_q))
-    on = np.array(legs, dtype=np.intp), np.array(last, dtype=np.intp)
-    return Followed(first, first + len(legs) - 1, *on, np.array(p), np.array(q), lost)
+            return followed(None, last - k)
+    return followed(len(rows.t) - 1)
 
 
 _Vector = list[float]
