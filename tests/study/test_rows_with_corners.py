@@ -13,10 +13,10 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.study.along_course import CoursePath, on_course
+from trajopt_cli.study.along_path import SmoothPath, on_path
 from trajopt_cli.study.cartesian import bang_bang_row
 from trajopt_cli.study.case import Answer, Case
-from trajopt_cli.study.legs import caps_of, fixed_rail
+from trajopt_cli.study.fixed_rail import caps_of, fixed_rail
 from trajopt_cli.study.ruckig_row import _drive, ruckig, ruckig_jerk
 from trajopt_cli.study.toppra_row import toppra
 from trajopt_cli.trajectory import Trajectory, hermite
@@ -117,7 +117,7 @@ def test_jerk_holds_between_the_places_where_the_curvature_jumps() -> None:
     jerk = np.abs(np.diff(hermite(rows, middles)[2], axis=0) / apart[:, None])[apart > 4e-4] / case.plant.limits.jerk
     given = fixed_rail(case)
     assert not isinstance(given, Infeasible)
-    ends = sum(len(run.course.parts) for run in given.runs if run.course is not None)
+    ends = sum(len(run.path.parts) for run in given.runs if run.path is not None)
     assert (jerk.max(axis=1) > 1.01).sum() <= 2 * ends < len(jerk) / 10
 
 
@@ -169,9 +169,9 @@ def test_a_course_between_its_nodes_is_what_its_derivatives_say() -> None:
     """Derivatives against central differences of the positions, and nodes as the course has them."""
     given = fixed_rail(corners())
     assert not isinstance(given, Infeasible)
-    run = next(run for run in given.runs if run.course is not None)
-    assert run.course is not None
-    path, course, h = CoursePath(run.course, run.legs[0].q_0, run.legs[-1].q_1), run.course, 1e-4
+    run = next(run for run in given.runs if run.by_parts)
+    assert run.path is not None
+    path, course, h = SmoothPath.of(run), run.path, 1e-4
     i = np.arange(len(path.kept))
     np.testing.assert_allclose(path.at(i, np.zeros(len(i))), course.along.q[course.first[path.kept]], atol=1e-9)
     np.testing.assert_allclose(path.at(i, np.ones(len(i)), 2), course.along.ddq[course.first[path.kept] + 1], atol=1e-6)
@@ -187,9 +187,8 @@ def test_a_run_at_rest_at_both_ends_has_one_speed_where_parts_meet() -> None:
     """The profile's rate is continuous: axes' speeds just before and after every switch agree."""
     given = fixed_rail(corners())
     assert not isinstance(given, Infeasible)
-    run = next(run for run in given.runs if run.course is not None)
-    plant = corners().plant
-    piece = on_course(plant, run, [caps_of(plant, leg) for leg in run.legs], None, _drive)
+    run = next(run for run in given.runs if run.by_parts)
+    piece = on_path(given.axes, run, caps_of(given.axes, run), None, _drive)
     before, after = (piece.at(piece.switches[1:-1] + side)[1] for side in (-1e-9, 1e-9))
     assert np.abs(after - before).max() < 1e-5
     ends = piece.at(np.array([0.0, piece.duration]))

@@ -129,7 +129,7 @@ def top_rate(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array]:
     return joints, tool
 
 
-def columns(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array, Array]:
+def columns(caps: AxisLimits, along: PathDerivatives, angles: Array = _ANGLES) -> tuple[Array, Array, Array]:
     """Slopes, bends and rests (m, c) of what is limited at places: |slope u + bend x + rest| <= 1 with u the second
     derivative of sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half
     circle; its limit is a circle, around which they are drawn; then the positioners', where any turns; last the tool's
@@ -138,7 +138,7 @@ def columns(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array, Arr
     ahead = along.v / np.maximum(size, 1e-12)
     forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
     aside = np.linalg.norm(along.bend - forward * ahead, axis=-1, keepdims=True)
-    c, s = (of(_ANGLES) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
+    c, s = (of(angles) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
     slopes = np.concatenate([along.dq / caps.acceleration, size * c], axis=-1)
     bends = np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
     if along.table.any():

@@ -22,7 +22,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
 from itertools import groupby, pairwise
 
 import numpy as np
@@ -32,11 +31,12 @@ from trajopt_cli.motion import SignalEvent, Wait
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.along_course import ridden
-from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import BaselineLeg, BaselineLegKind, JointsOnLine, LegLimits, fixed_rail
-from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
+from trajopt_cli.study.along_path import SmoothPath, timed_by_parts
+from trajopt_cli.study.case import Answer, Case
+from trajopt_cli.study.fixed_rail import BaselineLeg, StopToStop, caps_of, fixed_rail
+from trajopt_cli.study.rows import LONGER, Piece, apart, attempt_of, hold
 from trajopt_cli.timing.point_to_point import PointToPoint, bang_bang
+from trajopt_cli.trajectories.axes import Axes, AxisLimits
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
 _POINT = 1e-9  # m, rad: no way at all
@@ -50,32 +50,25 @@ def bang_bang_row(case: Case) -> Answer:
     given = fixed_rail(case)
     if isinstance(given, Infeasible):
         return given
-    pieces = []
-    for on_courses, some in groupby(given.runs, key=lambda run: run.course is not None):
+    pieces = list[Piece | Infeasible]()
+    for by_parts, some in groupby(given.runs, key=lambda run: run.by_parts):
         group = [*some]
-        if on_courses:
-            found = [
-                ridden(case.plant, run, [_caps(case.plant, leg) for leg in run.legs], None, _drive, "the generator")
+        if by_parts:
+            pieces += [
+                timed_by_parts(given.axes, run, _caps(case.plant, given.axes, run), None, _drive, "the generator")
                 for run in group
             ]
-        else:
-            moves = [_move(case.plant, run.legs[0]) for run in group]
-            speeds = _speeds(moves)
-            found = [_piece(case.plant, *one) for one in zip(moves, speeds, speeds[1:], strict=False)]
-        for run, piece in zip(group, found, strict=True):
-            if isinstance(piece, Infeasible):
-                return piece
-            pieces.append(lasting(piece, run.least))
-    end = case.plant.start if given.end is None else given.end
-    trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
+            continue
+        moves = [_move(case.plant, run) for run in group]
+        speeds = _speeds(moves)
+        pieces += [_piece(case.plant, *one) for one in zip(moves, speeds, speeds[1:], strict=False)]
     caps = case.plant.tcp
     notes = (
         f"each Cartesian axis by itself at {caps.acceleration:g} m/s² and {caps.speed:g} m/s; joint limits are ignored",
         "points without a wait are passed at speed where the way goes on",
-        *(("corners and arcs: one profile along the path",) if any(run.course for run in given.runs) else ()),
-        *given.notes,
+        *(("corners and arcs: one profile along the path",) if any(run.by_parts for run in given.runs) else ()),
     )
-    return Attempt(given.program, trajectory, notes=notes)
+    return attempt_of(case, given, pieces, notes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +80,7 @@ class _Move:
     along (3,): the line's direction, None for other moves and for lines that turn only or carry the rail along.
     """
 
-    leg: BaselineLeg
+    run: StopToStop
     X_0: Array
     turn_axis: Array
     way: Array
@@ -95,49 +88,39 @@ class _Move:
     a_max: Array
     along: Array | None = None
 
+    @property
+    def leg(self) -> BaselineLeg:
+        """The leg."""
+        return self.run.legs[0]
 
-def _move(plant: Plant, leg: BaselineLeg) -> _Move:
+
+def _move(plant: Plant, run: StopToStop) -> _Move:
+    leg = run.legs[0]
     seen = Line(*(_from_carriage(plant, q) @ leg.X_FT for q in (leg.q_0, leg.q_1)))
     caps, motion = plant.tcp, leg.motion
-    if leg.kind is BaselineLegKind.HOLD or isinstance(motion, Wait | SignalEvent):
-        return _Move(leg, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
+    if leg.holds or isinstance(motion, Wait | SignalEvent):
+        return _Move(run, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
     turning = motion.speed.turning
     softly = turning * (caps.acceleration / caps.speed)
     layout, limits, rail = plant.layout, plant.limits, plant.layout.has_rail
-    way_rail = float(plant.layout.place(leg.q_1 - leg.q_0))
-    if leg.kind is BaselineLegKind.JOINT:
+    way_rail = float(layout.place(leg.q_1 - leg.q_0))
+    v_rail, a_rail = (float(layout.place(top)) if rail else 1.0 for top in (limits.velocity, limits.acceleration))
+    if not leg.on_line:
         way = np.r_[seen.chord, seen.angle, way_rail]
         way[np.abs(way) < _POINT] = 0.0
-        v_rail, a_rail = (float(layout.place(top)) if rail else 1.0 for top in (limits.velocity, limits.acceleration))
-        return _Move(
-            leg,
-            seen.X_0,
-            seen.axis,
-            way,
-            np.r_[[caps.speed] * 3, turning, v_rail],
-            np.r_[[caps.acceleration] * 3, softly, a_rail],
-        )
-    line = JointsOnLine.of(plant, leg).line
+        v, a = np.r_[[caps.speed] * 3, turning, v_rail], np.r_[[caps.acceleration] * 3, softly, a_rail]
+        return _Move(run, seen.X_0, seen.axis, way, v, a)
+    line = Line(*(plant.robot.forward(q) @ leg.X_FT for q in (leg.q_0, leg.q_1)))
     length = line.length if line.length > _POINT else max(line.angle, abs(way_rail))
     steepest = float(np.abs(line.chord).max()) / length
-    v = [leg.v_tcp * length / max(line.length, _POINT), caps.speed / max(steepest, _POINT)]
-    a = [caps.acceleration / max(steepest, _POINT)]
-    if line.angle > _POINT:
-        v.append(turning * length / line.angle)
-        a.append(softly * length / line.angle)
-    if abs(way_rail) > _POINT:
-        v.append(float(layout.place(limits.velocity)) * length / abs(way_rail))
-        a.append(float(layout.place(limits.acceleration)) * length / abs(way_rail))
+    # the speed and acceleration of each that goes along, and how far it goes
+    along = [(leg.leg.v_tcp, np.inf, line.length), (caps.speed, caps.acceleration, steepest * length),
+             (turning, softly, line.angle), (v_rail, a_rail, abs(way_rail))]  # fmt: skip
+    tops = [(v * length / way, a * length / way) for v, a, way in along if way > _POINT]
+    v_max, a_max = np.min(tops, axis=0)
     plain = line.length > _POINT and abs(way_rail) <= _POINT
-    return _Move(
-        leg,
-        seen.X_0,
-        seen.axis,
-        np.array([length]),
-        np.array([min(v)]),
-        np.array([min(a)]),
-        line.chord / length if plain else None,
-    )
+    direction = line.chord / length if plain else None
+    return _Move(run, seen.X_0, seen.axis, np.array([length]), np.array([v_max]), np.array([a_max]), direction)
 
 
 def _from_carriage(plant: Plant, q: Array) -> Array:
@@ -163,18 +146,18 @@ def _through(before: _Move, after: _Move) -> tuple[Array, Array]:
     timed = any(one.leg.duration is not None or getattr(one.leg.motion, "partner", None) for one in (before, after))
     if timed or not len(before.way) or not len(after.way) or not np.array_equal(before.leg.X_FT, after.leg.X_FT):
         return rest
-    kinds = before.leg.kind, after.leg.kind
-    if kinds == (BaselineLegKind.JOINT, BaselineLegKind.JOINT):
+    on_line = before.leg.on_line, after.leg.on_line
+    if not any(on_line):
         goes_on = before.way * after.way > 0
         goes_on[3] = False  # the two turns have axes of their own
         kept = np.where(goes_on, np.sign(after.way) * np.minimum(_able(before), _able(after)), 0.0)
         return kept, kept
-    if kinds == (BaselineLegKind.LINE, BaselineLegKind.LINE):
+    if all(on_line):
         if before.along is None or after.along is None or before.along @ after.along < 1 - _POINT:
             return rest
         both = np.minimum(_able(before), _able(after))
         return both, both
-    line, joint = (before, after) if kinds[0] is BaselineLegKind.LINE else (after, before)
+    line, joint = (before, after) if on_line[0] else (after, before)
     if line.along is None:
         return rest
     used = np.abs(line.along) > _POINT
@@ -192,13 +175,13 @@ def _able(move: _Move) -> Array:
 
 def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Array, Array]) -> Piece | Infeasible:
     leg = move.leg
-    if leg.kind is BaselineLegKind.HOLD:
+    if leg.holds:
         return hold(leg.q_0, leg.lasts)
     task = move.way, begin[1], end[0], move.v_max, move.a_max
     motion = bang_bang(*task)
     if leg.duration is not None:
-        if leg.duration * (1 + 1e-9) < motion.duration:
-            return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {motion.duration:.4f} s")
+        if (no := leg.too_short("the generator", motion.duration)) is not None:
+            return no
         motion = bang_bang(*task, max(motion.duration, leg.duration))
     fastest = motion.duration
     for attempt in range(1, _ATTEMPTS):
@@ -206,42 +189,36 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
             break
         with suppress(ValueError):  # a time that an axis cannot take
             motion = bang_bang(*task, fastest + attempt * LONGER)
-    if leg.kind is BaselineLegKind.LINE:
-        on_line = partial(_on_line, JointsOnLine.of(plant, leg), move, motion)
-        return Piece(motion.duration, motion.switches, on_line)
-    space = _Space(plant, move, motion, _branch(plant, leg))
+    if leg.on_line:
+        path = SmoothPath.of(move.run)
+        measure = path.sigma[-1] / float(move.way[0])
+
+        def at(t: Array) -> tuple[Array, Array]:
+            s, v, _ = motion.at(t)
+            return path.driven(np.clip(s[:, 0], 0.0, move.way[0]) * measure, v[:, 0] * measure)
+
+        return Piece(motion.duration, motion.switches, at)
+    space = _Space(plant, move, motion)
     return space.refusal() or Piece(motion.duration, motion.switches, space.at)
 
 
-def _caps(plant: Plant, leg: BaselineLeg) -> LegLimits:
+def _caps(plant: Plant, axes: Axes, run: StopToStop) -> AxisLimits:
     """The tool's caps, those of the rail, and none of the joints; a joint move knows no programmed speed."""
-    motion, rail = leg.motion, plant.layout.rail
-    assert not isinstance(motion, Wait | SignalEvent)
-    speed, acceleration = (np.full(len(plant.start), np.inf) for _ in range(2))
-    speed[rail], acceleration[rail] = plant.limits.velocity[rail], plant.limits.acceleration[rail]
-    v_tcp = plant.tcp.speed if leg.kind is BaselineLegKind.JOINT else leg.v_tcp
-    return LegLimits(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.turning, leg.X_FT)
+    caps, joint = caps_of(axes, run), np.array([not leg.on_line for leg in run.legs])
+    rail = plant.layout.rail
+    speed, acceleration = (np.full_like(caps.velocity, np.inf) for _ in range(2))
+    speed[:, rail], acceleration[:, rail] = plant.limits.velocity[rail], plant.limits.acceleration[rail]
+    motions = [leg.motion for leg in run.legs]
+    turning = np.array([getattr(motion, "speed").turning for motion in motions])  # noqa: B009 - none of them waits
+    a_tcp = np.full(len(joint), plant.tcp.acceleration)
+    v_tcp = np.where(joint, plant.tcp.speed, caps.v_tcp)
+    return AxisLimits(speed, acceleration, v_tcp, a_tcp, turning, np.column_stack([a_tcp, a_tcp]))
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, _: float | None) -> Piece:
     D, begin, end, V, A = (np.array([x]) for x in (way, v_0, v_1, v, a))
     motion = bang_bang(D, begin, end, V, A)
     return Piece(motion.duration, motion.switches, lambda t: (motion.at(t)[0][:, 0], motion.at(t)[1][:, 0]))
-
-
-def _on_line(line: JointsOnLine, move: _Move, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
-    s, v, _ = (x / move.way for x in motion.at(t))
-    q = line.positions(np.clip(s[:, 0], 0.0, 1.0))
-    return q, line.slopes(q) * v
-
-
-def _branch(plant: Plant, leg: BaselineLeg) -> int:
-    """The branch (cfx) that a leg begins on."""
-    robot = plant.robot
-    X_WF = robot.forward(leg.q_0)
-    found = robot.branches(X_WF[None], robot.layout.place(leg.q_0[None]))[0]
-    off = found - leg.q_0[robot.layout.arm]
-    return int(np.nanargmin(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -251,7 +228,6 @@ class _Space:
     plant: Plant
     move: _Move
     motion: PointToPoint
-    cfx: int
 
     def tool(self, s: Array) -> Array:
         """TCP poses (n, 4, 4) as if the rail stood at 0, at places s (n, 5) of the axes."""
@@ -262,7 +238,7 @@ class _Space:
         """Arm joints (n, m) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
         robot, leg = self.plant.robot, self.move.leg
         X_BF = self.tool(self.motion.at(t)[0]) @ inverse_pose(leg.X_FT)
-        found = robot.branches(X_BF, np.zeros(len(t)))[:, self.cfx]
+        found = robot.branches(X_BF, np.zeros(len(t)))[:, leg.cfx]
         return np.unwrap(np.vstack([leg.q_0[robot.layout.arm], found]), axis=0)[1:]
 
     def at(self, t: Array) -> tuple[Array, Array]:
@@ -293,7 +269,7 @@ class _Space:
             X_WF = X_WT @ inverse_pose(leg.X_FT)
             others = robot.solutions(X_WF, rail, self.plant.limits)
             missing = robot.why_unreachable(X_WF, rail, self.plant.limits)
-            why = f"configuration {self.cfx} ends there" if others else missing
+            why = f"configuration {leg.cfx} ends there" if others else missing
             x, y, z = X_WT[:3, 3] * 1e3
             where = "" if rail is None else f" at rail {rail * 1e3:.1f} mm"
             return leg.refusal(

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.study.case import Answer, Attempt, Case
+from trajopt_cli.study.fixed_rail import FixedRail, StopToStop
 from trajopt_cli.trajectory import Trajectory
 
+T = TypeVar("T")
+
+SAFE = 1 - 1e-4  # share of limits used: rows at 1 kHz are not quite the path between them
 GRID = 1e-3  # s between rows
 LEAST = 1e-5  # s; no grid row is nearer to a switch than this
 SAME = 1e-9  # s; switches nearer than this are one
@@ -52,9 +59,25 @@ def apart(switches: Array) -> bool:
     return not np.any((gaps > SAME) & (gaps < LEAST))
 
 
-def lasting(piece: Piece, least: float) -> Piece:
-    """The piece, slowed where it is over before the least time [s]."""
-    return piece.slowed(least / piece.duration) if 0 < piece.duration < least else piece
+def attempt_of(case: Case, given: FixedRail, pieces: Sequence[Piece | Infeasible], notes: Sequence[str]) -> Answer:
+    """The row made of a piece for each run, slowed where it is over before the run's least time; or the first no."""
+    made = list[Piece]()
+    for run, piece in zip(given.runs, pieces, strict=True):
+        if isinstance(piece, Infeasible):
+            return piece
+        made.append(piece.slowed(run.least / piece.duration) if 0 < piece.duration < run.least else piece)
+    end = given.runs[-1].legs[-1].q_1 if given.runs else case.plant.start
+    trajectory = rows_of(case.plant.robot.axis_names, made or [hold(end, 1e-3)], end)
+    return Attempt(given.program, trajectory, notes=(*notes, *given.notes))
+
+
+def each_once(runs: Sequence[StopToStop], make: Callable[[StopToStop], T]) -> list[T]:
+    """What is made of each run; of those that ask for the same motion once."""
+    known: dict[bytes, T] = {}
+    for run in runs:
+        if run.key not in known:
+            known[run.key] = make(run)
+    return [known[run.key] for run in runs]
 
 
 def rows_of(names: tuple[str, ...], pieces: Sequence[Piece], end: Array) -> Trajectory:

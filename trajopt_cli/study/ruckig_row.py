@@ -10,23 +10,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import motion_name
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.along_course import ridden
-from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
-from trajopt_cli.study.legs import BaselineLeg, BaselineLegKind, JointsOnLine, Use, caps_of, fixed_rail, use_of
-from trajopt_cli.study.rows import LONGER, Piece, apart, hold, lasting, rows_of
+from trajopt_cli.study.along_path import SmoothPath, timed_by_parts
+from trajopt_cli.study.case import Answer, Case, NotApplicable
+from trajopt_cli.study.fixed_rail import BaselineLeg, StopToStop, Use, caps_of, fixed_rail, use_of
+from trajopt_cli.study.rows import LONGER, SAFE, Piece, apart, attempt_of, each_once, hold
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
+from trajopt_cli.trajectories.axes import Axes, AxisLimits
 
-SAFE = 1 - 1e-4  # share of limits used: between two samples, and between rows of a line, there is a little more
 STEP = 2e-3  # s between samples of a joint move; all its switches are sampled from both sides besides
 _HALVINGS = 12  # of a bisection: scales good to 2e-4
-_LINE_SAMPLES = 250
+_LINE_SAMPLES = 250  # of a profile
+_PLACES = 401  # of a line's table
 _SPEEDS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.45, 0.3)  # shares of a line's top speed that are tried
 _JERKS = (1.0, 0.8, 0.6, 0.4)  # shares of the jerk at a line's ends that are tried
 _FLOOR = 1e-4  # the least scale that a search looks at
@@ -53,82 +54,68 @@ def _row(case: Case, jerk: Array | None) -> Answer:
     given = fixed_rail(case)
     if isinstance(given, Infeasible):
         return given
-    known: dict[bytes, Piece | Infeasible] = {}
-    pieces = list[Piece]()
-    for run in given.runs:
-        key = run.key
-        if key not in known:
-            if run.course is None:
-                known[key] = _piece(case.plant, run.legs[0], jerk)
-            else:
-                caps = [caps_of(case.plant, leg) for leg in run.legs]
-                known[key] = ridden(case.plant, run, caps, jerk, _drive, "Ruckig")
-        piece = known[key]
-        if isinstance(piece, Infeasible):
-            return piece
-        pieces.append(lasting(piece, run.least))
-    end = case.plant.start if given.end is None else given.end
-    trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
-    jerk_told = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []
-    notes = [
-        *jerk_told,
-        "rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line",
-    ]
-    if any(run.course is not None for run in given.runs):
+    pieces = each_once(given.runs, partial(_piece, given.axes, jerk))
+    notes = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []
+    notes.append("rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line")
+    if any(run.by_parts for run in given.runs):
         notes.append("corners and arcs: one profile along the path, with a speed and an acceleration for each part")
         if jerk is not None:
             notes.append("jerk is free where a corner or an arc begins or ends: the path's curvature jumps there")
-    return Attempt(given.program, trajectory, notes=(*notes, *given.notes))
+    return attempt_of(case, given, pieces, notes)
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, j: float | None) -> Piece:
-    given = [None if x is None else np.array([x]) for x in (v, a, j, v_0, v_1)]
-    speed, acceleration, jerk, begin, end = given
-    assert speed is not None
-    assert acceleration is not None
+    speed, acceleration, begin, end = (np.array([x]) for x in (v, a, v_0, v_1))
+    jerk = None if j is None else np.array([j])
     motion = point_to_point(np.zeros(1), np.array([way]), speed, acceleration, jerk, v_0=begin, v_1=end)
+    return Piece(motion.duration, motion.switches, lambda t: (motion.at(t)[0][:, 0], motion.at(t)[1][:, 0]))
+
+
+def _piece(axes: Axes, jerk: Array | None, run: StopToStop) -> Piece | Infeasible:
+    leg = run.legs[0]
+    if run.by_parts:
+        return timed_by_parts(axes, run, caps_of(axes, run), jerk, _drive, "Ruckig")
+    if leg.holds:
+        return hold(leg.q_0, leg.lasts)
+    motion = _joint_move(axes, run, jerk) if run.path is None else _on_line(axes, run, jerk)
+    if leg.duration is not None:
+        if (no := leg.too_short("Ruckig", motion.duration)) is not None:
+            return no
+        motion = motion.slowed(leg.duration / motion.duration)
+    if run.path is None:
+        return Piece(motion.duration, motion.switches, lambda t: motion.at(t)[:2])
+    path = SmoothPath.of(run)
 
     def at(t: Array) -> tuple[Array, Array]:
         s, rate, _ = motion.at(t)
-        return s[:, 0], rate[:, 0]
+        return path.driven(s[:, 0] * path.sigma[-1], rate[:, 0] * path.sigma[-1])
 
     return Piece(motion.duration, motion.switches, at)
-
-
-def _piece(plant: Plant, leg: BaselineLeg, jerk: Array | None) -> Piece | Infeasible:
-    if leg.kind is BaselineLegKind.HOLD:
-        return hold(leg.q_0, leg.lasts)
-    line = JointsOnLine.of(plant, leg) if leg.kind is BaselineLegKind.LINE else None
-    motion = _joint_move(plant, leg, jerk) if line is None else _along(line, jerk)
-    if leg.duration is not None:
-        if motion.duration > leg.duration * (1 + 1e-9):
-            return leg.refusal(f"cannot be made in {leg.duration:g} s: Ruckig needs {motion.duration:.4f} s")
-        motion = motion.slowed(leg.duration / motion.duration)
-    if line is None:
-        return Piece(motion.duration, motion.switches, lambda t: motion.at(t)[:2])
-    return Piece(motion.duration, motion.switches, partial(_on_line, line, motion))
-
-
-def _on_line(line: JointsOnLine, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
-    s, rate, _ = motion.at(t)
-    q = line.positions(s[:, 0])
-    return q, line.slopes(q) * rate
 
 
 @dataclass(frozen=True, eq=False)
 class _JointMove:
     """A joint move with its limits scaled; straight: along the straight line in the joints."""
 
-    plant: Plant
-    leg: BaselineLeg
+    axes: Axes
+    run: StopToStop
     jerk: Array | None
     straight: bool
+
+    @property
+    def leg(self) -> BaselineLeg:
+        """The move."""
+        return self.run.legs[0]
+
+    @cached_property
+    def caps(self) -> AxisLimits:
+        """What is in force on it."""
+        return caps_of(self.axes, self.run)
 
     def made(self, v: float, a: float) -> PointToPoint:
         """Ruckig's motion at shares v of the speeds and a of accelerations and jerks; a hair longer where switches of
         two axes would stand too near for rows of their own."""
-        caps = caps_of(self.plant, self.leg)
-        speed, acceleration = caps.speed * v, caps.acceleration * a
+        speed, acceleration = self.caps.velocity[0] * v, self.caps.acceleration[0] * a
         jerk = None if self.jerk is None else self.jerk * a
         ends = self.leg.q_0, self.leg.q_1
         move = point_to_point(*ends, speed, acceleration, jerk, straight=self.straight)
@@ -142,7 +129,8 @@ class _JointMove:
     def use(self, move: PointToPoint) -> Use:
         """Use of the limits over the whole move, both sides of every switch included."""
         t = np.linspace(0.0, move.duration, int(np.ceil(move.duration / STEP)) + 2)
-        return use_of(self.plant, caps_of(self.plant, self.leg), *move.at(np.concatenate([t, _beside(move)])))
+        t = np.concatenate([t, _beside(move)])
+        return use_of(self.axes, self.run.legs, self.caps, np.zeros(len(t), dtype=np.intp), *move.at(t))
 
     def slow(self, v: float) -> bool:
         """Whether the TCP's speeds hold with the axes' speeds at share v."""
@@ -167,9 +155,9 @@ class _JointMove:
         return out
 
 
-def _joint_move(plant: Plant, leg: BaselineLeg, jerk: Array | None) -> PointToPoint:
+def _joint_move(axes: Axes, run: StopToStop, jerk: Array | None) -> PointToPoint:
     """The shortest of the candidates, axes on their own or straight."""
-    moves = [move for straight in (False, True) for move in _JointMove(plant, leg, jerk, straight).candidates()]
+    moves = [move for straight in (False, True) for move in _JointMove(axes, run, jerk, straight).candidates()]
     return min([move for move in moves if apart(move.switches)] or moves, key=lambda move: move.duration)
 
 
@@ -193,18 +181,17 @@ def _largest(fits: Callable[[float], bool]) -> float | None:
     return low
 
 
-def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
+def _on_line(axes: Axes, run: StopToStop, jerk: Array | None) -> PointToPoint:
     """The shortest profile of the share s: for every speed of a short list (and jerk), the largest acceleration."""
-    plant, leg = line.plant, line.leg
-    slopes = line.slopes(line.q)
-    bends = line.bends(line.q, slopes)
-    twists = np.gradient(bends, line.s, axis=0)
-    caps = caps_of(plant, leg)
-    speed, acceleration = caps.speed, caps.acceleration
-    way, turn = max(line.line.length, 1e-12), max(line.line.angle, 1e-12)
+    path, leg, caps = SmoothPath.of(run), run.legs[0], caps_of(axes, run)
+    L, at = path.sigma[-1], path.places(np.linspace(0.0, path.sigma[-1], _PLACES))
+    slopes, bends, twists = (path.at(*at, order) * L**order for order in (1, 2, 3))
+    speed, acceleration = caps.velocity[0], caps.acceleration[0]
+    way, turn = max(leg.leg.chord, 1e-12), max(leg.leg.angle, 1e-12)
     steepest = np.maximum(np.abs(slopes), 1e-12)
-    top_v = min(float(np.min(speed / steepest)), leg.v_tcp / way, leg.v_ori / turn) * SAFE
-    top_a = min(float(np.min(acceleration / steepest[[0, -1]])), leg.a_tcp / way) * SAFE
+    top_v = min(float(np.min(speed / steepest)), leg.leg.v_tcp / way, leg.leg.v_ori / turn) * SAFE
+    a_tcp = min(leg.leg.a_tcp, *leg.leg.ramps)
+    top_a = min(float(np.min(acceleration / steepest[[0, -1]])), a_tcp / way) * SAFE
     top_j = None if jerk is None else float(np.min(jerk / steepest[[0, -1]])) * SAFE
     table = np.concatenate([slopes, bends, twists], axis=1)
     k = slopes.shape[1]
@@ -218,8 +205,8 @@ def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
         motion = made(v, a, j)
         t = np.concatenate([np.linspace(0.0, motion.duration, _LINE_SAMPLES), _beside(motion)])
         s, s_1, s_2 = motion.at(t)
-        place = np.clip(s[:, 0], 0.0, 1.0) * (len(line.s) - 1)
-        i = np.minimum(place.astype(np.intp), len(line.s) - 2)
+        place = np.clip(s[:, 0], 0.0, 1.0) * (_PLACES - 1)
+        i = np.minimum(place.astype(np.intp), _PLACES - 2)
         share = (place - i)[:, None]
         first, second, third = np.split(table[i] * (1 - share) + table[i + 1] * share, [k, 2 * k], axis=1)
         good = bool(np.all(np.abs(first * s_2 + second * s_1**2) <= acceleration * SAFE))
@@ -245,7 +232,7 @@ def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
             if duration < shortest:
                 best, shortest = (v, top_a * a, j), duration
     if best is None:
-        name = f"{leg.motion.source}: {leg.name}"
+        name = f"{leg.motion.source}: {motion_name(leg.motion)}"
         raise ValueError(f"ruckig: {name} finds no speed under all limits, although the fixed-rail plan has one")
     v, a, j = best
     for attempt in range(_ATTEMPTS):

@@ -1,6 +1,6 @@
 """Runs with corners or arcs, driven by one profile of the path's parameter from stop to stop.
 
-Every part of a run's course (a way between two corners or a stretch of it, half a corner) has one top speed and one
+Every part of a run's path (between two corners or a piece of that, half a corner) has one top speed and one
 acceleration (and jerk) that keep all limits everywhere on it. Where two parts meet, the speed is one that both allow
 and both can reach. A generator makes the motion in each part from speed to speed. Where a corner begins or ends the
 path's curvature jumps, and with it the axes' accelerations: a jerk limit can hold only between these places.
@@ -18,15 +18,14 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.legs import LegLimits, StopToStop, caps_on, tool_rates
-from trajopt_cli.study.rows import Piece, apart
+from trajopt_cli.study.fixed_rail import StopToStop, use_of
+from trajopt_cli.study.rows import SAFE, Piece, apart
+from trajopt_cli.trajectories.axes import Axes, AxisLimits
 
-SAFE = 1 - 1e-4  # share of limits used, as of other rows
 _SHARES = (0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2)  # of the speed that a bend alone would allow: tried for the run
-_LONGEST = (1000, 12, 6)  # intervals of the course in a part, tried for the whole run
+_LONGEST = (1000, 12, 6)  # intervals of the path in a part, tried for the whole run
 _SLIVER = 1e-6  # of sigma, which is m of the tool's way in all runs with touching corners
-_DENSE = 5  # samples of an interval of the course
+_DENSE = 5  # samples of an interval of the path
 _INSIDE = 1e-9  # share of an interval by which a sample keeps from its ends
 _REACHED = 0.96  # of a part's way in which a speed must be reached: phases shorter than the rest shrink to nothing
 _STEP = 2e-3  # share by which two speeds differ at least, if they do
@@ -41,29 +40,35 @@ Drive = Callable[[float, float, float, float, float, float | None], Piece]
 
 
 @dataclass(frozen=True, eq=False)
-class CoursePath:
-    """A course at any place: quintic between its nodes, which keeps position and both derivatives there; and the axes
-    q_0, q_1 (k,) at its ends, which its own come near but for rounding."""
+class SmoothPath:
+    """A sampled path at any place: quintic between its nodes, which keeps position and both derivatives there; and the
+    axes q_0, q_1 (k,) at its ends, which its own come near but for rounding."""
 
-    course: SampledPath
+    path: SampledPath
     q_0: Array
     q_1: Array
 
+    @classmethod
+    def of(cls, run: StopToStop) -> SmoothPath:
+        """The path of a run that has one."""
+        assert run.path is not None
+        return cls(run.path, run.legs[0].q_0, run.legs[-1].q_1)
+
     @cached_property
     def kept(self) -> IndexArray:
-        """The intervals of the course that count: where corners touch, rounding leaves slivers of ways between them, of
+        """The intervals that count: where corners touch, rounding leaves slivers of lines between them, of
         which no derivative is to be had."""
-        return np.flatnonzero(np.diff(self.course.sigma) > _SLIVER)
+        return np.flatnonzero(np.diff(self.path.sigma) > _SLIVER)
 
     @cached_property
     def sigma(self) -> Array:
         """The parameter where these intervals meet; slivers belong to the one behind them."""
-        return np.concatenate([[0.0], self.course.sigma[self.kept[:-1] + 1], self.course.sigma[-1:]])
+        return np.concatenate([[0.0], self.path.sigma[self.kept[:-1] + 1], self.path.sigma[-1:]])
 
     @cached_property
     def _coefficients(self) -> Array:
         """(6, N, k) by the share of each interval."""
-        along, first, h = self.course.along, self.course.first[self.kept], np.diff(self.sigma)[:, None]
+        along, first, h = self.path.along, self.path.first[self.kept], np.diff(self.sigma)[:, None]
         share = (self.sigma / self.sigma[-1])[:, None]
         q = np.vstack([along.q[first[:1]], along.q[first + 1]])
         q = q + (self.q_0 - q[0]) * (1 - share) + (self.q_1 - q[-1]) * share
@@ -76,7 +81,7 @@ class CoursePath:
 
     def at(self, i: IndexArray, u: Array, order: int = 0) -> Array:
         """Axes (m, k), or a derivative of them by sigma, at shares u (m,) of intervals i (m,)."""
-        out = np.zeros((len(u), self.course.along.q.shape[1]))
+        out = np.zeros((len(u), self.path.along.q.shape[1]))
         for power in range(5, order - 1, -1):
             factor = np.prod(np.arange(power, power - order, -1))
             out = out * u[:, None] + factor * self._coefficients[power, i]
@@ -87,6 +92,11 @@ class CoursePath:
         grid = self.sigma
         i = np.clip(np.searchsorted(grid, sigma, side="right") - 1, 0, len(grid) - 2)
         return i, np.clip((sigma - grid[i]) / (grid[i + 1] - grid[i]), 0.0, 1.0)
+
+    def driven(self, sigma: Array, rate: Array) -> tuple[Array, Array]:
+        """Axes and their speeds (m, k) where sigma (m,) grows at a rate (m,)."""
+        i, u = self.places(sigma)
+        return self.at(i, u), self.at(i, u, 1) * rate[:, None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,28 +126,25 @@ class _Part:
         return _stepped(v), a, j
 
 
-def ridden(
-    plant: Plant, run: StopToStop, caps: Sequence[LegLimits], jerk: Array | None, drive: Drive, generator: str
+def timed_by_parts(
+    axes: Axes, run: StopToStop, caps: AxisLimits, jerk: Array | None, drive: Drive, generator: str
 ) -> Piece | Infeasible:
-    """A run along its course in the time that the program gives it, or why not; the rest as in on_course.
+    """A run along its path in the time that the program gives it, or why not; the rest as in on_path.
 
     generator: its name in the refusal.
     """
-    piece = on_course(plant, run, caps, jerk, drive)
+    piece = on_path(axes, run, caps, jerk, drive)
     leg = run.legs[0]
     if len(run.legs) > 1 or leg.duration is None:
         return piece
-    if piece.duration > leg.duration * (1 + 1e-9):
-        return leg.refusal(f"cannot be made in {leg.duration:g} s: {generator} needs {piece.duration:.4f} s")
-    return piece.slowed(leg.duration / piece.duration)
+    return leg.too_short(generator, piece.duration) or piece.slowed(leg.duration / piece.duration)
 
 
-def on_course(plant: Plant, run: StopToStop, caps: Sequence[LegLimits], jerk: Array | None, drive: Drive) -> Piece:
-    """The fastest of the profiles that the shares and lengths in question give. caps: in force on each leg, in the
-    run's order; infinite for none. jerk (k,): the axes', None where it is free."""
-    assert run.course is not None
-    path = CoursePath(run.course, run.legs[0].q_0, run.legs[-1].q_1)
-    used = _used(plant, path, caps, jerk)
+def on_path(axes: Axes, run: StopToStop, caps: AxisLimits, jerk: Array | None, drive: Drive) -> Piece:
+    """The fastest of the profiles that the shares and lengths in question give. caps: in force on each leg, a row for
+    each; infinite for none. jerk (k,): the axes', None where it is free."""
+    path = SmoothPath.of(run)
+    used = _used(axes, run, path, caps, jerk)
     divided = [_parts(path, used, most) for most in _LONGEST]
     found = [_fastest(path, parts, drive) for parts in ([_whole(divided[0])], *divided)]
     return min([piece for piece in found if apart(piece.switches)] or found, key=lambda piece: piece.duration)
@@ -152,7 +159,7 @@ def _whole(parts: Sequence[_Part]) -> _Part:
     return _Part(sum(part.size for part in parts), rate, slope, bend, (first, second, third) if jerks else None)
 
 
-def _fastest(path: CoursePath, parts: Sequence[_Part], drive: Drive) -> Piece:
+def _fastest(path: SmoothPath, parts: Sequence[_Part], drive: Drive) -> Piece:
     tried = [[part.limits(share) for part in parts] for share in _SHARES]
     each = zip(parts, zip(*tried, strict=True), strict=True)
     tried.append([min(limits, key=partial(_alone, part.size)) for part, limits in each])
@@ -173,7 +180,7 @@ def _alone(way: float, limit: Limit) -> float:
 
 @dataclass(frozen=True, eq=False)
 class _Used:
-    """What limits a course at _DENSE samples (m,) of every interval, one after the other, as in _Part: rate (m,), slope
+    """What limits a path at _DENSE samples (m,) of every interval, one after the other, as in _Part: rate (m,), slope
     and bend (m, c), and jerk (m, 3) if limits are given."""
 
     rate: Array
@@ -182,26 +189,26 @@ class _Used:
     jerk: Array | None
 
 
-def _used(plant: Plant, path: CoursePath, caps: Sequence[LegLimits], jerk: Array | None) -> _Used:
-    course, n = path.course, len(path.kept)
+def _used(axes: Axes, run: StopToStop, path: SmoothPath, caps: AxisLimits, jerk: Array | None) -> _Used:
+    n = len(path.kept)
     shares = np.clip(np.linspace(0.0, 1.0, _DENSE), _INSIDE, 1 - _INSIDE)
     i, u = np.repeat(np.arange(n), _DENSE), np.tile(shares, n)
-    own = caps_on(caps, course.leg[path.kept[i]] - course.leg[0])
-    dq, ddq, dddq = (path.at(i, u, order) for order in (1, 2, 3))
-    V, A = tool_rates(plant, own.X_FT, path.at(i, u), dq, ddq)
-    speed, turning = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+    leg = run.number(path.path.leg[path.kept[i]])
+    q, dq, ddq, dddq = (path.at(i, u, order) for order in range(4))
+    own, use = caps.at(leg), use_of(axes, run.legs, caps, leg, q, dq, ddq)
+    a_tcp = np.minimum(own.a_tcp, own.ramps.min(axis=1))
     return _Used(
-        np.column_stack([np.abs(dq) / own.speed, speed / own.v_tcp, turning / own.v_ori]).max(axis=1),
-        np.column_stack([np.abs(dq) / own.acceleration, speed / own.a_tcp]),
-        np.column_stack([np.abs(ddq) / own.acceleration, np.linalg.norm(A, axis=1) / own.a_tcp]),
+        np.maximum(use.speed, use.tcp_speed),
+        np.column_stack([np.abs(dq) / own.acceleration, use.moving / a_tcp]),
+        np.column_stack([np.abs(ddq) / own.acceleration, use.tcp_acceleration]),
         None if jerk is None else np.column_stack([(np.abs(x) / jerk).max(axis=1) for x in (dq, ddq, dddq)]),
     )
 
 
-def _parts(path: CoursePath, used: _Used, most: int) -> list[_Part]:
-    """The course in parts of so many intervals at most."""
+def _parts(path: SmoothPath, used: _Used, most: int) -> list[_Part]:
+    """The path in parts of so many intervals at most."""
     out = []
-    for a, b in pairwise(_cuts(np.unique(path.course.part[path.kept], return_counts=True)[1], most)):
+    for a, b in pairwise(_cuts(np.unique(path.path.part[path.kept], return_counts=True)[1], most)):
         own, size = slice(a * _DENSE, b * _DENSE), float(path.sigma[b] - path.sigma[a])
         third = None
         if used.jerk is not None:
@@ -213,7 +220,7 @@ def _parts(path: CoursePath, used: _Used, most: int) -> list[_Part]:
 
 
 def _cuts(counts: IndexArray, most: int) -> list[int]:
-    """The intervals at which parts begin, and the end; of so many intervals at most. counts: of the course's parts."""
+    """The intervals at which parts begin, and the end; of so many intervals at most. counts: of the path's parts."""
     out = [0]
     for count in counts:
         pieces = -(-int(count) // most)
@@ -236,7 +243,7 @@ def _pieces(parts: Sequence[_Part], limits: Sequence[Limit], drive: Drive, most:
     return pieces, duration
 
 
-def _joined(path: CoursePath, parts: Sequence[_Part], pieces: Sequence[Piece]) -> Piece:
+def _joined(path: SmoothPath, parts: Sequence[_Part], pieces: Sequence[Piece]) -> Piece:
     """The parts' motions one after the other along the path."""
     starts = np.concatenate([[0.0], np.cumsum([piece.duration for piece in pieces])])
     ways = np.concatenate([[0.0], np.cumsum([part.size for part in parts])])
@@ -249,8 +256,7 @@ def _joined(path: CoursePath, parts: Sequence[_Part], pieces: Sequence[Piece]) -
             here = which == k
             s, rate[here] = pieces[k].at(np.clip(t[here] - starts[k], 0.0, pieces[k].duration))
             sigma[here] = ways[k] + s
-        i, u = path.places(sigma)
-        return path.at(i, u), path.at(i, u, 1) * rate[:, None]
+        return path.driven(sigma, rate)
 
     return Piece(float(starts[-1]), np.unique(np.concatenate(switches)), at)
 
