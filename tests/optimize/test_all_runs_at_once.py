@@ -11,11 +11,10 @@ from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.path_timing import run_check
+from trajopt_cli.path_timing import path_timing
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import about, duration, timed
-from trajopt_cli.path_timing.path_timing import Shares, fastest, law_of, least_times, motions
-from trajopt_cli.path_timing.run_check import looked_at
+from trajopt_cli.path_timing.path_timing import Shares, fastest, law_of, least_times, looked_at, motions
 from trajopt_cli.path_timing.sampled_path import SampledPath, courses_of
 from trajopt_cli.plan.rail_refinement import polished, refined
 from trajopt_cli.problem.plan import Target
@@ -81,15 +80,15 @@ def test_runs_driven_together_are_driven_as_alone() -> None:
 
 def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same ratios at the same places, of ways of the tool, joint moves and corners between them."""
-    monkeypatch.setattr(run_check, "COURSE_LOOKS", 12)
-    monkeypatch.setattr(run_check, "CORNER_LOOKS", 1)
+    monkeypatch.setattr(path_timing, "COURSE_LOOKS", 12)
+    monkeypatch.setattr(path_timing, "CORNER_LOOKS", 1)
     for name, value in (("BRIEF", 12), ("NEAR_LOOK", 1e3)):
         monkeypatch.setattr(dense_check, name, value)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
         law = law_of(axes, problem, course, Shares.full(len(course.part)))
         assert law is not None
-        found = looked_at(axes, problem, course, law, np.arange(len(course.part)))
+        found = looked_at(axes, problem, course, law, range(len(course.parts)))
         for k, motion in motions(axes, problem, course, law).items():
             wanted, at = check_leg(axes, problem.legs[k], motion), course.leg == k
             for of in ("velocity", "acceleration", "position", "tool"):
@@ -119,9 +118,9 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     assert course is not None
     law = law_of(axes, problem, course, Shares.full(len(course.part)))
     assert law is not None
-    every = np.arange(len(course.part))
+    every = range(len(course.parts))
     found = looked_at(axes, problem, course, law, every).tool
-    monkeypatch.setattr(run_check, "COURSE_LOOKS", 100)
+    monkeypatch.setattr(path_timing, "COURSE_LOOKS", 100)
     assert found == pytest.approx(looked_at(axes, problem, course, law, every).tool, rel=4e-5)
 
 

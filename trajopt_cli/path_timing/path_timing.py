@@ -8,14 +8,18 @@ from itertools import groupby, pairwise
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
-from trajopt_cli.path_timing.run_check import looked_at
-from trajopt_cli.path_timing.sampled_path import PathDerivatives, PathPart, SampledPath, finer, together
-from trajopt_cli.problem.problem import Leg, Problem
+from trajopt_cli.path_timing.sampled_path import PathDerivatives, SampledPath, finer, together
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.settings import (
+    ALONG_LOOKS,
     BEYOND,
+    CHECKED,
+    CORNER_LOOKS,
+    COURSE_LOOKS,
     HALVINGS,
     LEAST_FELT,
     LED,
@@ -33,8 +37,8 @@ from trajopt_cli.settings import (
 )
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
-from trajopt_cli.trajectories.dense_check import Ratios
-from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces
+from trajopt_cli.trajectories.dense_check import Ratios, ratios_of
+from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces, sampled
 from trajopt_cli.trajectories.limits.joint_torque import Columns, of_room
 
 _RANGE = 1 + 1e-6  # share of half an axis' range that a course may reach
@@ -298,9 +302,9 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
         for i in lost:
             stay[spans[i]] = False
         # what a round tightens is felt nearby only: a leg driven as before is what it was
-        new = np.flatnonzero(stay & _driven_anew(every, law, before))
-        if len(new):
-            seen.put(new, looked_at(axes, problem, every, law, new))
+        new = stay & _driven_anew(every, law, before)
+        if new.any():
+            seen.put(np.flatnonzero(new), looked_at(axes, problem, every, law, np.unique(every.part[new]).tolist()))
         worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
         over = shares.tighten(used_by(axes, problem, every, law), *worst)
         over = shares.wait(problem, every, law, over)
@@ -383,27 +387,45 @@ def _steep(axes: Axes, problem: Problem, course: SampledPath) -> tuple[BoolArray
     return (high > STEEP * low) | (led > LED), led > LOST
 
 
+def looked_at(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, parts: Sequence[int]) -> Ratios:
+    """Worst ratio to each limit in every interval of some of the parts of a path that is timed by a law, in order; not
+    of jerk. Both ends of an interval are sampled from inside."""
+    found = list[Ratios]()
+    rows = np.cumsum([course.parts[i].N * COURSE_LOOKS * CORNER_LOOKS for i in parts])
+    for _, group in groupby(zip(parts, rows, strict=True), key=lambda one: int(one[1]) // CHECKED):
+        numbers = [i for i, _ in group]
+        legs = [problem.legs[course.parts[i].leg] for i in numbers]
+        pieces = [_piece(axes, problem, course, law, i) for i in numbers]
+        times, first, count = list[Array](), list[IndexArray](), 0
+        for i, leg, piece in zip(numbers, legs, pieces, strict=True):
+            in_corner = isinstance(course.parts[i].segment, Corner | JointCorner)
+            looks = COURSE_LOOKS * (ALONG_LOOKS if leg.along else CORNER_LOOKS if in_corner else 1)
+            inside = np.clip((np.arange(looks + 2) - 0.5) / looks, 1e-9, 1 - 1e-9)
+            breaks = piece.breaks()
+            times.append((breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
+            first.append(count + np.arange(piece.N) * len(inside))
+            count += len(times[-1])
+        number = np.repeat(np.arange(len(legs)), [len(t) for t in times])
+        found.append(ratios_of(axes, legs, number, sampled(axes, pieces, times), np.concatenate(first)))
+    return Ratios.joined(found)
+
+
 def motions(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> dict[int, Pieces]:
     """The motions of a run's legs under a law, by leg."""
     out: dict[int, list[PathLeg | JointNodes]] = {}
-    edges = np.concatenate([[0], np.cumsum(course.counts)])
     for i, part in enumerate(course.parts):
-        here = slice(edges[i], edges[i + 1] + 1)
-        row = edges[i] + i
-        q = course.along.q[row : row + part.N + 1]
-        dq = course.along.dq[row : row + part.N + 1]
-        out.setdefault(part.leg, []).append(
-            _piece(axes, problem.legs[part.leg], part, q, dq, law.times[here], law.rates[here])
-        )
+        out.setdefault(part.leg, []).append(_piece(axes, problem, course, law, i))
     return {k: Pieces(tuple(pieces)) for k, pieces in out.items()}
 
 
-def _piece(
-    axes: Axes, leg: Leg, part: PathPart, q: Array, dq: Array, times: Array, rates: Array
-) -> PathLeg | JointNodes:
-    """One part in scaled time, from when and how fast (N+1,) its nodes are passed."""
-    T = float(times[-1] - times[0])
-    grid = (times - times[0]) / T
+def _piece(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, i: int) -> PathLeg | JointNodes:
+    """Part i of a path under a law, in scaled time."""
+    part, row = course.parts[i], course.begins[i]
+    leg, at = problem.legs[part.leg], slice(row, row + part.N + 1)
+    q, dq, rates = course.along.q[at], course.along.dq[at], law.rates[row - i : row - i + part.N + 1]
+    times = np.concatenate([[0.0], np.cumsum(2 * part.size * np.diff(part.u) / (rates[1:] + rates[:-1]))])
+    T = float(times[-1])
+    grid = times / T
     grid[-1] = 1.0
     if isinstance(part.segment, JointMove | JointCorner):
         v = dq * (rates * T)[:, None]

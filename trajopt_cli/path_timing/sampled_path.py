@@ -168,23 +168,9 @@ class SampledPath:
         return np.arange(len(self.part)) + self.part
 
     @cached_property
-    def progress(self) -> tuple[Array, Array]:
-        """At all nodes of parts that the tool decides: its segment's parameter and the rail, and their derivatives by
-        sigma (rows, 1 + r); NaN at others."""
-        out = []
-        for part in self.parts:
-            if part.rail is None:
-                out.append(np.full((2, part.N + 1, self._rails + 1), np.nan))
-                continue
-            d, dd, _ = part.rail.at(part.u)
-            way = np.full((part.N + 1, 1), part.s_1 - part.s_0)
-            out.append(np.stack([np.hstack([part.own(part.u)[:, None], d]), np.hstack([way, dd]) / part.size]))
-        x, slope = np.concatenate(out, axis=1)
-        return x, slope
-
-    @property
-    def _rails(self) -> int:
-        return max((len(part.rail.d) for part in self.parts if part.rail is not None), default=0)
+    def begins(self) -> list[int]:
+        """Row of `along` where each part begins."""
+        return [0, *np.cumsum(self.counts + 1).tolist()]
 
     @cached_property
     def sigma(self) -> Array:

@@ -27,8 +27,9 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
 from trajopt_cli.settings import RUN_NODES
 from trajopt_cli.study.case import Case
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
-from trajopt_cli.trajectories.dense_check import tool_of, tool_ratios
+from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
+from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion
 
 _LINE_NODES = 400  # of a line or an arc alone: at 0.5 m 1.2 mm apart
 _ON_BRANCH = 1e-6  # rad: axes are what a branch says
@@ -225,15 +226,16 @@ def use_of(
     axes: Axes, legs: Sequence[BaselineLeg], caps: AxisLimits, number: IndexArray, q: Array, qd: Array, qdd: Array
 ) -> Use:
     """Use of limits at samples q, qd, qdd (n, k) of legs, to which numbers (n,) they belong; caps: a row a leg."""
-    own = caps.at(number)
-    tool = tool_of(axes, [leg.X_FT for leg in legs], number, Sample(np.zeros(len(q)), q, qd, qdd))
-    speed, acceleration, turning = tool_ratios(own, tool).T
+    own, at_once = caps.at(number), np.zeros(1, dtype=np.intp)
+    sample = Sample(np.zeros(len(q)), q, qd, qdd)
+    motion = replace(motion_samples(axes, [leg.leg for leg in legs], number, sample, at_once), caps=own)
+    speed, acceleration, turning = TcpMotion(axes).ratios(motion).T
     return Use(
         np.max(np.abs(qd) / own.velocity, axis=1),
         np.max(np.abs(qdd) / own.acceleration, axis=1),
         np.maximum(speed, turning),
         acceleration,
-        np.linalg.norm(tool[:, 0, :3], axis=1),
+        np.linalg.norm(motion.tool[:, 0, :3], axis=1),
     )
 
 

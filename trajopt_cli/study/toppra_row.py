@@ -24,7 +24,7 @@ from trajopt_cli.study.fixed_rail import FixedRail, StopToStop, caps_of, fixed_r
 from trajopt_cli.study.rows import SAFE, Piece, apart, attempt_of, each_once, hold, rows_of
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
-from trajopt_cli.trajectories.dense_check import tool_of
+from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
 from trajopt_cli.trajectory import Trajectory, hermite
 
@@ -112,8 +112,8 @@ class _Path:
         """Limits in force and derivatives at s (m,), on the legs that are driven at middles (m,)."""
         number = self.run.leg_at(self.run.span[0] + middles)
         q, dq, ddq = self.at(s)
-        tools = [leg.X_FT for leg in self.run.legs]
-        tool = tool_of(self.axes, tools, number, Sample(s, q, dq, ddq))
+        legs = [leg.leg for leg in self.run.legs]
+        tool = motion_samples(self.axes, legs, number, Sample(s, q, dq, ddq), number[:1]).tool
         v, w, bend = tool[:, 0, :3], tool[:, 0, 3:], tool[:, 1, :3]
         return self.caps.at(number), PathDerivatives(q, dq, ddq, v, w, bend, np.zeros((len(s), 2)))
 
