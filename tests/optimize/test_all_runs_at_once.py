@@ -14,7 +14,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing import path_timing
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import about, duration, timed
-from trajopt_cli.path_timing.path_timing import Shares, fastest, law_of, least_times, looked_at, motions
+from trajopt_cli.path_timing.path_timing import PathMargins, fastest, law_of, least_times, looked_at, motions
 from trajopt_cli.path_timing.sampled_path import SampledPath, courses_of
 from trajopt_cli.plan.rail_refinement import polished, refined
 from trajopt_cli.problem.plan import Target
@@ -72,7 +72,7 @@ def test_runs_driven_together_are_driven_as_alone() -> None:
         assert isinstance(found, dict)
         assert isinstance(alone, dict)
         assert [one.T for one in found.values()] == pytest.approx([one.T for one in alone.values()], rel=1e-12)
-        law = law_of(axes, problem, course, Shares.full(len(course.part)))
+        law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
         assert law is not None
         assert law.duration == pytest.approx(T, rel=1e-12)
         assert sum(one.T for one in found.values()) * (1 + 1e-3) > T
@@ -86,7 +86,7 @@ def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatc
         monkeypatch.setattr(dense_check, name, value)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
-        law = law_of(axes, problem, course, Shares.full(len(course.part)))
+        law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
         assert law is not None
         found = looked_at(axes, problem, course, law, range(len(course.parts)))
         for k, motion in motions(axes, problem, course, law).items():
@@ -116,7 +116,7 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     cfx = [label.cfx for label in chain.labels]
     course = courses_of(axes, problem, problem.runs[-1:], [chain.q], cfx, [48])[0]
     assert course is not None
-    law = law_of(axes, problem, course, Shares.full(len(course.part)))
+    law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
     assert law is not None
     every = range(len(course.parts))
     found = looked_at(axes, problem, course, law, every).tool

@@ -15,7 +15,7 @@ from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.path_timing.path_timing import Shares, in_force
+from trajopt_cli.path_timing.path_timing import PathMargins, in_force
 from trajopt_cli.path_timing.sampled_path import course_of
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.objective import LeastEffort
@@ -168,9 +168,9 @@ def test_columns_of_a_course_are_pins_torques() -> None:
     axes, problem = Axes.of(plant), problem_of(to(end), plant)
     course = course_of(axes, problem, (0, 1), np.array([START, end]), (-1, -1), 12)
     assert course is not None
-    shares = Shares.full(12)
-    shares.torque[:] = 0.8
-    _, *rows = in_force(axes, problem, course, shares)
+    margins = PathMargins.full(axes, 12)
+    margins.by_name["torque"][:] = 0.8
+    _, *rows = in_force(axes, problem, course, margins)
     dynamics, u, x = Dynamics(plant.robot, rotor=plant.robot.rotor), -1.7, 0.6
     for (slopes, bends, rests), at in zip(rows, (course.first, course.first + 1), strict=True):
         q, dq, ddq = (getattr(course.along, name)[at] for name in ("q", "dq", "ddq"))

@@ -17,7 +17,7 @@ from trajopt_cli.path.along import along_all
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path.turning import over_work
-from trajopt_cli.path_timing.path_timing import columns, top_rate
+from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
 from trajopt_cli.path_timing.smooth import rest_time
 from trajopt_cli.problem.cache_keys import leg_name
@@ -180,13 +180,11 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
     leg, B = problem.legs[pairs[0].k], sum(counts)
     s = _nodes(problem, pairs[0].k)
     along, ok = (_straight if leg.kind is LegKind.JOINT else _on_ways)(axes, problem, pairs, s)
-    caps = axes.caps([problem.legs[one.k] for one in pairs]).at(
-        np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
-    )
-    joints, tool = top_rate(caps, along)
-    slopes, bends, rests = columns(caps, along)
-    top = np.minimum(joints, tool).reshape(B, -1)
-    slopes, bends, rests = (x.reshape(B, len(s), -1) for x in (slopes, bends, rests))
+    number = np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
+    samples = samples_of(axes, [problem.legs[one.k] for one in pairs], number, along)
+    found = stacked(path_rows(but_torques(axes), samples))
+    top = found.top.min(axis=-1).reshape(B, -1)
+    slopes, bends, rests = (x.reshape(B, len(s), -1) for x in (found.slopes, found.bends, found.rests))
     ok = np.asarray(ok & np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(bends).all(axis=(1, 2)))
     T = np.full(B, np.inf)
     if short(problem, pairs[0].k):  # what it takes to change speed on it is not looked at

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from itertools import groupby, pairwise
 
@@ -13,7 +13,7 @@ from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, SampledPath, finer, together
-from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.problem import Leg, Problem
 from trajopt_cli.settings import (
     ALONG_LOOKS,
     BEYOND,
@@ -29,20 +29,17 @@ from trajopt_cli.settings import (
     NODES_AT_ONCE,
     PACE_ROUNDS,
     RESOLVED,
-    SAFE,
-    START,
     STEEP,
-    TOOL_DIRECTIONS,
     WAITED,
 )
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
-from trajopt_cli.trajectories.axes import Axes, AxisLimits
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, ratios_of
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces, sampled
-from trajopt_cli.trajectories.limits.joint_torque import Columns, of_room
+from trajopt_cli.trajectories.limits.joint_torque import of_room
+from trajopt_cli.trajectories.limits.limit import Limit, PathRows, PathSamples
 
 _RANGE = 1 + 1e-6  # share of half an axis' range that a course may reach
-_ANGLES = (np.arange(TOOL_DIRECTIONS) + 0.5) * np.pi / TOOL_DIRECTIONS - np.pi / 2
 
 
 class Unresolved(Exception):
@@ -54,41 +51,32 @@ class Unresolved(Exception):
 
 
 @dataclass
-class Shares:
-    """Of each limit, what an interval (N,) of a course may use: axes' and tool's speed, axes' and tool's
-    acceleration, axes' torque; and at what rate of sigma it goes by at most, because its leg has a least time."""
+class PathMargins:
+    """What an interval (N,) of a path may use of each limit: of what it asks of the rate and of the acceleration (N, 2)
+    by the limit's name. rate (N,): of the path parameter at most, because its leg has a least time."""
 
-    speed: Array
-    tool_speed: Array
-    acceleration: Array
-    tool_acceleration: Array
-    torque: Array
+    by_name: dict[str, Array]
     rate: Array
 
     @classmethod
-    def full(cls, N: int) -> Shares:
+    def full(cls, axes: Axes, N: int) -> PathMargins:
         """All but a hair."""
-        out = cls(*(np.full(N, START) for _ in fields(cls)))
-        out.rate[:] = np.inf
-        return out
+        return cls({limit.name: np.full((N, 2), limit.start) for limit in axes.limits}, np.full(N, np.inf))
 
-    def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array, torque: Array) -> BoolArray:
-        """Less for the intervals whose worst ratios (N,), (N,), (N, 3), (N,) exceed what is safe: which.
+    def tighten(self, used: Mapping[str, Array], seen: Ratios) -> BoolArray:
+        """Less for the intervals whose worst ratios exceed what is safe: which (N,).
 
-        used: what the law uses at the nodes, which is tightened, for what it leaves it would not miss.
+        used: what the law uses at the nodes (N, 2) by the limit's name, which is tightened, for what it leaves it would
+        not miss.
         """
-        changed = np.zeros(len(speed), dtype=bool)
-        for share, use, ratio in (
-            (self.speed, used.speed, speed),
-            (self.acceleration, used.acceleration, acceleration),
-            (self.tool_speed, used.tool_speed, np.maximum(tool[:, 0], tool[:, 2])),
-            (self.tool_acceleration, used.tool_acceleration, tool[:, 1]),
-            (self.torque, used.torque, torque),
-        ):
-            over = ratio > SAFE
-            felt = np.clip(use, share * LEAST_FELT, share)
-            share[over] = felt[over] * (SAFE - BEYOND) / ratio[over]
-            changed |= over
+        changed = np.zeros(len(self.rate), dtype=bool)
+        for limit in seen.limits:
+            for k, order in enumerate((1, 2) if limit.name in used else ()):
+                ratio = seen.by_name[limit.name][:, limit.orders == order].max(axis=1, initial=0.0)
+                over, margin = ratio > limit.safe, self.by_name[limit.name][:, k]
+                active = np.clip(used[limit.name][:, k], margin * LEAST_FELT, margin)
+                margin[over] = active[over] * (limit.safe - BEYOND) / ratio[over]
+                changed |= over
         return changed
 
     def wait(self, problem: Problem, course: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
@@ -110,9 +98,9 @@ class Shares:
                     self.rate[a:b], out[a:b] = low, True
         return out
 
-    def at(self, intervals: BoolArray) -> Shares:
+    def at(self, intervals: BoolArray) -> PathMargins:
         """Those of some of the intervals."""
-        return Shares(*(getattr(self, one.name)[intervals] for one in fields(self)))
+        return PathMargins({name: one[intervals] for name, one in self.by_name.items()}, self.rate[intervals])
 
 
 def _time(sigma: Array, rates: Array) -> float:
@@ -121,121 +109,79 @@ def _time(sigma: Array, rates: Array) -> float:
     return float(np.sum(2 * np.diff(sigma) / sums)) if np.all(sums > 0) else 0.0
 
 
-def top_rate(caps: AxisLimits, along: PathDerivatives) -> tuple[Array, Array]:
-    """The greatest rates of sigma (m,) that axes and that tool and positioners allow at places, or at all of them under
-    one cap."""
-    with np.errstate(divide="ignore"):
-        joints = np.min(caps.velocity / np.abs(along.dq), axis=-1)
-        speed, turning = (np.linalg.norm(x, axis=-1) for x in (along.v, along.w))
-        tool = np.minimum(caps.v_tcp / speed, caps.v_ori / turning)
-        if along.table.any():
-            tool = np.minimum(tool, 1 / along.table[..., 0])
-    return joints, tool
+def samples_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, along: PathDerivatives) -> PathSamples:
+    """Places along paths, to be asked of limits; place i on legs[number[i]]."""
+    caps = axes.caps(legs).at(number)
+    return PathSamples(legs, number, caps, *(getattr(along, one.name) for one in fields(along)))
 
 
-def columns(caps: AxisLimits, along: PathDerivatives, angles: Array = _ANGLES) -> tuple[Array, Array, Array]:
-    """Slopes, bends and rests (m, c) of what is limited at places: |slope u + bend x + rest| <= 1 with u the second
-    derivative of sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half
-    circle; its limit is a circle, around which they are drawn; then the positioners', where any turns; last the tool's
-    speeding up and slowing down along its path, where these are limited by themselves: the only one with a rest."""
-    size = np.linalg.norm(along.v, axis=-1, keepdims=True)
-    ahead = along.v / np.maximum(size, 1e-12)
-    forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
-    aside = np.linalg.norm(along.bend - forward * ahead, axis=-1, keepdims=True)
-    c, s = (of(angles) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
-    slopes = np.concatenate([along.dq / caps.acceleration, size * c], axis=-1)
-    bends = np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
-    if along.table.any():
-        table = along.table[..., 1:]
-        slopes, bends = np.concatenate([slopes, table], axis=-1), np.concatenate([bends, 0 * table], axis=-1)
-    rests = np.zeros_like(slopes)
-    if caps.along:
-        half, tilt = np.sum(caps.ramps, axis=1, keepdims=True) / 2, -np.diff(caps.ramps, axis=1) / 2
-        slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
-        rests = np.hstack([rests, -tilt / half])
-    return slopes, bends, rests
+def path_rows(limits: Sequence[Limit], path: PathSamples) -> dict[str, PathRows]:
+    """What limits ask for along a path, by name, of those that ask for anything."""
+    return {limit.name: rows for limit in limits if (rows := limit.path_rows(path)) is not None}
 
 
-def limits(axes: Axes, problem: Problem, course: SampledPath) -> tuple[Array, Array, Array, Array]:
-    """top_rate and columns at all nodes of a course: (rows, 2), then (rows, c) each."""
-    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
-    caps = axes.caps([problem.legs[k] for k in legs]).at(np.repeat(of, course.counts + 1))
-    return np.column_stack(top_rate(caps, course.along)), *columns(caps, course.along)
+def but_torques(axes: Axes) -> list[Limit]:
+    """The limits but for those of torque, which take too long to be asked for all that a search compares."""
+    return [limit for limit in axes.limits if limit.name != "torque"]
 
 
-def used_by(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> Shares:
-    """What a law uses of each limit at the ends of every interval."""
-    tops, slopes, bends, rests = limits(axes, problem, course)
-    x = law.rates**2
-    u = np.diff(x) / (2 * np.diff(course.sigma))
-    most = [np.zeros((len(u), 2)), np.zeros((len(u), slopes.shape[1]))]
-    for row, rate in ((course.first, law.rates[:-1]), (course.first + 1, law.rates[1:])):
-        most[0] = np.maximum(most[0], rate[:, None] / tops[row])
-        most[1] = np.maximum(most[1], of_room(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2, rests[row]))
-    speed, acceleration = most
-    return Shares(
-        speed[:, 0],
-        speed[:, 1],
-        acceleration[:, : axes.n].max(axis=1),
-        acceleration[:, axes.n :].max(axis=1),
-        _torque_used(axes, problem, course, u, x),
-        np.zeros(len(u)),
-    )
+def stacked(rows: Mapping[str, PathRows]) -> PathRows:
+    """The columns of all limits side by side."""
+    every = [*rows.values()]
+    return PathRows(*(np.concatenate([getattr(one, x.name) for one in every], axis=-1) for x in fields(PathRows)))
 
 
-def torque_columns(axes: Axes, problem: Problem, course: SampledPath) -> Columns:
-    """What torques ask for at all nodes of a course (rows, n); (rows, 0) where they are free."""
-    if axes.torque is None:
-        return Columns(*(course.along.q[:, :0] for _ in range(3)))
-    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
-    number, along = np.repeat(of, course.counts + 1), course.along
-    return axes.torque.columns([problem.legs[k] for k in legs], number, along.q, along.dq, along.ddq)
+def rows_on(
+    axes: Axes, problem: Problem, path: SampledPath, limits: Sequence[Limit] | None = None
+) -> dict[str, PathRows]:
+    """What limits, by default all in force, ask for at all nodes of a path."""
+    legs, of = np.unique([part.leg for part in path.parts], return_inverse=True)
+    number = np.repeat(of, path.counts + 1)
+    samples = samples_of(axes, [problem.legs[k] for k in legs], number, path.along)
+    return path_rows(axes.limits if limits is None else limits, samples)
 
 
-def _torque_used(axes: Axes, problem: Problem, course: SampledPath, u: Array, x: Array) -> Array:
-    """The worst share (N,) of what gravity leaves at the ends of every interval."""
-    slopes, bends, rest = torque_columns(axes, problem, course)
-    most = np.zeros(len(u))
-    for row, there in ((course.first, x[:-1]), (course.first + 1, x[1:])):
-        used = of_room(slopes[row] * u[:, None] + bends[row] * there[:, None], rest[row])
-        most = np.maximum(most, used.max(axis=1, initial=0.0))
-    return most
+def used_by(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> dict[str, Array]:
+    """What a law uses of each limit (N, 2), of the rate and of the acceleration, at the ends of every interval."""
+    u = np.diff(law.rates**2) / (2 * np.diff(course.sigma))
+    out = dict[str, Array]()
+    for name, rows in rows_on(axes, problem, course).items():
+        out[name] = np.zeros((len(u), 2))
+        for row, rate in ((course.first, law.rates[:-1, None]), (course.first + 1, law.rates[1:, None])):
+            pushed = of_room(rows.slopes[row] * u[:, None] + rows.bends[row] * rate**2, rows.rests[row])
+            used = [np.max(x, axis=1, initial=0.0) for x in (rate / rows.top[row], pushed)]
+            out[name] = np.maximum(out[name], np.column_stack(used))
+    return out
 
 
-def in_force(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> tuple[Array, Rows, Rows]:
+def in_force(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> tuple[Array, Rows, Rows]:
     """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
     each interval begins and where it ends."""
-    N = len(course.part)
-    tops, slopes, bends, rests = limits(axes, problem, course)
-    give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
-                            np.repeat(shares.tool_acceleration[:, None], slopes.shape[1] - axes.n, 1)])  # fmt: skip
-    a, b = course.first, course.first + 1
-    allowed = np.column_stack([shares.speed, shares.tool_speed])
-    top = np.full(N + 1, np.inf)
-    top[:-1] = np.minimum(np.min(tops[a] * allowed, axis=1), shares.rate)
-    top[1:] = np.minimum(top[1:], np.minimum(np.min(tops[b] * allowed, axis=1), shares.rate))
-    top[[*course.rests]] = 0.0
-    torque = torque_columns(axes, problem, course)
-    most = shares.torque[:, None]
-    begins, ends = (
-        (
-            np.hstack([slopes[i] / give, torque.slopes[i] / most]),
-            np.hstack([bends[i] / give, torque.bends[i] / most]),
-            np.hstack([rests[i], torque.rest[i]]),
+    found = rows_on(axes, problem, course)
+    top, sides = np.full(len(course.part) + 1, np.inf), list[Rows]()
+    for row, at in ((course.first, slice(None, -1)), (course.first + 1, slice(1, None))):
+        of = [(rows, margins.by_name[name]) for name, rows in found.items()]
+        tops = [np.min(rows.top[row], axis=1, initial=np.inf) * margin[:, 0] for rows, margin in of]
+        top[at] = np.min([top[at], margins.rate, *tops], axis=0)
+        sides.append(
+            (
+                np.hstack([rows.slopes[row] / margin[:, 1:] for rows, margin in of]),
+                np.hstack([rows.bends[row] / margin[:, 1:] for rows, margin in of]),
+                np.hstack([rows.rests[row] for rows, _ in of]),
+            )
         )
-        for i in (a, b)
-    )
-    return top, begins, ends
+    top[[*course.rests]] = 0.0
+    return top, sides[0], sides[1]
 
 
-def law_of(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw | None:
+def law_of(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw | None:
     """The fastest law of a run's course, from rest to rest; None where there is none."""
-    law = _fastest(axes, problem, course, shares)
+    law = _fastest(axes, problem, course, margins)
     return law if _moves(law, slice(0, len(course.part))) else None
 
 
 Rows = tuple[Array, Array, Array]
-Pace = Callable[[Axes, Problem, SampledPath, Shares], TimeLaw | None]
+Pace = Callable[[Axes, Problem, SampledPath, PathMargins], TimeLaw | None]
 Driven = dict[int, Pieces] | Unresolved | None
 
 
@@ -264,16 +210,16 @@ def least_times(axes: Axes, problem: Problem, courses: Sequence[SampledPath]) ->
     for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
         numbers = [*group]
         every = together([courses[i] for i in numbers])
-        law = _fastest(axes, problem, every, Shares.full(len(every.part)))
+        law = _fastest(axes, problem, every, PathMargins.full(axes, len(every.part)))
         with np.errstate(divide="ignore"):
             steps = 2 * np.diff(every.sigma) / (law.rates[1:] + law.rates[:-1])
         T[numbers] = np.add.reduceat(steps, [0, *every.rests])
     return T
 
 
-def _fastest(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw:
+def _fastest(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw:
     """The fastest law of courses one after the other; it stands still on those that have none."""
-    top, *rows = in_force(axes, problem, course, shares)
+    top, *rows = in_force(axes, problem, course, margins)
     begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
     return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
@@ -290,9 +236,9 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
     if not left:
         return out
     every = together([*left.values()])
-    shares, seen, before = Shares.full(len(every.part)), Ratios.none(axes, len(every.part)), None
+    margins, seen, before = PathMargins.full(axes, len(every.part)), Ratios.none(axes, len(every.part)), None
     for _ in range(PACE_ROUNDS):
-        law = pace(axes, problem, every, shares)
+        law = pace(axes, problem, every, margins)
         if law is None:
             break
         edges = np.concatenate([[0], np.cumsum([len(course.part) for course in left.values()])]).tolist()
@@ -305,9 +251,8 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
         new = stay & _driven_anew(every, law, before)
         if new.any():
             seen.put(np.flatnonzero(new), looked_at(axes, problem, every, law, np.unique(every.part[new]).tolist()))
-        worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
-        over = shares.tighten(used_by(axes, problem, every, law), *worst)
-        over = shares.wait(problem, every, law, over)
+        over = margins.tighten(used_by(axes, problem, every, law), seen)
+        over = margins.wait(problem, every, law, over)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE
             if outside or not over[at].any():
@@ -319,7 +264,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: P
             break
         before = law.rates
         if not stay.all():
-            every, shares, seen = together([*left.values()]), shares.at(stay), seen.at(stay)
+            every, margins, seen = together([*left.values()]), margins.at(stay), seen.at(stay)
             before = np.append(law.rates[:-1][stay], 0.0)
     return out
 
@@ -379,7 +324,7 @@ def _resolved(axes: Axes, problem: Problem, course: SampledPath) -> SampledPath 
 
 def _steep(axes: Axes, problem: Problem, course: SampledPath) -> tuple[BoolArray, BoolArray]:
     """Which intervals (N,) want a node in the middle, and which say nothing of what happens in them."""
-    top = np.min(limits(axes, problem, course)[0], axis=1)
+    top = stacked(rows_on(axes, problem, course, but_torques(axes))).top.min(axis=1)
     row, along = course.first, course.along
     low, high = np.minimum(top[row], top[row + 1]), np.maximum(top[row], top[row + 1])
     step = np.diff(course.sigma)[:, None]

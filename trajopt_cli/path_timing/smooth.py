@@ -14,7 +14,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.line import Line
-from trajopt_cli.path_timing.path_timing import limits
+from trajopt_cli.path_timing.path_timing import but_torques, rows_on, stacked
 from trajopt_cli.path_timing.sampled_path import course_of
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
@@ -79,11 +79,11 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
     course = course_of(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
     if course is None:
         return None
-    tops, slopes, *_ = limits(axes, problem, course)
+    rows = stacked(rows_on(axes, problem, course, but_torques(axes)))
     L, dq = float(course.sigma[-1]), np.abs(course.along.dq).max(axis=0)
     assert axes.jerk is not None
     with np.errstate(divide="ignore"):
-        caps = np.array([tops.min(), 1 / np.abs(slopes).max(), np.min(axes.jerk / dq)]) * SAFE
+        caps = np.array([rows.top.min(), 1 / np.abs(rows.slopes).max(), np.min(axes.jerk / dq)]) * SAFE
     if not np.isfinite(caps).all() or not (caps > 0).all():
         return None
 

@@ -19,7 +19,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.driver import Grids
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
-from trajopt_cli.path_timing.path_timing import Shares, Unresolved, clean
+from trajopt_cli.path_timing.path_timing import PathMargins, Unresolved, clean
 from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
 from trajopt_cli.plan.initial_plan import Legal, add
 from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, with_fixed_runs
@@ -135,8 +135,8 @@ def _eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterat
     if course is None:
         return {}
 
-    def pace(axes: Axes, problem: Problem, course: SampledPath, shares: Shares) -> TimeLaw | None:
-        return gentle_law(axes, formulation, problem, course, shares, span.time)
+    def pace(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw | None:
+        return gentle_law(axes, formulation, problem, course, margins, span.time)
 
     try:
         found = clean(axes, problem, course, pace)

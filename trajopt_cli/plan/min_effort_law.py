@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
-from trajopt_cli.path_timing.path_timing import Shares, in_force, law_of
+from trajopt_cli.path_timing.path_timing import PathMargins, in_force, law_of
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.settings import BARRIER_REFINED, MOST_ITERATIONS, SHARP
@@ -23,15 +23,15 @@ _SPARE = 1e-4  # share of a law's time that is left before a gentler one is look
 
 
 def gentle_law(
-    axes: Axes, formulation: Formulation, problem: Problem, course: SampledPath, shares: Shares, seconds: float
+    axes: Axes, formulation: Formulation, problem: Problem, course: SampledPath, margins: PathMargins, seconds: float
 ) -> TimeLaw | None:
     """The law of a run's course that takes so many seconds with the least effort, from rest to rest; None where it
     takes longer, or hardly less, as fast as may be."""
-    fast = law_of(axes, problem, course, shares)
+    fast = law_of(axes, problem, course, margins)
     if fast is None or fast.duration > seconds * (1 - _SPARE):
         return None
     start = fast.slowed(seconds / fast.duration)
-    top, begins, ends = in_force(axes, problem, course, shares)
+    top, begins, ends = in_force(axes, problem, course, margins)
     # the unit of sigma is the whole way, that of time the seconds, that of effort what the fast law has of it
     L, N = float(course.sigma[-1]), len(course.part)
     steps, rate, slope, bend = np.diff(course.sigma) / L, L / seconds, L / seconds**2, (L / seconds) ** 2

@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.path_timing.path_timing import columns, top_rate
+from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.study.case import Answer, Case
@@ -26,6 +26,8 @@ from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
+from trajopt_cli.trajectories.limits.limit import Limit, PathRows
+from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion
 from trajopt_cli.trajectory import Trajectory, hermite
 
 STEP = 1e-3  # s of the plan between the points of TOPP-RA; every switch of the plan is one besides
@@ -99,6 +101,12 @@ class _Path:
         return cls(given.axes, run, trajectory, np.unique(np.r_[marks, wanted]) - t_0)
 
     @cached_property
+    def limits(self) -> list[Limit]:
+        """What is asked of it."""
+        others = [limit for limit in but_torques(self.axes) if not isinstance(limit, TcpMotion)]
+        return [*others, TcpMotion(self.axes, _DIRECTIONS)]
+
+    @cached_property
     def caps(self) -> AxisLimits:
         """Limits in force on each leg."""
         return caps_of(self.axes, self.run)
@@ -108,21 +116,20 @@ class _Path:
         t_0, t_1 = self.run.span
         return hermite(self.trajectory, np.clip(t_0 + s, t_0, t_1))
 
-    def along(self, s: Array, middles: Array) -> tuple[AxisLimits, PathDerivatives]:
-        """Limits in force and derivatives at s (m,), on the legs that are driven at middles (m,)."""
-        number = self.run.leg_at(self.run.span[0] + middles)
+    def rows(self, s: Array, middles: Array) -> PathRows:
+        """What limits ask for at s (m,), on the legs that are driven at middles (m,)."""
+        number, legs = self.run.leg_at(self.run.span[0] + middles), [leg.leg for leg in self.run.legs]
         q, dq, ddq = self.at(s)
-        legs = [leg.leg for leg in self.run.legs]
         tool = motion_samples(self.axes, legs, number, Sample(s, q, dq, ddq), number[:1]).tool
-        v, w, bend = tool[:, 0, :3], tool[:, 0, 3:], tool[:, 1, :3]
-        return self.caps.at(number), PathDerivatives(q, dq, ddq, v, w, bend, np.zeros((len(s), 2)))
+        along = PathDerivatives(q, dq, ddq, tool[:, 0, :3], tool[:, 0, 3:], tool[:, 1, :3], np.zeros((len(s), 2)))
+        return stacked(path_rows(self.limits, samples_of(self.axes, legs, number, along)))
 
     @cached_property
     def top(self) -> Array:
         """Greatest rate (n,) that axis speeds, TCP speed and turning allow at the points; where two legs meet, of
         both."""
-        sides = [top_rate(*self.along(self.s, self.s + side)) for side in (-_BESIDE, _BESIDE)]
-        return np.asarray(np.minimum(np.min(sides, axis=(0, 1)), _FASTEST))
+        sides = [self.rows(self.s, self.s + side).top.min(axis=1) for side in (-_BESIDE, _BESIDE)]
+        return np.asarray(np.minimum(np.minimum(*sides), _FASTEST))
 
 
 def _run(path: _Path, law: TimeLaw, t: Array) -> tuple[Array, Array]:
@@ -148,14 +155,13 @@ def _timed(path: _Path) -> TimeLaw | None:
 def _fastest(path: _Path) -> TimeLaw | None:
     """TOPP-RA's law. All axes rest at the ends, whatever the rate there: the greatest that leads anywhere is taken."""
     middles = (path.s[:-1] + path.s[1:]) / 2
-    sides = (path.along(path.s[:-1] + _BESIDE, middles), path.along(path.s[1:] - _BESIDE, middles))
-    rows = [columns(*side, _DIRECTIONS) for side in sides]
+    rows = [path.rows(path.s[:-1] + _BESIDE, middles), path.rows(path.s[1:] - _BESIDE, middles)]
     first, last = (
-        min(float(path.top[i]), float(np.sqrt(1 / max(np.abs(bend[i]).max(), 1 / _FASTEST**2))))
-        for i, (_, bend, _) in zip((0, -1), rows, strict=True)
+        min(float(path.top[i]), float(np.sqrt(1 / max(np.abs(one.bends[i]).max(), 1 / _FASTEST**2))))
+        for i, one in zip((0, -1), rows, strict=True)
     )
     # a rest is part of a cap on ramps, never of gravity: what it leaves at least holds either way
-    begins, ends = [tuple((x / (1 - np.abs(rest)))[None] for x in (slope, bend)) for slope, bend, rest in rows]
+    begins, ends = [tuple((x / (1 - np.abs(one.rests)))[None] for x in (one.slopes, one.bends)) for one in rows]
     for share in _RATES:
         law = fastest_laws(path.s, path.top[None], begins, ends, first * share, last * share).law(0)
         if law is not None and apart(law.times):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from trajopt_cli.trajectories.limits.limit import (
     PathSamples,
     Row,
 )
+
+if TYPE_CHECKING:
+    from trajopt_cli.trajectories.axes import Axes
 
 _ANGLES = (np.arange(TOOL_DIRECTIONS) + 0.5) * np.pi / TOOL_DIRECTIONS - np.pi / 2
 
@@ -45,6 +48,11 @@ class TcpMotion(Limit):
 
     name = "tool"
     apart = True
+
+    def __init__(self, axes: Axes, angles: Array = _ANGLES):
+        """angles: of the polygon's sides that path_rows draws about the circle of the acceleration [rad]."""
+        super().__init__(axes)
+        self._angles = angles
 
     @property
     def orders(self) -> Array:
@@ -80,7 +88,7 @@ class TcpMotion(Limit):
         ahead = path.v / np.maximum(size, 1e-12)
         forward = np.sum(path.bend * ahead, axis=-1, keepdims=True)
         aside = np.linalg.norm(path.bend - forward * ahead, axis=-1, keepdims=True)
-        c, s = (of(_ANGLES) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
+        c, s = (of(self._angles) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
         slopes, bends = size * c, forward * c + aside * s
         rests = np.zeros_like(slopes)
         if caps.along:
