@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, ClassVar
 from trajopt_cli.pipeline.optimize import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.runs import REPORT
-from trajopt_cli.runs.folder import COMPARISON, write_run
-from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json, sha256
+from trajopt_cli.runs.folder import COMPARISON
+from trajopt_cli.runs.record import RunRecord, Section, as_json, sha256
+from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.comparison import Comparison, Row, Tried
 from trajopt_cli.study.comparison_record import comparison_record, rows_csv
 
@@ -38,23 +39,13 @@ class ComparisonRecord(RunRecord[ComparisonOptions]):
 def write_comparison(folder: Path, answer: Comparison, options: ComparisonOptions) -> int:
     """Write comparison.json, comparison.csv, report.html and the inputs; how many files that are. Raises InputError
     where folder may not be replaced."""
-    job, inputs, record = answer.job, inputs_of(answer.job), comparison_record(answer)
+    record = comparison_record(answer)
     files = {
         "comparison.json": as_json(record),
         "comparison.csv": rows_csv(record["rows"]).encode(),
         REPORT: comparison_page(answer, options),
-        **{given.place: given.content for given in inputs.values()},
     }
-    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
-    write_run(
-        folder,
-        ComparisonRecord,
-        files,
-        "compare baseline",
-        options=options,
-        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
-    )
-    return len(files)
+    return write_answer(folder, ComparisonRecord, answer.job, files, options, "compare baseline")
 
 
 def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:

@@ -13,16 +13,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
-from trajopt_cli.pipeline.optimize import inputs_of
-from trajopt_cli.pipeline.planning import Listener, judge, may_change
-from trajopt_cli.problem.detours import held_against
+from trajopt_cli.pipeline.planning import Listener, may_change
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.folder import ORDER, write_run
-from trajopt_cli.runs.record import Inputs, RunRecord, as_json
-from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.folder import ORDER
+from trajopt_cli.runs.record import RunRecord, as_json
+from trajopt_cli.study.answers import why_illegal, write_answer
 from trajopt_cli.study.order_text import Group
 from trajopt_cli.workers import cores, in_turns
 
@@ -249,16 +247,10 @@ class _Work:
             return Tour(one.order, one.model, one.estimate, why=f"no plan found: {no}")
         if isinstance(plan, Infeasible):
             return Tour(one.order, one.model, one.estimate, why=str(plan))
-        rows = RowsFile()
-        plan = rows.keep(plan)
-        dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        driven, left_out = held_against(program, job.plant, target, plan.detours, dropped)
-        report = judge(job.plant, driven, rows.text, target.value, left_out, target, advice=False)
+        illegal = why_illegal(job.plant, program, plan, target)
         tell(None)
-        if not report.legal:
-            hits = report.collisions
-            why = f"collides: {hits[0].message}" if hits else report.worst.message
-            return Tour(one.order, one.model, one.estimate, why=why)
+        if illegal is not None:
+            return Tour(one.order, one.model, one.estimate, why=illegal[0])
         return Tour(one.order, one.model, one.estimate, plan.duration)
 
 
@@ -301,22 +293,12 @@ def write_order(folder: Path, answer: Ordered) -> int:
     """Write order.json, the program in the best order and the inputs; how many files that are. Raises InputError where
     folder may not be replaced."""
     job = answer.group.job
-    inputs = inputs_of(job)
     files = {"order.json": as_json(order_record(answer))}
     if answer.new_text is not None:
         given = job.program.files[answer.group.file]
         files[f"program/{Path(given.path).name}"] = answer.new_text.encode(given.encoding)
-    files |= {given.place: given.content for given in inputs.values()}
-    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
-    write_run(
-        folder,
-        OrderRecord,
-        files,
-        "order",
-        options={"group": answer.group.name, "target": answer.target.value, "entry": job.program.entry},
-        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
-    )
-    return len(files)
+    options = {"group": answer.group.name, "target": answer.target.value, "entry": job.program.entry}
+    return write_answer(folder, OrderRecord, job, files, options)
 
 
 def apply_order(answer: Ordered) -> Path:

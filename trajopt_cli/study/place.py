@@ -14,15 +14,13 @@ from itertools import product
 from pathlib import Path
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.job import Job
 from trajopt_cli.motion import Source
-from trajopt_cli.pipeline.planning import Listener, judge, may_change
-from trajopt_cli.problem.detours import held_against
+from trajopt_cli.pipeline.planning import Listener, may_change
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.study.answers import why_illegal
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
 from trajopt_cli.workers import cores, in_turns
@@ -309,31 +307,15 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
     if isinstance(plan, Infeasible):
         return _refused(offset, plan)
     rows = plan.own_rows
-    if not rows or known is None or rows != known.rows:  # what is judged already is legal
-        illegal = _illegal(job, plan, target, offset)
-        if illegal is not None:
-            return illegal
+    judged = rows and known is not None and rows == known.rows  # and so legal
+    if not judged and (illegal := why_illegal(job.plant, job.program, plan, target)) is not None:
+        return Tried(offset, why=illegal[0], motion="" if illegal[1] is None else _line(illegal[1]))
     if known is None or known.estimate is None:
         known = Tried(offset, estimate=search_estimate(job.program, job.plant, target, changes))
     known = replace(known, rows=rows)
     if patience is None:
         return replace(known, first=plan.duration)
     return replace(known, planned=plan.duration, cut=patience.over)
-
-
-def _illegal(job: Job, plan: Plan, target: Target, offset: Offset) -> Tried | None:
-    """What the judge says against a plan; None for a legal one."""
-    rows = RowsFile()
-    rows.keep(plan)
-    dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-    program, left_out = held_against(job.program, job.plant, target, plan.detours, dropped)
-    report = judge(job.plant, program, rows.text, target.value, left_out, target, advice=False)
-    if report.legal:
-        return None
-    hits = report.collisions
-    found = hits[0] if hits else report.worst
-    motion = "" if found.source is None else _line(found.source)
-    return Tried(offset, why=f"collides: {found.message}" if hits else found.message, motion=motion)
 
 
 def _refused(offset: Offset, no: Infeasible) -> Tried:

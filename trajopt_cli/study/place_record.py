@@ -6,10 +6,10 @@ import math
 from pathlib import Path
 from typing import Any, ClassVar
 
-from trajopt_cli.pipeline.optimize import inputs_of
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.folder import PLACE, write_run
-from trajopt_cli.runs.record import Inputs, RunRecord, as_json
+from trajopt_cli.runs.folder import PLACE
+from trajopt_cli.runs.record import RunRecord, as_json
+from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.place import Placed, Tried, score
 from trajopt_cli.study.places import Site, What
 from trajopt_cli.units import DEG
@@ -69,23 +69,13 @@ def write_place(folder: Path, answer: Placed) -> int:
     """Write place.json, its map, what changes and the inputs; how many files that are. Raises InputError where folder
     may not be replaced."""
     site, job, best = answer.site, answer.site.job, answer.best
-    inputs = inputs_of(job)
     files = {"place.json": as_json(place_record(answer))}
     if best is not None and best is not answer.present:
         name = "changed.mod" if site.what is What.STATION else "changed.yaml"
         files[name] = site.to_paste(best.offset).encode()
     files |= {f"plots/{name}": content for name, content in place_pictures(answer).items()}
-    files |= {given.place: given.content for given in inputs.values()}
-    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
-    write_run(
-        folder,
-        PlaceRecord,
-        files,
-        "place",
-        options={"what": site.in_words, "target": answer.target.value, "entry": job.program.entry},
-        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
-    )
-    return len(files)
+    options = {"what": site.in_words, "target": answer.target.value, "entry": job.program.entry}
+    return write_answer(folder, PlaceRecord, job, files, options)
 
 
 def place_pictures(answer: Placed) -> dict[str, bytes]:

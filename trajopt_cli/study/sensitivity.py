@@ -12,7 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.pipeline.folder import plans_of_results
-from trajopt_cli.pipeline.optimize import Collides, Illegal, inputs_of, refused
+from trajopt_cli.pipeline.optimize import Collides, Illegal, refused
 from trajopt_cli.pipeline.planning import Clock, Listener, may_change, plan_all
 from trajopt_cli.problem.detours import Detour, Numbering, unfolded, with_detours
 from trajopt_cli.problem.editable import Changes, Loops
@@ -21,9 +21,10 @@ from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.folder import SENSITIVITY, write_run
-from trajopt_cli.runs.record import Inputs, RunRecord, as_json
+from trajopt_cli.runs.folder import SENSITIVITY
+from trajopt_cli.runs.record import RunRecord, as_json
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
 from trajopt_cli.workers import cores, in_turns
 
@@ -278,21 +279,10 @@ def gradients(rows: tuple[Row, ...]) -> list[dict[str, Any]]:
 def write_sensitivity(folder: Path, answer: Sensitivity) -> int:
     """Write sensitivity.json, its picture and the inputs; how many files that are. Raises InputError where folder may
     not be replaced."""
-    job = answer.job
-    inputs = inputs_of(job)
     pictures = {f"plots/{name}": content for name, content in sensitivity_pictures(answer).items()}
     files = {"sensitivity.json": as_json(sensitivity_record(answer)), **pictures}
-    files |= {given.place: given.content for given in inputs.values()}
-    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
-    write_run(
-        folder,
-        SensitivityRecord,
-        files,
-        "sensitivity",
-        options={"targets": [one.value for one in answer.plans], "entry": job.program.entry},
-        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
-    )
-    return len(files)
+    options = {"targets": [one.value for one in answer.plans], "entry": answer.job.program.entry}
+    return write_answer(folder, SensitivityRecord, answer.job, files, options)
 
 
 def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:
