@@ -1,6 +1,6 @@
 """From rest to rest along one coordinate whose caps of speed and acceleration vary with the place, with bounded jerk.
 
-A law whose acceleration alone is bounded is found in two sweeps; the mean over the time that the acceleration takes to
+A law whose acceleration alone is bounded is TOPP-RA's; the mean over the time that the acceleration takes to
 build up bounds the jerk. So that no two ramps of opposite sense meet at a peak within that time, shorter ones are cut,
 and each cap holds a little before and after its place. Where caps change within the mean, it may pass them by a little:
 who has to keep them looks, and asks again with lower ones.
@@ -12,7 +12,8 @@ from math import ceil
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array
+from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 
 _AROUND = 1 / 16  # of the mean, by which a cap holds before and after its place; more is safe and slow at corners
 _WHOLE = 1e-9  # of a period: a time this close to whole periods is whole
@@ -20,7 +21,7 @@ _WHOLE = 1e-9  # of a period: a time this close to whole periods is whole
 
 def least_time(s: Array, top: Array, push: Array) -> float:
     """How long [s] the fastest law of bounded acceleration takes, from rest to rest; arguments as of rest_to_rest."""
-    return float(_times(s, _swept(s, top, push))[-1])
+    return _fastest(s, top, push).duration
 
 
 def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Array | None:
@@ -31,15 +32,16 @@ def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Arra
     many periods the acceleration takes to build up; 1 for none. Where top and push are constant, divided differences of
     the result keep them, and third ones push / (mean h).
     """
-    rate = _swept(s, top, push)
+    law = _fastest(s, top, push)
     if mean > 1:
-        t = _times(s, rate)
-        bins = _Bins(t, h)
-        rate = _swept(s, *(bins.spread(cap, max(1, round(_AROUND * mean))) for cap in (top, push)))
-        s, rate = _without_peaks(s, rate, h, mean)
-        if not rate.any():
+        bins = _Bins(law.times, h)
+        law = _fastest(s, *(bins.spread(cap, max(1, round(_AROUND * mean))) for cap in (top, push)))
+        law = _without_peaks(law, h, mean)
+        if not law.rates.any():
             return None
-    places = _uniform(s, rate, h)
+    places = law.at(_even_times(law, h))[0]
+    places[0], places[-1] = s[0], s[-1]
+    places = np.maximum.accumulate(np.minimum(places, s[-1]))
     if mean == 1:
         return places
     held = np.ones(mean - 1)
@@ -48,18 +50,11 @@ def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Arra
     return np.asarray(out)
 
 
-def _swept(s: Array, top: Array, push: Array) -> Array:
-    """The greatest ds/dt (n+1,) at places s from rest to rest; its square is linear in between."""
-    cap = np.concatenate([[0.0], np.minimum(top[:-1], top[1:]) ** 2, [0.0]])
-    gain = np.concatenate([[0.0], np.cumsum(2 * push * np.diff(s))])
-    on = np.minimum(gain + np.minimum.accumulate(cap - gain), cap)
-    back = np.minimum.accumulate((on + gain)[::-1])[::-1] - gain
-    return np.asarray(np.sqrt(np.clip(np.minimum(back, on), 0.0, None)))
-
-
-def _times(s: Array, rate: Array) -> Array:
-    """When each place is passed (n+1,), the acceleration constant in between."""
-    return np.concatenate([[0.0], np.cumsum(2 * np.diff(s) / (rate[1:] + rate[:-1]))])
+def _fastest(s: Array, top: Array, push: Array) -> TimeLaw:
+    """The law of bounded acceleration, from rest to rest."""
+    node_top = np.concatenate([[0.0], np.minimum(top[:-1], top[1:]), [0.0]])
+    rows = (1 / push)[None, :, None], np.zeros((1, len(push), 1))
+    return TimeLaw(s, fastest_laws(s, node_top[None], rows, rows, 0.0, 0.0).rates[0])
 
 
 class _Bins:
@@ -94,28 +89,17 @@ def _least_within(values: Array, reach: int) -> Array:
     return least[:n]
 
 
-def _without_peaks(s: Array, rate: Array, h: float, width: int) -> tuple[Array, Array]:
-    """Places and ds/dt there of the law whose peaks last at least so many periods."""
-    places = _uniform(s, rate, h)
-    i = np.clip(np.searchsorted(s, places, side="right") - 1, 0, len(s) - 2)
-    share = (places - s[i]) / (s[i + 1] - s[i])
-    rates = np.sqrt(np.clip(rate[i] ** 2 + share * (rate[i + 1] ** 2 - rate[i] ** 2), 0.0, None))
+def _without_peaks(law: TimeLaw, h: float, width: int) -> TimeLaw:
+    """The law whose peaks last at least so many periods, at its places a period apart."""
+    places, rates, _ = law.at(_even_times(law, h))
     rates[[0, -1]] = 0.0
     reach = ceil(width / 2)
     edge = np.zeros(reach)
     low = _least_within(np.concatenate([edge, rates, edge]), reach)
     cut = -_least_within(-low, reach)[reach:-reach]
-    return places, np.minimum(cut, rates)
+    return TimeLaw(places, np.minimum(cut, rates))
 
 
-def _uniform(s: Array, rate: Array, h: float) -> Array:
-    """Places in equal steps of time of at most h [s] from the first to the last."""
-    t = _times(s, rate)
-    count = max(2, ceil(t[-1] / h - _WHOLE))
-    step = t[-1] / count
-    times = np.arange(count + 1) * step
-    i: IndexArray = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
-    past, whole = times - t[i], t[i + 1] - t[i]
-    places = s[i] + past * (rate[i] + (rate[i + 1] - rate[i]) * past / (2 * whole))
-    places[0], places[-1] = s[0], s[-1]
-    return np.maximum.accumulate(np.minimum(places, s[-1]))
+def _even_times(law: TimeLaw, h: float) -> Array:
+    """Times in equal steps of at most h [s] from the first place to the last."""
+    return np.linspace(0.0, law.duration, max(2, ceil(law.duration / h - _WHOLE)) + 1)
