@@ -115,7 +115,7 @@ def test_rows_are_judged_once(job: Job, monkeypatch: pytest.MonkeyPatch) -> None
         judged.append("once")
         return planning.judge(*given, **more)
 
-    monkeypatch.setattr("trajopt_cli.study.place.judge", judge)
+    monkeypatch.setattr("trajopt_cli.study.answers.judge", judge)
     first = tried(site, (0.0,), Target.RAPID, None)
     assert len(judged) == 1
     assert tried(site, (0.0,), Target.RAPID, Patience(), first) == replace(first, planned=first.first)

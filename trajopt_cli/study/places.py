@@ -19,8 +19,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.job import Job
-from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import ConfData, ExternalAxes, MoveC, MoveJ, MoveL, Program
+from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
@@ -115,33 +114,6 @@ def _value(text: str, key: str, end: str) -> float:
     return value
 
 
-class _Asked:
-    """A robot that remembers whether the program asked it anything: where it moves, the program is read again."""
-
-    def __init__(self, robot: Kinematics):
-        self.robot, self.asked = robot, False
-
-    @property
-    def start(self) -> tuple[Array, ExternalAxes]:
-        """As of the robot; it stays where it is."""
-        return self.robot.start
-
-    def forward(self, q: Array, extax: ExternalAxes) -> Array:
-        """As of the robot."""
-        self.asked = True
-        return self.robot.forward(q, extax)
-
-    def inverse(self, X_WF: Array, extax: ExternalAxes, conf: ConfData | None, near: Array | None) -> Array | None:
-        """As of the robot."""
-        self.asked = True
-        return self.robot.inverse(X_WF, extax, conf, near)
-
-    def confdata(self, q: Array) -> ConfData:
-        """As of the robot."""
-        self.asked = True
-        return self.robot.confdata(q)
-
-
 @dataclass(frozen=True, eq=False)
 class Site:
     """What of a job is moved, and how far. name: of the work object, as declared. X: where it is now (4, 4): the base,
@@ -189,7 +161,7 @@ class Site:
         rail = None if cell.rail is None else replace(cell.rail, X_WR=X)
         cell = replace(cell, rail=rail, X_WB=cell.X_WB if rail else X)
         job = replace(self.job, cell=cell, plant=build_plant(cell))
-        return self._read(job, {}) if self._asks else job
+        return self._read(job, {})  # the program may ask where the robot is (CRobT, CalcJointT and others)
 
     def _read(self, job: Job, texts: Mapping[str, str]) -> Job:
         """A job with its program read again, some texts being others."""
@@ -199,13 +171,6 @@ class Site:
         with of_kind(ErrorKind.UNPLANNABLE):
             check_plannable(program, job.plant)
         return replace(job, program=program)
-
-    @cached_property
-    def _asks(self) -> bool:
-        """Whether the program asks where the robot is (CRobT, CalcJointT and others)."""
-        robot = _Asked(PlantKinematics(self.job.plant))
-        run_program([*self.job.program.files.values()], self.job.scenario, self.job.program.entry, robot)
-        return robot.asked
 
     @cached_property
     def _declared(self) -> tuple[str, DataDeclaration, Aggregate]:
