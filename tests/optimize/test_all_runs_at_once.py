@@ -14,8 +14,15 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing import path_timing
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import about, duration, timed
-from trajopt_cli.path_timing.path_timing import PathMargins, fastest, law_of, least_times, looked_at, motions
-from trajopt_cli.path_timing.sampled_path import SampledPath, courses_of
+from trajopt_cli.path_timing.path_timing import (
+    PathMargins,
+    least_times,
+    motions,
+    sampled_ratios,
+    time_optimal_law,
+    time_paths,
+)
+from trajopt_cli.path_timing.sampled_path import SampledPath, sample_paths
 from trajopt_cli.plan.rail_refinement import polished, refined
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Coupling, Problem
@@ -50,11 +57,11 @@ def courses(axes: Axes, problem: Problem, chain: Route) -> list[SampledPath]:
     shifted = chain.q.copy()
     shifted[problem.runs[0][1], 0] += 0.1  # the arm does not end there: no course, which the others must not feel
     q = [*([chain.q] * len(problem.runs)), shifted]
-    found = courses_of(axes, problem, [*problem.runs, problem.runs[0]], q, cfx, [24] * len(q))
+    found = sample_paths(axes, problem, [*problem.runs, problem.runs[0]], q, cfx, [24] * len(q))
     made = [one for one in found if one is not None]
     assert found[-1] is None
     assert len(made) == len(problem.runs)
-    alone = [courses_of(axes, problem, [run], [chain.q], cfx, [24])[0] for run in problem.runs]
+    alone = [sample_paths(axes, problem, [run], [chain.q], cfx, [24])[0] for run in problem.runs]
     for one, other in zip(made, alone, strict=True):
         assert other is not None
         for name in ("q", "dq", "ddq", "v", "w", "bend"):
@@ -65,14 +72,14 @@ def courses(axes: Axes, problem: Problem, chain: Route) -> list[SampledPath]:
 def test_runs_driven_together_are_driven_as_alone() -> None:
     axes, problem, chain = chain_of()
     made = courses(axes, problem, chain)
-    together = fastest(axes, problem, made)
+    together = time_paths(axes, problem, made)
     least = least_times(axes, problem, made)
     for course, found, T in zip(made, together, least, strict=True):
-        (alone,) = fastest(axes, problem, [course])
+        (alone,) = time_paths(axes, problem, [course])
         assert isinstance(found, dict)
         assert isinstance(alone, dict)
         assert [one.T for one in found.values()] == pytest.approx([one.T for one in alone.values()], rel=1e-12)
-        law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
+        law = time_optimal_law(axes, problem, course, PathMargins.full(axes, len(course.part)))
         assert law is not None
         assert law.duration == pytest.approx(T, rel=1e-12)
         assert sum(one.T for one in found.values()) * (1 + 1e-3) > T
@@ -86,9 +93,9 @@ def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatc
         monkeypatch.setattr(dense_check, name, value)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
-        law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
+        law = time_optimal_law(axes, problem, course, PathMargins.full(axes, len(course.part)))
         assert law is not None
-        found = looked_at(axes, problem, course, law, range(len(course.parts)))
+        found = sampled_ratios(axes, problem, course, law, range(len(course.parts)))
         for k, motion in motions(axes, problem, course, law).items():
             wanted, at = check_leg(axes, problem.legs[k], motion), course.leg == k
             for of in ("velocity", "acceleration", "position", "tool"):
@@ -114,14 +121,14 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     chain = search(axes, problem)
     assert chain is not None
     cfx = [label.cfx for label in chain.labels]
-    course = courses_of(axes, problem, problem.runs[-1:], [chain.q], cfx, [48])[0]
+    course = sample_paths(axes, problem, problem.runs[-1:], [chain.q], cfx, [48])[0]
     assert course is not None
-    law = law_of(axes, problem, course, PathMargins.full(axes, len(course.part)))
+    law = time_optimal_law(axes, problem, course, PathMargins.full(axes, len(course.part)))
     assert law is not None
     every = range(len(course.parts))
-    found = looked_at(axes, problem, course, law, every).tool
+    found = sampled_ratios(axes, problem, course, law, every).tool
     monkeypatch.setattr(path_timing, "COURSE_LOOKS", 100)
-    assert found == pytest.approx(looked_at(axes, problem, course, law, every).tool, rel=4e-5)
+    assert found == pytest.approx(sampled_ratios(axes, problem, course, law, every).tool, rel=4e-5)
 
 
 def test_what_binds_many_legs_binds_each_alone() -> None:

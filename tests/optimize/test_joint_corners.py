@@ -14,7 +14,7 @@ from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import FlyBy, MoveL, Program
-from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
@@ -161,7 +161,7 @@ def test_zones_that_all_but_meet_leave_no_sliver_between_them(gap: float) -> Non
     less = FlyBy(*(0.0085 - gap,) * 3)
     points = tuple(replace(one, fly_by=less) if k == 3 else one for k, one in enumerate(problem.waypoints))
     q = [axes.layout.join(0.6, axes.inverse(point.X_WF[None], np.array([0.6]))[0, 0]) for point in points]
-    course = course_of(axes, replace(problem, waypoints=points), (1, 4), np.array(q), [0] * 5, 40)
+    course = sample_path(axes, replace(problem, waypoints=points), (1, 4), np.array(q), [0] * 5, 40)
     assert course is not None
     sizes = [part.size for part in course.parts if part.leg == 2]
     assert len(sizes) == (2 if gap < 1e-6 else 3)

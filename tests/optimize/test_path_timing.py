@@ -12,8 +12,8 @@ from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.path_timing.path_timing import clean
-from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.path_timing.path_timing import time_path
+from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -56,9 +56,9 @@ def driven(body: str, plant: Plant, nodes: int = RUN_NODES) -> tuple[Axes, Probl
     axes = Axes.of(plant)
     chain = search(axes, replace(problem, waypoints=tuple(replace(one, fly_by=None) for one in problem.waypoints)))
     assert chain is not None
-    course = course_of(axes, problem, problem.runs[-1], chain.q, [label.cfx for label in chain.labels], nodes)
+    course = sample_path(axes, problem, problem.runs[-1], chain.q, [label.cfx for label in chain.labels], nodes)
     assert course is not None
-    found = clean(axes, problem, course)
+    found = time_path(axes, problem, course)
     assert found is not None
     return axes, problem, found
 

@@ -15,7 +15,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path_timing import sampled_path
-from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
+from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -92,7 +92,7 @@ def course_for(
 ) -> tuple[Axes, Problem, SampledPath, Array]:
     """The course of the run behind the approach; axes at the waypoints."""
     axes, problem, q, cfx = posed(RUNS[name], zone, plant)
-    found = course_of(axes, problem, problem.runs[-1], q, cfx, nodes)
+    found = sample_path(axes, problem, problem.runs[-1], q, cfx, nodes)
     assert found is not None
     return axes, problem, found, q
 
@@ -218,12 +218,12 @@ def test_small_zones_leave_the_way_of_the_stops(name: str, plant: Plant) -> None
     away, straight = [], dict[int, SampledPath | None]()
     for radius in (16.0, 1.6, 0.16):
         axes, problem, q, cfx = posed(RUNS[name], (radius, radius, radius), plant)
-        found = course_of(axes, problem, problem.runs[-1], q, cfx, 64)
+        found = sample_path(axes, problem, problem.runs[-1], q, cfx, 64)
         assert found is not None
         most = 0.0
         for k in range(*problem.runs[-1]):
             if k not in straight:  # whatever the zones
-                straight[k] = course_of(axes, stopping(problem), (k, k + 1), q, cfx, 2000)
+                straight[k] = sample_path(axes, stopping(problem), (k, k + 1), q, cfx, 2000)
             stops = straight[k]
             assert stops is not None
             share = _shares_of(found, k)

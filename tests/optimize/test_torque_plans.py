@@ -16,7 +16,7 @@ from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_timing import PathMargins, in_force
-from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -166,7 +166,7 @@ def test_columns_of_a_course_are_pins_torques() -> None:
     """At the ends of an interval driven with u and x, gravity in the rest; a share is of what gravity leaves."""
     plant, end = heavy(), START + np.array([0.5, 0.4, -0.6, 0.3, 0.2, 0.1])
     axes, problem = Axes.of(plant), problem_of(to(end), plant)
-    course = course_of(axes, problem, (0, 1), np.array([START, end]), (-1, -1), 12)
+    course = sample_path(axes, problem, (0, 1), np.array([START, end]), (-1, -1), 12)
     assert course is not None
     margins = PathMargins.full(axes, 12)
     margins.by_name["torque"][:] = 0.8

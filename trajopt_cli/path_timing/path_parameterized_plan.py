@@ -14,8 +14,8 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path_timing.edge_times import leg_name_at, short
-from trajopt_cli.path_timing.path_timing import Unresolved, fastest, least_times
-from trajopt_cli.path_timing.sampled_path import courses_of
+from trajopt_cli.path_timing.path_timing import Unresolved, least_times, time_paths
+from trajopt_cli.path_timing.sampled_path import sample_paths
 from trajopt_cli.path_timing.smooth import smooth
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.settings import ALONE_NODES, MOST_MARKS, OVER, PAIR_NODES, RUN_NODES
@@ -42,7 +42,7 @@ class NotDriven(Exception):
 
 
 def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None) -> Iterate:
-    """Every run driven along its coordinated course, at the chain's rail positions and configurations, as fast as all
+    """Every run driven along its coordinated path, at the chain's rail positions and configurations, as fast as all
     limits allow. known: runs of this plant that were driven before; those driven here are added. Raises NotDriven."""
     legs: list[LegMotion | None] = [None] * len(problem.legs)
     cfx = tuple(label.cfx for label in chain.labels)
@@ -154,8 +154,8 @@ def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array],
     times = {name: np.inf if one is None else one.T for name, one in zip(distinct, simple, strict=True)}
     left = {name: one for name, one in distinct.items() if times[name] == np.inf}
     some, every = [run for run, _ in left.values()], [own for _, own in left.values()]
-    courses = dict(zip(left, courses_of(axes, problem, some, every, cfx, [PAIR_NODES] * len(left)), strict=True))
-    can = {name: course for name, course in courses.items() if course is not None}
+    paths = dict(zip(left, sample_paths(axes, problem, some, every, cfx, [PAIR_NODES] * len(left)), strict=True))
+    can = {name: path for name, path in paths.items() if path is not None}
     times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
     return np.array([times[name] for name in names])
 
@@ -175,9 +175,9 @@ def _driven(
         else:
             left.append(run)
     nodes = [ALONE_NODES if last == first + 1 else RUN_NODES for first, last in left]
-    courses = dict(zip(left, courses_of(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
-    can = {run: course for run, course in courses.items() if course is not None}
-    found = dict(zip(can, fastest(axes, problem, [*can.values()]), strict=True))
+    paths = dict(zip(left, sample_paths(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
+    can = {run: path for run, path in paths.items() if path is not None}
+    found = dict(zip(can, time_paths(axes, problem, [*can.values()]), strict=True))
     for run in left:
         pieces = found.get(run)
         if isinstance(pieces, Unresolved):

@@ -1,4 +1,4 @@
-"""How fast a run's course may be driven: TOPP under all limits, then tightened where a dense check finds an excess."""
+"""How fast a run's path may be driven: TOPP under all limits, then tightened where a dense check finds an excess."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Piece
 from trajopt_cli.trajectories.limits.joint_torque import of_room
 from trajopt_cli.trajectories.limits.limit import Limit, PathRows, PathSamples
 
-_RANGE = 1 + 1e-6  # share of half an axis' range that a course may reach
+_RANGE = 1 + 1e-6  # share of half an axis' range that a path may reach
 
 
 class Unresolved(Exception):
-    """A course passes so near a singularity that no rate is low enough: leg, its number; q (n,), axes there."""
+    """A path passes so near a singularity that no rate is low enough: leg, its number; q (n,), axes there."""
 
     def __init__(self, leg: int, q: Array):
         super().__init__(leg, q)
@@ -79,21 +79,21 @@ class PathMargins:
                 changed |= over
         return changed
 
-    def wait(self, problem: Problem, course: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
+    def wait(self, problem: Problem, path: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
         """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
         and these too. A run that passes a limit, as over says, comes when it no longer does."""
-        edges = [0, *course.rests, len(course.part)]
+        edges = [0, *path.rests, len(path.part)]
         out = over.copy()
         for first, last in pairwise(edges):
-            legs = [first, *(first + 1 + np.flatnonzero(np.diff(course.leg[first:last]))).tolist(), last]
+            legs = [first, *(first + 1 + np.flatnonzero(np.diff(path.leg[first:last]))).tolist(), last]
             for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
-                least, rates = problem.legs[course.leg[a]].least, law.rates[a : b + 1]
-                if least > 0.0 and 0.0 < (T := _time(course.sigma[a : b + 1], rates)) < least:
+                least, rates = problem.legs[path.leg[a]].least, law.rates[a : b + 1]
+                if least > 0.0 and 0.0 < (T := _time(path.sigma[a : b + 1], rates)) < least:
                     left = least * WAITED - T  # legs beside it get slower as well: not all of it at once
                     aim, low, high = T + left * (1.0 if left < NEARLY * T else MOST_LEFT), 0.0, float(rates.max())
                     for _ in range(HALVINGS):
                         middle = (low + high) / 2
-                        late = _time(course.sigma[a : b + 1], np.minimum(rates, middle)) > aim
+                        late = _time(path.sigma[a : b + 1], np.minimum(rates, middle)) > aim
                         low, high = (middle, high) if late else (low, middle)
                     self.rate[a:b], out[a:b] = low, True
         return out
@@ -141,25 +141,25 @@ def rows_on(
     return path_rows(axes.limits if limits is None else limits, samples)
 
 
-def used_by(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> dict[str, Array]:
+def used_by(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw) -> dict[str, Array]:
     """What a law uses of each limit (N, 2), of the rate and of the acceleration, at the ends of every interval."""
-    u = np.diff(law.rates**2) / (2 * np.diff(course.sigma))
+    u = np.diff(law.rates**2) / (2 * np.diff(path.sigma))
     out = dict[str, Array]()
-    for name, rows in rows_on(axes, problem, course).items():
+    for name, rows in rows_on(axes, problem, path).items():
         out[name] = np.zeros((len(u), 2))
-        for row, rate in ((course.first, law.rates[:-1, None]), (course.first + 1, law.rates[1:, None])):
+        for row, rate in ((path.first, law.rates[:-1, None]), (path.first + 1, law.rates[1:, None])):
             pushed = of_room(rows.slopes[row] * u[:, None] + rows.bends[row] * rate**2, rows.rests[row])
             used = [np.max(x, axis=1, initial=0.0) for x in (rate / rows.top[row], pushed)]
             out[name] = np.maximum(out[name], np.column_stack(used))
     return out
 
 
-def in_force(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> tuple[Array, Rows, Rows]:
-    """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
+def in_force(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> tuple[Array, Rows, Rows]:
+    """The greatest rates (N+1,) at the nodes of a path, and slopes, bends and rests (N, c) of what is limited where
     each interval begins and where it ends."""
-    found = rows_on(axes, problem, course)
-    top, sides = np.full(len(course.part) + 1, np.inf), list[Rows]()
-    for row, at in ((course.first, slice(None, -1)), (course.first + 1, slice(1, None))):
+    found = rows_on(axes, problem, path)
+    top, sides = np.full(len(path.part) + 1, np.inf), list[Rows]()
+    for row, at in ((path.first, slice(None, -1)), (path.first + 1, slice(1, None))):
         of = [(rows, margins.by_name[name]) for name, rows in found.items()]
         tops = [np.min(rows.top[row], axis=1, initial=np.inf) * margin[:, 0] for rows, margin in of]
         top[at] = np.min([top[at], margins.rate, *tops], axis=0)
@@ -170,87 +170,91 @@ def in_force(axes: Axes, problem: Problem, course: SampledPath, margins: PathMar
                 np.hstack([rows.rests[row] for rows, _ in of]),
             )
         )
-    top[[*course.rests]] = 0.0
+    top[[*path.rests]] = 0.0
     return top, sides[0], sides[1]
 
 
-def law_of(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw | None:
-    """The fastest law of a run's course, from rest to rest; None where there is none."""
-    law = _fastest(axes, problem, course, margins)
-    return law if _moves(law, slice(0, len(course.part))) else None
+def time_optimal_law(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw | None:
+    """The fastest law of a run's path, from rest to rest; None where there is none."""
+    law = _time_optimal(axes, problem, path, margins)
+    return law if _moves(law, slice(0, len(path.part))) else None
 
 
 Rows = tuple[Array, Array, Array]
-Pace = Callable[[Axes, Problem, SampledPath, PathMargins], TimeLaw | None]
-Driven = dict[int, Pieces] | Unresolved | None
+LawMaker = Callable[[Axes, Problem, SampledPath, PathMargins], TimeLaw | None]
+TimedRun = dict[int, Pieces] | Unresolved | None
 
 
-def clean(axes: Axes, problem: Problem, course: SampledPath, pace: Pace = law_of) -> dict[int, Pieces] | None:
-    """The motions of a run's legs, fastest on its course or as another pace wants, within every limit wherever it is
-    looked at; None where the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
-    (found,) = _clean(axes, problem, [course], pace)
+def time_path(
+    axes: Axes, problem: Problem, path: SampledPath, make_law: LawMaker = time_optimal_law
+) -> dict[int, Pieces] | None:
+    """The motions of a run's legs, fastest on its path or by another law, within every limit wherever it is
+    looked at; None where the path itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
+    (found,) = _timed(axes, problem, [path], make_law)
     if isinstance(found, Unresolved):
         raise found
     return found
 
 
-def fastest(axes: Axes, problem: Problem, courses: Sequence[SampledPath]) -> list[Driven]:
+def time_paths(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> list[TimedRun]:
     """The same of many runs, each as fast as its limits allow; Unresolved where it passes a singularity."""
-    sizes = np.cumsum([len(course.part) for course in courses])
-    out: list[Driven] = []
-    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
-        out += _clean(axes, problem, [courses[i] for i in group], _fastest)
+    sizes = np.cumsum([len(path.part) for path in paths])
+    out: list[TimedRun] = []
+    for _, group in groupby(range(len(paths)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+        out += _timed(axes, problem, [paths[i] for i in group], _time_optimal)
     return out
 
 
-def least_times(axes: Axes, problem: Problem, courses: Sequence[SampledPath]) -> Array:
-    """What courses (m,) take from rest to rest, unchecked between their nodes; infinite where there is no law."""
-    T = np.full(len(courses), np.inf)
-    sizes = np.cumsum([len(course.part) for course in courses])
-    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+def least_times(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> Array:
+    """What paths (m,) take from rest to rest, unchecked between their nodes; infinite where there is no law."""
+    T = np.full(len(paths), np.inf)
+    sizes = np.cumsum([len(path.part) for path in paths])
+    for _, group in groupby(range(len(paths)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
         numbers = [*group]
-        every = together([courses[i] for i in numbers])
-        law = _fastest(axes, problem, every, PathMargins.full(axes, len(every.part)))
+        every = together([paths[i] for i in numbers])
+        law = _time_optimal(axes, problem, every, PathMargins.full(axes, len(every.part)))
         with np.errstate(divide="ignore"):
             steps = 2 * np.diff(every.sigma) / (law.rates[1:] + law.rates[:-1])
         T[numbers] = np.add.reduceat(steps, [0, *every.rests])
     return T
 
 
-def _fastest(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw:
-    """The fastest law of courses one after the other; it stands still on those that have none."""
-    top, *rows = in_force(axes, problem, course, margins)
+def _time_optimal(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw:
+    """The fastest law of paths one after the other; it stands still on those that have none."""
+    top, *rows = in_force(axes, problem, path, margins)
     begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
-    return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
+    return TimeLaw(path.sigma, fastest_laws(path.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
 
-def _clean(axes: Axes, problem: Problem, courses: Sequence[SampledPath], pace: Pace) -> list[Driven]:
-    """Courses one after the other; of several the pace must bear that."""
-    out: list[Driven] = [None] * len(courses)
+def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law: LawMaker) -> list[TimedRun]:
+    """Paths one after the other; of several make_law must bear that."""
+    out: list[TimedRun] = [None] * len(paths)
     left: dict[int, SampledPath] = {}
-    for i, course in enumerate(_resolved_all(axes, problem, courses)):
-        if isinstance(course, SampledPath):
-            left[i] = course
+    for i, path in enumerate(_resolved_all(axes, problem, paths)):
+        if isinstance(path, SampledPath):
+            left[i] = path
         else:
-            out[i] = course
+            out[i] = path
     if not left:
         return out
     every = together([*left.values()])
     margins, seen, before = PathMargins.full(axes, len(every.part)), Ratios.none(axes, len(every.part)), None
     for _ in range(PACE_ROUNDS):
-        law = pace(axes, problem, every, margins)
+        law = make_law(axes, problem, every, margins)
         if law is None:
             break
-        edges = np.concatenate([[0], np.cumsum([len(course.part) for course in left.values()])]).tolist()
+        edges = np.concatenate([[0], np.cumsum([len(path.part) for path in left.values()])]).tolist()
         spans = dict(zip(left, map(slice, edges[:-1], edges[1:]), strict=True))
         lost = {i for i, at in spans.items() if not _moves(law, at)}
         stay = np.ones(len(every.part), dtype=bool)
         for i in lost:
             stay[spans[i]] = False
         # what a round tightens is felt nearby only: a leg driven as before is what it was
-        new = stay & _driven_anew(every, law, before)
+        new = stay & _timed_anew(every, law, before)
         if new.any():
-            seen.put(np.flatnonzero(new), looked_at(axes, problem, every, law, np.unique(every.part[new]).tolist()))
+            seen.put(
+                np.flatnonzero(new), sampled_ratios(axes, problem, every, law, np.unique(every.part[new]).tolist())
+            )
         over = margins.tighten(used_by(axes, problem, every, law), seen)
         over = margins.wait(problem, every, law, over)
         for i, at in spans.items():
@@ -275,75 +279,73 @@ def _moves(law: TimeLaw, at: slice) -> bool:
     return bool(np.all(rates[1:] + rates[:-1] > 0))
 
 
-def _driven_anew(course: SampledPath, law: TimeLaw, before: Array | None) -> BoolArray:
+def _timed_anew(path: SampledPath, law: TimeLaw, before: Array | None) -> BoolArray:
     """The intervals (N,) of legs that were driven otherwise before."""
     if before is None:
-        return np.ones(len(course.part), dtype=bool)
+        return np.ones(len(path.part), dtype=bool)
     other = law.rates != before
-    starts = np.flatnonzero(np.diff(course.leg, prepend=-1))
+    starts = np.flatnonzero(np.diff(path.leg, prepend=-1))
     legs = np.logical_or.reduceat(other[:-1] | other[1:], starts)
-    return np.repeat(legs, np.diff(starts, append=len(course.leg)))
+    return np.repeat(legs, np.diff(starts, append=len(path.leg)))
 
 
-def _resolved_all(
-    axes: Axes, problem: Problem, courses: Sequence[SampledPath]
-) -> list[SampledPath | Unresolved | None]:
+def _resolved_all(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> list[SampledPath | Unresolved | None]:
     """As _resolved, of many runs."""
-    every = together(courses)
-    wanted, _ = _steep(axes, problem, every)
-    edges = np.cumsum([len(course.part) for course in courses])[:-1]
+    every = together(paths)
+    wanted, _ = _too_coarse(axes, problem, every)
+    edges = np.cumsum([len(path.part) for path in paths])[:-1]
     out: list[SampledPath | Unresolved | None] = []
-    for course, at in zip(courses, np.split(wanted, edges), strict=True):
+    for path, at in zip(paths, np.split(wanted, edges), strict=True):
         try:
-            out.append(_resolved(axes, problem, course) if at.any() else course)
+            out.append(_resolved(axes, problem, path) if at.any() else path)
         except Unresolved as singular:
             out.append(singular)
     return out
 
 
-def _resolved(axes: Axes, problem: Problem, course: SampledPath) -> SampledPath | None:
-    """The course on nodes so close that what happens at one says what happens up to the next: the rate at which it may
+def _resolved(axes: Axes, problem: Problem, path: SampledPath) -> SampledPath | None:
+    """The path on nodes so close that what happens at one says what happens up to the next: the rate at which it may
     be driven changes little, and the axes go where their slopes lead. Beside a singularity that takes many.
 
-    Raises Unresolved where no nodes are close enough: the course passes a singularity.
+    Raises Unresolved where no nodes are close enough: the path passes a singularity.
     """
     for _ in range(RESOLVED):
-        wanted, _ = _steep(axes, problem, course)
+        wanted, _ = _too_coarse(axes, problem, path)
         if not wanted.any():
-            return course
-        found = finer(axes, problem, course, wanted)
+            return path
+        found = finer(axes, problem, path, wanted)
         if found is None:
             return None
-        course = found
-    _, lost = _steep(axes, problem, course)
+        path = found
+    _, lost = _too_coarse(axes, problem, path)
     if lost.any():
         i = int(np.argmax(lost))
-        raise Unresolved(int(course.leg[i]), course.along.q[course.first[i]])
-    return course
+        raise Unresolved(int(path.leg[i]), path.along.q[path.first[i]])
+    return path
 
 
-def _steep(axes: Axes, problem: Problem, course: SampledPath) -> tuple[BoolArray, BoolArray]:
+def _too_coarse(axes: Axes, problem: Problem, path: SampledPath) -> tuple[BoolArray, BoolArray]:
     """Which intervals (N,) want a node in the middle, and which say nothing of what happens in them."""
-    top = stacked(rows_on(axes, problem, course, but_torques(axes))).top.min(axis=1)
-    row, along = course.first, course.along
+    top = stacked(rows_on(axes, problem, path, but_torques(axes))).top.min(axis=1)
+    row, along = path.first, path.along
     low, high = np.minimum(top[row], top[row + 1]), np.maximum(top[row], top[row + 1])
-    step = np.diff(course.sigma)[:, None]
+    step = np.diff(path.sigma)[:, None]
     led = np.abs(along.q[row + 1] - along.q[row] - step * (along.dq[row] + along.dq[row + 1]) / 2).max(axis=1)
     return (high > STEEP * low) | (led > LED), led > LOST
 
 
-def looked_at(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, parts: Sequence[int]) -> Ratios:
+def sampled_ratios(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw, parts: Sequence[int]) -> Ratios:
     """Worst ratio to each limit in every interval of some of the parts of a path that is timed by a law, in order; not
     of jerk. Both ends of an interval are sampled from inside."""
     found = list[Ratios]()
-    rows = np.cumsum([course.parts[i].N * COURSE_LOOKS * CORNER_LOOKS for i in parts])
+    rows = np.cumsum([path.parts[i].N * COURSE_LOOKS * CORNER_LOOKS for i in parts])
     for _, group in groupby(zip(parts, rows, strict=True), key=lambda one: int(one[1]) // CHECKED):
         numbers = [i for i, _ in group]
-        legs = [problem.legs[course.parts[i].leg] for i in numbers]
-        pieces = [_piece(axes, problem, course, law, i) for i in numbers]
+        legs = [problem.legs[path.parts[i].leg] for i in numbers]
+        pieces = [_piece(axes, problem, path, law, i) for i in numbers]
         times, first, count = list[Array](), list[IndexArray](), 0
         for i, leg, piece in zip(numbers, legs, pieces, strict=True):
-            in_corner = isinstance(course.parts[i].segment, Corner | JointCorner)
+            in_corner = isinstance(path.parts[i].segment, Corner | JointCorner)
             looks = COURSE_LOOKS * (ALONG_LOOKS if leg.along else CORNER_LOOKS if in_corner else 1)
             inside = np.clip((np.arange(looks + 2) - 0.5) / looks, 1e-9, 1 - 1e-9)
             breaks = piece.breaks()
@@ -355,19 +357,19 @@ def looked_at(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, p
     return Ratios.joined(found)
 
 
-def motions(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw) -> dict[int, Pieces]:
+def motions(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw) -> dict[int, Pieces]:
     """The motions of a run's legs under a law, by leg."""
     out: dict[int, list[PathLeg | JointNodes]] = {}
-    for i, part in enumerate(course.parts):
-        out.setdefault(part.leg, []).append(_piece(axes, problem, course, law, i))
+    for i, part in enumerate(path.parts):
+        out.setdefault(part.leg, []).append(_piece(axes, problem, path, law, i))
     return {k: Pieces(tuple(pieces)) for k, pieces in out.items()}
 
 
-def _piece(axes: Axes, problem: Problem, course: SampledPath, law: TimeLaw, i: int) -> PathLeg | JointNodes:
+def _piece(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw, i: int) -> PathLeg | JointNodes:
     """Part i of a path under a law, in scaled time."""
-    part, row = course.parts[i], course.begins[i]
+    part, row = path.parts[i], path.begins[i]
     leg, at = problem.legs[part.leg], slice(row, row + part.N + 1)
-    q, dq, rates = course.along.q[at], course.along.dq[at], law.rates[row - i : row - i + part.N + 1]
+    q, dq, rates = path.along.q[at], path.along.dq[at], law.rates[row - i : row - i + part.N + 1]
     times = np.concatenate([[0.0], np.cumsum(2 * part.size * np.diff(part.u) / (rates[1:] + rates[:-1]))])
     T = float(times[-1])
     grid = times / T

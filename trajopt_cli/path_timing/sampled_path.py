@@ -179,39 +179,41 @@ class SampledPath:
         return np.concatenate([[0.0], np.cumsum(np.concatenate(steps))])
 
 
-def course_of(
+def sample_path(
     axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int
 ) -> SampledPath | None:
-    """The course of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
+    """The path of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
     the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
     """
-    return courses_of(axes, problem, [run], [q], cfx, [nodes])[0]
+    return sample_paths(axes, problem, [run], [q], cfx, [nodes])[0]
 
 
-def courses_of(
+def sample_paths(
     axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int],
     nodes: Sequence[int],
 ) -> list[SampledPath | None]:  # fmt: skip
     """The same of many runs, each between axes of its own; the same run may be there more than once."""
     known: Known = {}
-    cuts = [_Cut(axes, problem, run, own, cfx, N, known).parts() for run, own, N in zip(runs, q, nodes, strict=True)]
-    found = iter(_courses(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
+    cuts = [
+        _RunParts(axes, problem, run, own, cfx, N, known).parts() for run, own, N in zip(runs, q, nodes, strict=True)
+    ]
+    found = iter(_sampled(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
     return [next(found) if parts else None for parts in cuts]
 
 
-def finer(axes: Axes, problem: Problem, course: SampledPath, wanted: BoolArray) -> SampledPath | None:
-    """The same course with a node in the middle of every interval that is wanted (N,)."""
+def finer(axes: Axes, problem: Problem, path: SampledPath, wanted: BoolArray) -> SampledPath | None:
+    """The same path with a node in the middle of every interval that is wanted (N,)."""
     parts = []
-    for i, part in enumerate(course.parts):
+    for i, part in enumerate(path.parts):
         middles = (part.u[:-1] + part.u[1:]) / 2
-        parts.append(replace(part, u=np.sort(np.r_[part.u, middles[wanted[course.part == i]]])))
-    return _courses(axes, problem, [(parts, course.q)])[0]
+        parts.append(replace(part, u=np.sort(np.r_[part.u, middles[wanted[path.part == i]]])))
+    return _sampled(axes, problem, [(parts, path.q)])[0]
 
 
-def _courses(
+def _sampled(
     axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart], Array]]
 ) -> list[SampledPath | None]:
-    """The courses of runs cut into parts, each with axes at all waypoints of its own."""
+    """The paths of runs cut into parts, each with axes at all waypoints of its own."""
     if not runs:
         return []
     along = _along(axes, problem, runs)
@@ -234,13 +236,13 @@ def _can_follow(parts: Sequence[PathPart], along: PathDerivatives, q: Array) -> 
     return bool(np.abs(begins - ends).max() < _APART)
 
 
-def together(courses: Sequence[SampledPath]) -> SampledPath:
-    """Courses one after the other as one, at rest where one ends and the next begins; it has no axes at waypoints."""
-    if len(courses) == 1:
-        return courses[0]
-    parts = tuple(part for course in courses for part in course.parts)
-    ends = np.cumsum([len(course.part) for course in courses])
-    return SampledPath(parts, joined([course.along for course in courses]), courses[0].q[:0], tuple(ends[:-1].tolist()))
+def together(paths: Sequence[SampledPath]) -> SampledPath:
+    """Paths one after the other as one, at rest where one ends and the next begins; it has no axes at waypoints."""
+    if len(paths) == 1:
+        return paths[0]
+    parts = tuple(part for path in paths for part in path.parts)
+    ends = np.cumsum([len(path.part) for path in paths])
+    return SampledPath(parts, joined([path.along for path in paths]), paths[0].q[:0], tuple(ends[:-1].tolist()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +260,7 @@ class _Bend:
 Known = dict[tuple[int, bytes], Any]  # corners and joint moves by their number and the axes beside them
 
 
-class _Cut:
+class _RunParts:
     """A run cut into parts. known: of other runs; what is made here is added."""
 
     def __init__(

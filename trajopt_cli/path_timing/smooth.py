@@ -1,6 +1,6 @@
-"""A leg between two stops under jerk limits, before any nonlinear program: one profile of Ruckig's along its course.
+"""A leg between two stops under jerk limits, before any nonlinear program: one profile of Ruckig's along its path.
 
-Its speed, acceleration and jerk are constants for the whole course, in a ratio that is searched; what it then passes
+Its speed, acceleration and jerk are constants for the whole path, in a ratio that is searched; what it then passes
 of any limit says by how much it has to be driven slower as a whole, which is legal. A joint move that meets no cap of
 the tool has the least time there is.
 """
@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.line import Line
 from trajopt_cli.path_timing.path_timing import but_torques, rows_on, stacked
-from trajopt_cli.path_timing.sampled_path import course_of
+from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
@@ -74,13 +74,13 @@ def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
 
 
 def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
-    """One profile along the course, with the ratio of its constants that was found best."""
+    """One profile along the path, with the ratio of its constants that was found best."""
     leg = problem.legs[k]
-    course = course_of(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
-    if course is None:
+    path = sample_path(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
+    if path is None:
         return None
-    rows = stacked(rows_on(axes, problem, course, but_torques(axes)))
-    L, dq = float(course.sigma[-1]), np.abs(course.along.dq).max(axis=0)
+    rows = stacked(rows_on(axes, problem, path, but_torques(axes)))
+    L, dq = float(path.sigma[-1]), np.abs(path.along.dq).max(axis=0)
     assert axes.jerk is not None
     with np.errstate(divide="ignore"):
         caps = np.array([rows.top.min(), 1 / np.abs(rows.slopes).max(), np.min(axes.jerk / dq)]) * SAFE

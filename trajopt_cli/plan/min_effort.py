@@ -1,7 +1,7 @@
 """A legal motion made gentler within a given time: more time where it spares most, and laws of least effort.
 
 Between two rests a motion may be driven k times as long: its effort falls with k^-3, so what time there is goes where
-the fourth powers meet. On a course with one progress the law of least effort in a given time is a convex program in
+the fourth powers meet. On a path with one progress the law of least effort in a given time is a convex program in
 x = (rate)^2, for the effort is a square over a root and every limit is linear; it is solved in the rates themselves.
 """
 
@@ -19,8 +19,8 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.driver import Grids
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
-from trajopt_cli.path_timing.path_timing import PathMargins, Unresolved, clean
-from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
+from trajopt_cli.path_timing.path_timing import PathMargins, Unresolved, time_path
+from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
 from trajopt_cli.plan.initial_plan import Legal, add
 from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, with_fixed_runs
 from trajopt_cli.plan.min_effort_law import gentle_law
@@ -131,15 +131,15 @@ def eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate
 
 def _eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span) -> dict[int, LegMotion]:
     """A span's motions by the law of least effort; none where no gentler one is found."""
-    course = course_of(axes, problem, (span.first, span.last), draft.q, draft.cfx, EASE_NODES)
-    if course is None:
+    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, EASE_NODES)
+    if path is None:
         return {}
 
-    def pace(axes: Axes, problem: Problem, course: SampledPath, margins: PathMargins) -> TimeLaw | None:
-        return gentle_law(axes, formulation, problem, course, margins, span.time)
+    def make_law(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw | None:
+        return gentle_law(axes, formulation, problem, path, margins, span.time)
 
     try:
-        found = clean(axes, problem, course, pace)
+        found = time_path(axes, problem, path, make_law)
     except Unresolved:
         return {}
     if found is None:

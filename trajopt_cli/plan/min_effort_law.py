@@ -1,4 +1,4 @@
-"""The law of least effort that drives a course in a given time: a small nonlinear program over the rates at its nodes.
+"""The law of least effort that drives a path in a given time: a small nonlinear program over the rates at its nodes.
 
 With x the squared rate and u its half slope the effort of an interval is a square of what is linear in u and x over the
 sum of two roots of x: convex; so is the time, and every limit is linear. The program is solved in the rates, where it
@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
-from trajopt_cli.path_timing.path_timing import PathMargins, in_force, law_of
+from trajopt_cli.path_timing.path_timing import PathMargins, in_force, time_optimal_law
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.settings import BARRIER_REFINED, MOST_ITERATIONS, SHARP
@@ -23,22 +23,22 @@ _SPARE = 1e-4  # share of a law's time that is left before a gentler one is look
 
 
 def gentle_law(
-    axes: Axes, formulation: Formulation, problem: Problem, course: SampledPath, margins: PathMargins, seconds: float
+    axes: Axes, formulation: Formulation, problem: Problem, path: SampledPath, margins: PathMargins, seconds: float
 ) -> TimeLaw | None:
-    """The law of a run's course that takes so many seconds with the least effort, from rest to rest; None where it
+    """The law of a run's path that takes so many seconds with the least effort, from rest to rest; None where it
     takes longer, or hardly less, as fast as may be."""
-    fast = law_of(axes, problem, course, margins)
+    fast = time_optimal_law(axes, problem, path, margins)
     if fast is None or fast.duration > seconds * (1 - _SPARE):
         return None
     start = fast.slowed(seconds / fast.duration)
-    top, begins, ends = in_force(axes, problem, course, margins)
+    top, begins, ends = in_force(axes, problem, path, margins)
     # the unit of sigma is the whole way, that of time the seconds, that of effort what the fast law has of it
-    L, N = float(course.sigma[-1]), len(course.part)
-    steps, rate, slope, bend = np.diff(course.sigma) / L, L / seconds, L / seconds**2, (L / seconds) ** 2
+    L, N = float(path.sigma[-1]), len(path.part)
+    steps, rate, slope, bend = np.diff(path.sigma) / L, L / seconds, L / seconds**2, (L / seconds) ** 2
     r_0, t_0 = start.rates / rate, start.times / seconds
-    dq, ddq = course.along.dq / axes.acceleration * slope, course.along.ddq / axes.acceleration * bend
+    dq, ddq = path.along.dq / axes.acceleration * slope, path.along.ddq / axes.acceleration * bend
     squared = np.column_stack([np.sum(x * y, axis=1) for x, y in ((dq, dq), (dq, ddq), (ddq, ddq))])
-    squared_0, squared_1 = squared[course.first], squared[course.first + 1]
+    squared_0, squared_1 = squared[path.first], squared[path.first + 1]
     x, u = r_0**2, np.diff(r_0**2) / (2 * steps)
     mean = (_square(squared_0, u, x[:-1]) + _square(squared_1, u, x[1:])) / 2
     effort = np.diff(t_0) * mean
@@ -61,7 +61,7 @@ def gentle_law(
     result = nlp.solve(mu=BARRIER_REFINED, tolerance=SHARP, most=MOST_ITERATIONS)
     if not result.converged:
         return None
-    law = TimeLaw(course.sigma, result.x[r] * rate)
+    law = TimeLaw(path.sigma, result.x[r] * rate)
     return law.slowed(seconds / law.duration)
 
 

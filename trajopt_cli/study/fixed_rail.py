@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Motion, Move, Program, motion_name, turned_under
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path_timing.sampled_path import SampledPath, course_of
+from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
 from trajopt_cli.problem.cache_keys import leg_name
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
@@ -186,7 +186,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
             run, path = StopToStop(tuple(legs.values())), None
             if len(legs) > 1 or run.legs[0].on_line:
                 nodes = RUN_NODES if len(legs) > 1 or run.legs[0].is_arc else _LINE_NODES
-                path = course_of(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes)
+                path = sample_path(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes)
                 if path is None:
                     why = f"{motion_name(motion)} has no path, although the fixed-rail plan has one"
                     raise ValueError(f"{motion.source}: {why}")
