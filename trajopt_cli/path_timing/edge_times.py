@@ -63,7 +63,7 @@ def short(problem: Problem, k: int) -> bool:
 
 
 def _nodes(problem: Problem, k: int) -> Array:
-    """Shares (m,) of leg k at which it is looked at to be timed: of a short one middles of even parts."""
+    """Path parameters (m,) at which leg k is sampled to be timed: of a short one middles of even parts."""
     if not short(problem, k):
         return spaced(PAIR_NODES)
     share = max(problem.legs[k].chord / LONG_LINE, problem.legs[k].angle / LONG_TURN)
@@ -120,7 +120,7 @@ def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
         problem.coordinated or problem.passes(pairs.k) or problem.passes(pairs.k + 1)
     ):
         T = np.minimum(T, _own_times(axes, leg, pairs.q_0, pairs.q_1))
-    if leg.duration is not None:  # what takes longer than it may is no answer, but shows the way to one
+    if leg.duration is not None:  # too long is no answer, but the search can compare it
         late = np.maximum(T * SLACK - leg.duration, 0.0)
         T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
     return np.maximum(T, leg.least)
@@ -134,7 +134,7 @@ def _resting(problem: Problem, pairs: Pairs) -> BoolArray:
 
 
 def _straight_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
-    """What straight ways (m,) between axes take under jerk limits; of other ways about what they take at least."""
+    """What straight joint moves (m,) take under jerk limits; of other paths about what they take at least."""
     assert axes.jerk is not None
     way = np.maximum(np.abs(q_1 - q_0), 1e-12)
     limits = axes.velocity_on(leg), axes.acceleration_on(leg), axes.jerk
@@ -187,7 +187,7 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
     slopes, bends, rests = (x.reshape(B, len(s), -1) for x in (found.slopes, found.bends, found.rests))
     ok = np.asarray(ok & np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(bends).all(axis=(1, 2)))
     T = np.full(B, np.inf)
-    if short(problem, pairs[0].k):  # what it takes to change speed on it is not looked at
+    if short(problem, pairs[0].k):  # changes of speed on it are not counted
         steady = np.sqrt(np.abs(bends[ok]).max(axis=2))
         T[ok] = np.maximum(1 / top[ok], steady).mean(axis=1)
     elif ok.any():
@@ -227,7 +227,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     kept = np.clip(s, 1e-9, 1 - 1e-9)
     segments = [_segment(problem, one.k) for one in pairs]
     X, twist, bend = along_all(segments, [kept] * len(pairs))
-    of = (np.repeat(np.arange(len(pairs)), counts)[:, None] * m + np.arange(m)).ravel()  # place on the leg's way
+    of = (np.repeat(np.arange(len(pairs)), counts)[:, None] * m + np.arange(m)).ravel()  # place on the leg's path
     cfx = np.repeat([one.cfx for one in pairs], np.array(counts) * m)
     arm = axes.inverse((X @ inverse_pose(X_FT))[of], layout.value(d))[np.arange(B * m), cfx].reshape(B, m, -1)
     steps = np.diff(np.concatenate([q_0[:, None, layout.arm], arm], axis=1), axis=1)
@@ -246,7 +246,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
 
 
 def _segment(problem: Problem, k: int) -> Segment:
-    """The tool's way on leg k; of a wait the line of no length."""
+    """The tool's path on leg k; of a wait the line of no length."""
     leg = problem.legs[k]
     X_WT = problem.waypoints[k].X_WF @ leg.X_FT
     return leg.segment or Line(X_WT, X_WT)

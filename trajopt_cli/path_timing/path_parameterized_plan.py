@@ -42,8 +42,8 @@ class NotDriven(Exception):
 
 
 def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None) -> Iterate:
-    """Every run driven along its coordinated path, at the chain's rail positions and configurations, as fast as all
-    limits allow. known: runs of this plant that were driven before; those driven here are added. Raises NotDriven."""
+    """Every run timed along its coordinated path, at the chain's rail positions and configurations, as fast as all
+    limits allow. known: runs of this plant that were timed before; those timed here are added. Raises NotDriven."""
     legs: list[LegMotion | None] = [None] * len(problem.legs)
     cfx = tuple(label.cfx for label in chain.labels)
     known = {} if known is None else known
@@ -64,7 +64,7 @@ def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None)
 
 
 def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> bytes:
-    """Equal for runs that are driven alike, between axes q (M, n) on branches cfx at all waypoints."""
+    """Equal for runs that are timed alike, between axes q (M, n) on branches cfx at all waypoints."""
     first, last = run
     points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
     joint = any(leg.kind is LegKind.JOINT for leg in problem.legs[first:last])  # no other leg knows the coupling
@@ -80,18 +80,19 @@ def _fastest(
     driven."""
     cuts = _stops(axes, problem, runs, q, cfx)
     asked = [*dict.fromkeys(part for run, parts in zip(runs, cuts, strict=True) for part in (run, *parts))]
-    driven = dict(zip(asked, _driven(axes, problem, asked, q, cfx), strict=True))
+    timed_runs = dict(zip(asked, _timed_runs(axes, problem, asked, q, cfx), strict=True))
     out: list[dict[int, LegMotion] | NotDriven] = []
     for run, parts in zip(runs, cuts, strict=True):
-        ways: list[dict[int, LegMotion]] = []
+        found_motions: list[dict[int, LegMotion]] = []
         failures: list[NotDriven] = []
         for tried in [parts, [run]] if parts != [run] else [parts]:
-            found = [driven[part] for part in tried]
+            found = [timed_runs[part] for part in tried]
             failed = [one for one in found if isinstance(one, NotDriven)]
             failures += failed
             if not failed:
-                ways.append({k: motion for one in found if isinstance(one, dict) for k, motion in one.items()})
-        out.append(min(ways, key=lambda way: sum(motion.T for motion in way.values())) if ways else failures[0])
+                found_motions.append({k: motion for one in found if isinstance(one, dict) for k, motion in one.items()})
+        least = min(found_motions, key=lambda one: sum(motion.T for motion in one.values()), default=None)
+        out.append(failures[0] if least is None else least)
     return out
 
 
@@ -126,16 +127,16 @@ def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Seq
     for first, last in runs:
         joint = [problem.legs[k].kind is LegKind.JOINT and not problem.coordinated for k in range(first, last)]
         marks.append([first, *(first + k for k in range(1, last - first) if joint[k - 1] or joint[k]), last])
-    ways = [
+    spans = [
         [(start, end) for at, end in enumerate(own) for start in own[max(0, at - MOST_MARKS) : at]]
         if len(own) > 2
         else []
         for own in marks
     ]
-    asked = [*dict.fromkeys(way for own in ways for way in own)]
+    asked = [*dict.fromkeys(span for own in spans for span in own)]
     times = dict(zip(asked, about(axes, problem, asked, [q] * len(asked), cfx), strict=True))
     out = []
-    for run, own in zip(runs, ways, strict=True):
+    for run, own in zip(runs, spans, strict=True):
         best: dict[int, tuple[float, list[Run]]] = {run[0]: (0.0, [])}
         for start, end in own:
             T, parts = best[start]
@@ -160,7 +161,7 @@ def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array],
     return np.array([times[name] for name in names])
 
 
-def _driven(
+def _timed_runs(
     axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
 ) -> list[dict[int, LegMotion] | NotDriven]:
     """The motions of each run in one go, or why there are none."""

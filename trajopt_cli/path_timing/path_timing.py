@@ -1,4 +1,4 @@
-"""How fast a run's path may be driven: TOPP under all limits, then tightened where a dense check finds an excess."""
+"""Time-optimal timing of sampled paths: TOPP under all limits, tightened where a dense check finds an excess."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class PathMargins:
 
 
 def _time(sigma: Array, rates: Array) -> float:
-    """How long a way takes whose nodes are passed at these rates; 0 where it stands still."""
+    """How long a path takes whose nodes are passed at these rates; 0 where it is at rest."""
     sums = rates[1:] + rates[:-1]
     return float(np.sum(2 * np.diff(sigma) / sums)) if np.all(sums > 0) else 0.0
 
@@ -189,7 +189,7 @@ def time_path(
     axes: Axes, problem: Problem, path: SampledPath, make_law: LawMaker = time_optimal_law
 ) -> dict[int, Pieces] | None:
     """The motions of a run's legs, fastest on its path or by another law, within every limit wherever it is
-    looked at; None where the path itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
+    sampled; None where the path itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
     (found,) = _timed(axes, problem, [path], make_law)
     if isinstance(found, Unresolved):
         raise found
@@ -220,7 +220,7 @@ def least_times(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> A
 
 
 def _time_optimal(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw:
-    """The fastest law of paths one after the other; it stands still on those that have none."""
+    """The fastest law of paths one after the other; it is at rest on those that have none."""
     top, *rows = in_force(axes, problem, path, margins)
     begins, ends = (tuple(x[None] for x in (one if np.any(one[2]) else one[:2])) for one in rows)
     return TimeLaw(path.sigma, fastest_laws(path.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
@@ -249,7 +249,7 @@ def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law:
         stay = np.ones(len(every.part), dtype=bool)
         for i in lost:
             stay[spans[i]] = False
-        # what a round tightens is felt nearby only: a leg driven as before is what it was
+        # a round tightens nearby only: a leg timed as before is what it was
         new = stay & _timed_anew(every, law, before)
         if new.any():
             seen.put(
@@ -274,13 +274,13 @@ def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law:
 
 
 def _moves(law: TimeLaw, at: slice) -> bool:
-    """Whether the intervals of a run take a time: a law that has none stands still."""
+    """Whether the intervals of a run take a time: a law that has none is at rest."""
     rates = law.rates[at.start : at.stop + 1]
     return bool(np.all(rates[1:] + rates[:-1] > 0))
 
 
 def _timed_anew(path: SampledPath, law: TimeLaw, before: Array | None) -> BoolArray:
-    """The intervals (N,) of legs that were driven otherwise before."""
+    """The intervals (N,) of legs that were timed otherwise before."""
     if before is None:
         return np.ones(len(path.part), dtype=bool)
     other = law.rates != before
@@ -305,7 +305,7 @@ def _resolved_all(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) ->
 
 def _resolved(axes: Axes, problem: Problem, path: SampledPath) -> SampledPath | None:
     """The path on nodes so close that what happens at one says what happens up to the next: the rate at which it may
-    be driven changes little, and the axes go where their slopes lead. Beside a singularity that takes many.
+    be passed changes little, and the axes go where their slopes lead. Beside a singularity that takes many.
 
     Raises Unresolved where no nodes are close enough: the path passes a singularity.
     """
@@ -346,8 +346,8 @@ def sampled_ratios(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw
         times, first, count = list[Array](), list[IndexArray](), 0
         for i, leg, piece in zip(numbers, legs, pieces, strict=True):
             in_corner = isinstance(path.parts[i].segment, Corner | JointCorner)
-            looks = COURSE_LOOKS * (ALONG_LOOKS if leg.along else CORNER_LOOKS if in_corner else 1)
-            inside = np.clip((np.arange(looks + 2) - 0.5) / looks, 1e-9, 1 - 1e-9)
+            samples = COURSE_LOOKS * (ALONG_LOOKS if leg.along else CORNER_LOOKS if in_corner else 1)
+            inside = np.clip((np.arange(samples + 2) - 0.5) / samples, 1e-9, 1 - 1e-9)
             breaks = piece.breaks()
             times.append((breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
             first.append(count + np.arange(piece.N) * len(inside))

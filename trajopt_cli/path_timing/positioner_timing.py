@@ -1,4 +1,4 @@
-"""How positioners turn while a plan is driven: in step with a line or an arc on a work object that rides on them, else
+"""How positioners turn during a plan: in step with a line or an arc on a work object that rides on them, else
 from rest to rest over the whole motion."""
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def _units(problem: Problem, k: int) -> tuple[UnitMove, ...]:
 
 
 def _rest_to_rest(unit: UnitMove, T: float, t: Array) -> tuple[Array, Array]:
-    """The share of its way that a unit has gone at times t (n,), and its rate: its fastest motion, stretched to T."""
+    """The fraction of its angle that a unit has turned at times t (n,), and its rate: its fastest motion in T."""
     way, (top, ramp, least) = abs(unit.angle), _fastest(unit)
     u = t * (least / T)
     rate = np.clip(np.minimum(u, least - u) / ramp, 0.0, 1.0) * top

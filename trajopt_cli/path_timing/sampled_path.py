@@ -1,6 +1,6 @@
 """Where a run leads all axes: its parts in order, with derivatives along them, for given axes at its waypoints.
 
-The axes share one progress. A leg is cut where its formula changes: half of the corner before it, the way itself, half
+The axes share one progress. A leg is cut where its formula changes: half of the corner before it, its own path, half
 of the corner behind it, and where the rail has left its own corner. The parameter sigma goes on through the whole run
 with continuous first derivatives: it counts the metres of a line or an arc, and a joint move in the measure that the
 corner beside it asks for. Second derivatives jump between parts.
@@ -39,8 +39,8 @@ from trajopt_cli.settings import (
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import unwound
 
-_SHORT = 1e-9  # of a way, or of a share: no part of it
-_SLIVER = 1e-6  # share of a way between two corners: no part of it; a corner goes on along its own ways
+_SHORT = 1e-9  # of a path, or of its parameter: no part of it
+_SLIVER = 1e-6  # fraction of a path between two corners: no part of it; a corner goes on along its own segments
 _INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
 _ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
@@ -137,7 +137,7 @@ def joined(pieces: Sequence[PathDerivatives]) -> PathDerivatives:
 
 @dataclass(frozen=True, eq=False)
 class SampledPath:
-    """A run's parts, and what is along them at their nodes, part by part: a place between two parts stands twice.
+    """A run's parts, and what is along them at their nodes, part by part: a place between two parts is there twice.
 
     q (M, n): axes at all waypoints of the problem. rests: nodes at rest besides both ends.
     """
@@ -306,7 +306,7 @@ class _RunParts:
         return self._known[name]
 
     def _measure(self, k: int) -> float:
-        """What a leg's zones count, and how much sigma the run's first leg is: metres of the tool's way, radians of a
+        """What a leg's zones count, and how much sigma the run's first leg is: metres of the tool's path, radians of a
         turn in place, 1 for what is neither."""
         leg = self._problem.legs[k]
         return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
@@ -353,12 +353,12 @@ class _RunParts:
         return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]
 
     def _rail(self, k: int, start: _Bend | None, end: _Bend | None, a: float, b: float) -> Rail:
-        """The rail from share a to b of leg k: in proportion to the way, between its corners."""
+        """The rail from share a to b of leg k: in proportion to the path, between its corners."""
         d_0, way, h = self._d(k), self._d(k + 1) - self._d(k), b - a
         middle = (a + b) / 2
         if start and middle < start.rail_after:
             zone, slope = start.rail_after, self._slope_in(k, k - 1)
-            # the parabola through both edges of the corner with the slopes of both ways
+            # the parabola through both edges of the corner with the slopes on both sides
             curve, t = (way - slope) / (4 * zone), a + zone
             return Rail(d_0 + slope * a + curve * t**2, (slope + 2 * curve * t) * h, curve * h**2)
         if end and middle > 1 - end.rail_before:
@@ -371,7 +371,7 @@ class _RunParts:
         return np.asarray(self._q[k, self._axes.layout.rail])
 
     def _slope_in(self, k: int, other: int) -> Array:
-        """The rail's way per metre on another leg, in the measure of leg k."""
+        """The rail's travel per metre on another leg, in the measure of leg k."""
         return np.asarray((self._d(other + 1) - self._d(other)) * self._measure(k) / self._measure(other))
 
     # ---- corners
@@ -442,7 +442,7 @@ class _RunParts:
 
 
 def spaced(N: int) -> Array:
-    """Shares (N+1,) of a way between two stops, closer together where the tool speeds up and slows down."""
+    """Path parameters (N+1,) between two stops, closer together where the tool speeds up and slows down."""
     x = np.linspace(0.0, 1.0, N + 1)
     return np.asarray(x - END_CURVE * np.sin(2 * np.pi * x) / (2 * np.pi))
 
@@ -487,7 +487,11 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart]
         begins = dict(zip(distinct, behind - [part.N + 1 for part in distinct.values()], strict=True))
         shift = np.repeat([begins[name] for name in names] - edges[:-1], counts)
         out = out.at(np.arange(edges[-1]) + shift)
-    starts, near, first = [], [], 0  # of stretches on ways: joints there are near those of the waypoint before
+    starts, near, first = (
+        [],
+        [],
+        0,
+    )  # of the parts on segments of the tool: joints there are near those of the waypoint before
     for own, q in runs:
         for i, part in enumerate(own):
             if part.rail is not None and (i == 0 or own[i - 1].rail is None):
@@ -552,7 +556,7 @@ def _by_tool(tools: Sequence[Array], shares: Sequence[Array]) -> Iterator[tuple[
 
 
 def _on_ways(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Sequence[Array]) -> PathDerivatives:
-    """Along parts of the tool's way by their shares, at shares (m,) of each, one part after the other; joints in
+    """Along parts that the tool decides by their shares, at shares (m,) of each, one part after the other; joints in
     whatever turn, NaN out of reach."""
     tools = [problem.legs[part.leg].X_FT for part in parts]
     names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in shares]
@@ -570,7 +574,7 @@ def _on_ways(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Se
 def _with_tool(
     axes: Axes, X_FT: Array, parts: Sequence[PathPart], shares: Sequence[Array], table: Array
 ) -> PathDerivatives:
-    """The same with one tool on all parts. table (p, 2): what positioners take for the whole way of each."""
+    """The same with one tool on all parts. table (p, 2): what positioners take for the whole of each."""
     counts = [len(u) for u in shares]
     edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
     cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
@@ -591,7 +595,7 @@ def _with_tool(
     if numb.any():  # there a derivative is what it is a little farther on
         place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
     dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
-    if table.any():  # such a way is one part: its share is the way's own
+    if table.any():  # such a path is one part: its share is the segment's own
         twist, bend = over_work(segments, np.split(u, edges), twist, bend)
     return PathDerivatives(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], table[of])
 

@@ -1,7 +1,7 @@
 """A leg between two stops under jerk limits, before any nonlinear program: one profile of Ruckig's along its path.
 
 Its speed, acceleration and jerk are constants for the whole path, in a ratio that is searched; what it then passes
-of any limit says by how much it has to be driven slower as a whole, which is legal. A joint move that meets no cap of
+of any limit says by how much it has to be slowed down as a whole, which is legal. A joint move that meets no cap of
 the tool has the least time there is.
 """
 
@@ -29,7 +29,7 @@ _ATTEMPTS = 40  # hairs by which a profile is made softer until its switches sta
 
 
 def rest_time(D: Array, V: Array, A: Array, J: Array) -> Array:
-    """Least times from rest to rest over ways D >= 0 under speed, acceleration and jerk limits; all broadcast."""
+    """Least times from rest to rest over D >= 0 under speed, acceleration and jerk limits; all broadcast."""
     D, V, A, J = np.broadcast_arrays(D, V, A, J)
     ramp = np.where(V * J > A * A, V / A + A / J, 2 * np.sqrt(V / J))  # from rest to the top speed
     sharp = 4 * np.cbrt(D / (2 * J))
@@ -42,7 +42,7 @@ def rest_time(D: Array, V: Array, A: Array, J: Array) -> Array:
 
 def smooth(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
     """The motion of leg k between axes q[k], q[k + 1] at rest, as fast as was found; None where the arm cannot follow
-    or leaves its ranges. A programmed time is not looked at."""
+    or leaves its ranges. A programmed time is not considered."""
     assert axes.jerk is not None
     leg = problem.legs[k]
     tries = [_along(axes, problem, k, q, cfx)]
@@ -88,7 +88,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
         return None
 
     def tried(shares: Shares) -> tuple[float, float, PathLeg | JointNodes] | None:
-        """The time it takes driven so slowly that it is legal, how much slower, and the motion as it is."""
+        """The time it takes slowed down until it is legal, how much slower, and the motion as it is."""
         soft = 1.0
         for _ in range(_ATTEMPTS):
             v, a, j = (caps * shares * np.array([1.0, soft, soft]))[:, None]
@@ -98,7 +98,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
             soft *= 1 - 1e-3
         else:
             return None
-        motion = _driven(axes, problem, k, q, cfx, move, L)
+        motion = _motion_of(axes, problem, k, q, cfx, move, L)
         ratios = check_leg(axes, leg, motion)
         if ratios.position.max() > 1 + 1e-6:
             return None
@@ -109,11 +109,11 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
     known = {shares: tried(shares)}
     best, step = known[shares], SMOOTH_STEP
     while best is not None and best[1] > 1.0 and step < SMOOTH_LAST:
-        near = [(shares[0] * step**x, shares[1] * step**y, shares[2] * step**z) for x, y, z in _WAYS]
-        for way in near:
-            if way not in known:
-                known[way] = tried(way)
-        found = [(one, way) for way in near if (one := known[way]) is not None]
+        near = [(shares[0] * step**x, shares[1] * step**y, shares[2] * step**z) for x, y, z in _DIRECTIONS]
+        for one in near:
+            if one not in known:
+                known[one] = tried(one)
+        found = [(result, one) for one in near if (result := known[one]) is not None]
         first = min(found, key=lambda pair: pair[0][0], default=None)
         if first is not None and first[0][0] < best[0]:
             best, shares = first
@@ -122,13 +122,13 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
     return None if best is None else best[2].slowed(best[1])
 
 
-_WAYS = [way for way in product((-1, 0, 1), repeat=3) if sum(map(abs, way)) == 1]
+_DIRECTIONS = [one for one in product((-1, 0, 1), repeat=3) if sum(map(abs, one)) == 1]
 
 
-def _driven(
+def _motion_of(
     axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int], move: PointToPoint, L: float
 ) -> PathLeg | JointNodes:
-    """Leg k with all axes on one profile over the way L."""
+    """Leg k with all axes on one profile over the length L."""
     leg, T, grid = problem.legs[k], move.duration, _grid(move)
     at, rates, _ = move.at(grid * T)
     s, v = at[:, 0] / L, rates[:, 0] * T / L

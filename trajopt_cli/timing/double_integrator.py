@@ -89,8 +89,8 @@ def trapezoid_time(D: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:
 
 
 def mean_ramp(up: float, down: float) -> float:
-    """The acceleration that takes as long from rest to rest, over any way, as speeding up at one and slowing down at
-    the other."""
+    """The acceleration that takes as long from rest to rest, over any D, as speeding up at one and slowing down at the
+    other."""
     return up if up == down else 2 / (1 / up + 1 / down)
 
 

@@ -22,7 +22,7 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, readonly
 _UNBOUND = 1e12  # (ds/dt)^2 that stands for none
 _FAINT = 1e-9  # share of its limit below which a row's part of one point is a constant: dividing by it is rounding
 _ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
-_LANES = 128  # stretches of paths that are gone along side by side
+_LANES = 128  # pieces of paths that are passed side by side
 _SHORTEST_LANE = 32  # intervals of one at least
 _Lines = tuple[Array, Array]  # intercepts and slopes
 _ELEMENTS = 800_000  # of the greatest work arrays; about ten live at once
@@ -66,7 +66,7 @@ class TimeLaw:
 class TimeLaws:
     """How B paths are run: s (B, n) and ds/dt there, rates (B, n), NaN for a path that has no timing.
 
-    d2s/dt2 is constant between the points. durations (B,) [s]: inf where there is none or the path stands still.
+    d2s/dt2 is constant between the points. durations (B,) [s]: inf where there is none or the path is at rest.
     """
 
     s: Array
@@ -90,12 +90,12 @@ def fastest_laws(
     rate_0: Array | float,
     rate_1: Array | float,
 ) -> TimeLaws:
-    """The fastest way to run each of B paths given by numbers alone; all at once.
+    """The time-optimal laws of B paths given by numbers alone, all at once.
 
     s (B, n) or (n,): each path's parameter at its points, increasing. top (B, n): the greatest ds/dt there, inf for
     none. begins, ends: slopes and bends, both (B, n-1, m), where each interval begins and where it ends: for every
     column |slope d2s/dt2 + bend (ds/dt)^2| <= 1; a column of zeros is none. A third array in both, rests of the same
-    shape, says |slope d2s/dt2 + bend (ds/dt)^2 + rest| <= 1; where a rest is 1 or more the path stands still, and rates
+    shape, says |slope d2s/dt2 + bend (ds/dt)^2 + rest| <= 1; where a rest is 1 or more the path is at rest, and rates
     at the ends must be 0 or inf. rate_0, rate_1: ds/dt at both ends, (B,)
     or one for all; inf for whatever is fastest. Paths do not influence each other: one alone has the same answer.
     Raises ValueError for shapes that differ, s that does not increase, rates below zero, and slopes or bends that are
@@ -178,7 +178,7 @@ def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Arra
 
 
 def _lanes(B: int, N: int) -> int:
-    """Into how many stretches B paths of N intervals are cut that are gone along side by side."""
+    """Into how many pieces B paths of N intervals are cut that are passed side by side."""
     return max(1, min(N // _SHORTEST_LANE, _LANES // B))
 
 

@@ -3,7 +3,7 @@
 A law whose acceleration alone is bounded is TOPP-RA's; the mean over the time that the acceleration takes to
 build up bounds the jerk. So that no two ramps of opposite sense meet at a peak within that time, shorter ones are cut,
 and each cap holds a little before and after its place. Where caps change within the mean, it may pass them by a little:
-who has to keep them looks, and asks again with lower ones.
+callers check, and ask again with lower ones.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def least_time(s: Array, top: Array, push: Array) -> float:
 
 
 def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Array | None:
-    """Places every h [s], from s[0] to s[-1], both exact and at rest; as fast as caps allow. None where all of the way
+    """Places every h [s], from s[0] to s[-1], both exact and at rest; as fast as caps allow. None where the whole
     is shorter than the mean.
 
     s (n+1,): increasing; top, push (n,): the greatest ds/dt and |d2s/dt2| between neighbours, above zero. mean: how
