@@ -33,7 +33,7 @@ def levers_table(
     }
     if search:
         columns[">planned anew [s]"] = lambda row: "" if row.searched is None else f"{row.searched:.4f}"
-    columns[" "] = lambda row: row.why or (_APART if row.apart else "" if row.felt else "not limiting")
+    columns[" "] = lambda row: row.why or (_APART if row.apart else "" if row.active else "not limiting")
     shown = [row for row in rows if everything or row.best > WORTH or row.gain is None]
     return tabulate(f"{program}, {target.value}: what one change saves of {cycle:.3f} s", shown, columns)
 
@@ -49,10 +49,10 @@ def rest_lines(rows: Sequence[Row], cycle: float, again: float, everything: bool
         )
     if everything:
         return
-    asleep = [row.lever.name for row in rows if not row.felt]
+    asleep = [row.lever.name for row in rows if not row.active]
     if asleep:
         yield f"not limiting, raising these saves nothing: {', '.join(asleep)}"
-    little = [row.lever.name for row in rows if row.felt and row.gain is not None and 0 <= row.best <= WORTH]
+    little = [row.lever.name for row in rows if row.active and row.gain is not None and 0 <= row.best <= WORTH]
     if little:
         yield f"save a millisecond at most: {', '.join(little)}"
     costs = sum(row.gain is not None and row.gain < 0 and row.best <= WORTH for row in rows)

@@ -1,4 +1,4 @@
-"""Runs with corners or arcs, driven by one profile of the path's parameter from stop to stop.
+"""Runs with corners or arcs, timed by one profile of the path's parameter from stop to stop.
 
 Every part of a run's path (between two corners or a piece of that, half a corner) has one top speed and one
 acceleration (and jerk) that keep all limits everywhere on it. Where two parts meet, the speed is one that both allow
@@ -93,7 +93,7 @@ class SmoothPath:
         i = np.clip(np.searchsorted(grid, sigma, side="right") - 1, 0, len(grid) - 2)
         return i, np.clip((sigma - grid[i]) / (grid[i + 1] - grid[i]), 0.0, 1.0)
 
-    def driven(self, sigma: Array, rate: Array) -> tuple[Array, Array]:
+    def axes_at(self, sigma: Array, rate: Array) -> tuple[Array, Array]:
         """Axes and their speeds (m, k) where sigma (m,) grows at a rate (m,)."""
         i, u = self.places(sigma)
         return self.at(i, u), self.at(i, u, 1) * rate[:, None]
@@ -256,7 +256,7 @@ def _joined(path: SmoothPath, parts: Sequence[_Part], pieces: Sequence[Piece]) -
             here = which == k
             s, rate[here] = pieces[k].at(np.clip(t[here] - starts[k], 0.0, pieces[k].duration))
             sigma[here] = ways[k] + s
-        return path.driven(sigma, rate)
+        return path.axes_at(sigma, rate)
 
     return Piece(float(starts[-1]), np.unique(np.concatenate(switches)), at)
 

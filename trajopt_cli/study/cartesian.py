@@ -38,7 +38,7 @@ from trajopt_cli.study.rows import LONGER, Piece, apart, attempt_of, hold
 from trajopt_cli.timing.point_to_point import PointToPoint, bang_bang
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 
-_STEP = 1e-3  # s between places where the motion is looked at before it is accepted
+_STEP = 1e-3  # s between places where the motion is sampled before it is accepted
 _POINT = 1e-9  # m, rad: no way at all
 _SAME = 1e-6  # rad: the arm arrives in the configuration of the plan
 _ATTEMPTS = 250  # so that a move is lengthened by a millisecond at most
@@ -195,7 +195,7 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
 
         def at(t: Array) -> tuple[Array, Array]:
             s, v, _ = motion.at(t)
-            return path.driven(np.clip(s[:, 0], 0.0, move.way[0]) * measure, v[:, 0] * measure)
+            return path.axes_at(np.clip(s[:, 0], 0.0, move.way[0]) * measure, v[:, 0] * measure)
 
         return Piece(motion.duration, motion.switches, at)
     space = _Space(plant, move, motion)

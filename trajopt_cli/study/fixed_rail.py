@@ -103,7 +103,7 @@ class StopToStop:
 
     @property
     def by_parts(self) -> bool:
-        """Whether it is driven part by part of its path: legs with corners between them, and arcs."""
+        """Whether it is timed part by part of its path: legs with corners between them, and arcs."""
         return len(self.legs) > 1 or (self.path is not None and self.legs[0].is_arc)
 
     @property

@@ -215,7 +215,7 @@ class _Work:
     changes: Changes
     listen: Listener
     patience: Patience
-    hands: int
+    workers: int
 
     def all_of(self, orders: Sequence[Tour], full: bool) -> dict[Order, Tour]:
         """Each with its estimate or its plan; those that there was no patience for are left out."""
@@ -227,7 +227,7 @@ class _Work:
             self.listen("order", Progress(f"{count} of {len(orders)} orders {'planned' if full else 'searched'}"))
 
         tasks = {one.order: partial(self._one, one, full) for one in orders}
-        return {order: one for order, one in in_turns(tasks, hear, self.hands).items() if one is not None}
+        return {order: one for order, one in in_turns(tasks, hear, self.workers).items() if one is not None}
 
     def _one(self, one: Tour, full: bool, tell: Callable[[object], None]) -> Tour | None:
         """The written order is always planned."""

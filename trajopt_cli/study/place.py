@@ -203,7 +203,7 @@ class _Search:
     target: Target
     listen: Listener
     patience: Patience
-    hands: int
+    workers: int
     places: dict[Offset, Tried]
 
     def try_all(self, offsets: Sequence[Offset], full: bool) -> None:
@@ -224,7 +224,7 @@ class _Search:
                 self.listen("place", Progress(f"{count} of {len(wanted)} places {what}", self._least()))
 
         tasks = {one: partial(self._try, one, full) for one in wanted}
-        for offset, tried in in_turns(tasks, hear, self.hands).items():
+        for offset, tried in in_turns(tasks, hear, self.workers).items():
             if tried is not None:
                 self.places[offset] = tried
 

@@ -30,7 +30,7 @@ _LINE_SAMPLES = 250  # of a profile
 _PLACES = 401  # of a line's table
 _SPEEDS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.45, 0.3)  # shares of a line's top speed that are tried
 _JERKS = (1.0, 0.8, 0.6, 0.4)  # shares of the jerk at a line's ends that are tried
-_FLOOR = 1e-4  # the least scale that a search looks at
+_FLOOR = 1e-4  # the least scale that a search tries
 _ATTEMPTS = 250  # so that a move is lengthened by a millisecond at most
 _BESIDE = 1e-9  # s from a switch: its other side
 
@@ -88,7 +88,7 @@ def _piece(axes: Axes, jerk: Array | None, run: StopToStop) -> Piece | Infeasibl
 
     def at(t: Array) -> tuple[Array, Array]:
         s, rate, _ = motion.at(t)
-        return path.driven(s[:, 0] * path.sigma[-1], rate[:, 0] * path.sigma[-1])
+        return path.axes_at(s[:, 0] * path.sigma[-1], rate[:, 0] * path.sigma[-1])
 
     return Piece(motion.duration, motion.switches, at)
 

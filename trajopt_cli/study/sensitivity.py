@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from trajopt_cli.plan.plan_sensitivity import Again, Answer
 
 APART = 0.3
-"""Share by which first order and the plan solved again may differ before that is told."""
+"""Share by which first order and the plan solved again may differ before that is reported."""
 WORTH = 1e-3
-"""s; less is told as next to nothing."""
+"""s; less is reported as next to nothing."""
 _TOLD = 10  # levers between two words of progress
 
 
@@ -42,15 +42,15 @@ _TOLD = 10  # levers between two words of progress
 class Row:
     """One lever on one target.
 
-    gain: seconds saved by its step, None where why says what is in the way. first_order: what multipliers foretell,
-    None where they say nothing. felt: whether it meets anything that binds. searched: what is saved where the program
+    gain: seconds saved by its step, None where why says what is in the way. first_order: what multipliers predict,
+    None where they say nothing. active: whether it meets anything that binds. searched: what is saved where the program
     is planned anew with it, None where that was not asked or gave no plan.
     """
 
     lever: Lever
     gain: float | None
     first_order: float | None
-    felt: bool
+    active: bool
     why: str = ""
     searched: float | None = None
 
@@ -120,7 +120,7 @@ def sensitivity(
     if job.plant.limits.binding_torque is not None:
         text = "torque_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
         raise InputError(text, file=job.cell.file)
-    hands = jobs or cores()
+    workers = jobs or cores()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:
         return agreed.infeasible
@@ -129,7 +129,7 @@ def sensitivity(
         plans = plans_of_results(results, job)
     else:
         question, kept = dict.fromkeys(Target, LEAST_TIME), {one: RowsFile() for one in Target}
-        answers, _, _ = plan_all(job, listen, Clock(), changes, Patience(), hands, question, kept)
+        answers, _, _ = plan_all(job, listen, Clock(), changes, Patience(), workers, question, kept)
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
@@ -137,7 +137,7 @@ def sensitivity(
             if not answer.report.legal:
                 return refused(target, answer.report)
             plans[target] = answer.plan
-    return asked(job, changes, {one: plans[one] for one in targets}, listen, hands, search)
+    return asked(job, changes, {one: plans[one] for one in targets}, listen, workers, search)
 
 
 def asked(
@@ -145,7 +145,7 @@ def asked(
     changes: Mapping[Target, Changes],
     plans: Mapping[Target, Plan],
     listen: Listener,
-    hands: int,
+    workers: int,
     search: bool,
 ) -> Sensitivity:
     """Every lever on plans at hand."""
@@ -176,12 +176,12 @@ def asked(
 
     rows: dict[Target, list[Row]] = {one: [] for one in at_hand}
     for (target, i), answer in in_turns(
-        {name: partial(_told, name[0], task) for name, task in tasks.items()}, hear, hands
+        {name: partial(_told, name[0], task) for name, task in tasks.items()}, hear, workers
     ).items():
         rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.felt, answer.why))
     if search:
         for target, found in rows.items():
-            rows[target] = _searched(job, changes[target], plans[target], found, listen, hands)
+            rows[target] = _searched(job, changes[target], plans[target], found, listen, workers)
     ordered: dict[Target, tuple[Row, ...] | str] = {}
     for target in plans:
         ordered[target] = failed.get(target) or tuple(sorted(rows[target], key=lambda row: -row.best))
@@ -203,7 +203,7 @@ def _row(again: Again, lever: Lever, detours: Sequence[Detour]) -> Answer:
     return again.answer(change, lever.loosens)
 
 
-def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, hands: int) -> list[Row]:
+def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, workers: int) -> list[Row]:
     """The rows with what is saved where the program is planned anew."""
 
     def anew(lever: Lever, tell: Callable[[str], None]) -> float | None:
@@ -218,7 +218,7 @@ def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: L
         return None if isinstance(found, Infeasible) else plan.duration - found.duration
 
     worth = {i: partial(anew, row.lever) for i, row in enumerate(rows) if row.gain is None or row.gain > WORTH}
-    found = in_turns(worth, lambda name: listen(plan.target.value, Progress(f"anew with {name}")), hands)
+    found = in_turns(worth, lambda name: listen(plan.target.value, Progress(f"anew with {name}")), workers)
     return [replace(row, searched=found.get(i)) for i, row in enumerate(rows)]
 
 
@@ -256,7 +256,7 @@ def _record(row: Row, T: float) -> dict[str, Any]:
         "cycle_time_s": None if row.gain is None else T - row.gain,
         "first_order_s": row.first_order,
         "first_order_differs": row.apart,
-        "binds": row.felt,
+        "binds": row.active,
         "searched_s": row.searched,
         "why_not": row.why or None,
     }
