@@ -26,7 +26,7 @@ _KEY = re.compile(r"-[A-Za-z_]\w*")
 # rad of a joint, rad of a table, m: beyond, a bound is in degrees or mm, or is none
 _MOST_TURNED, _MOST_ROUND, _LONGEST = 4 * math.pi + 1e-3, 1e4, 100.0
 _FIRST_EXTERNAL = 7  # the logical axis that is eax_a
-_MOST_TOLD = 8  # places of what is broken
+_MOST_SHOWN = 8  # places of what is broken
 
 
 class Given(NamedTuple):
@@ -67,7 +67,7 @@ class External:
 
     eax: 0 for eax_a, None where no JOINT says it, and the line that says it. moved_by: what moves its base frame.
     slides: None where nothing tells. X (4, 4): its base frame in the world; a track runs along x of it, a positioner
-    turns about z. velocity, acceleration: None where they are not told. active: from start-up; fixed: it cannot be
+    turns about z. velocity, acceleration: None where they are not given. active: from start-up; fixed: it cannot be
     deactivated.
     """
 
@@ -88,7 +88,7 @@ class External:
 @dataclass(frozen=True)
 class ConfiguredRobot:
     """A robot: its line, its type, its base frame X (4, 4) in the world, with what moves that at 0, its joints' ranges
-    (None where not told), and what moves its base frame: the name, and the axis where there is one."""
+    (None where not given), and what moves its base frame: the name, and the axis where there is one."""
 
     name: str
     line: int
@@ -249,9 +249,9 @@ class _Reader:
         acc = self._find("ACC_DATA", "" if arm is None else arm.text("use_acc_data"))
         rates = [] if acc is None else [self._number(acc, key) for key in ("wc_acc", "wc_dec")]
         known = [rate for rate in rates if rate]
-        said: Mapping[str, Given] = {} if unit is None else unit.values
+        values: Mapping[str, Given] = {} if unit is None else unit.values
         return External(
-            name=single.name if unit is None or "use_single_1" in said else unit.name,
+            name=single.name if unit is None or "use_single_1" in values else unit.name,
             line=single.line,
             eax=eax,
             eax_line=joint.values["logical_axis"].line if joint is not None and eax is not None else single.line,
@@ -261,8 +261,8 @@ class _Reader:
             X=self._frame(single),
             velocity=abs(motor / ratio) if motor and ratio else None,
             acceleration=min(known) if known else None,
-            active="activate_at_start_up" in said,
-            fixed="deactivation_forbidden" in said,
+            active="activate_at_start_up" in values,
+            fixed="deactivation_forbidden" in values,
         )
 
     def mechanics(self) -> Mechanics:
@@ -275,10 +275,10 @@ class _Reader:
         }
         for single in self.sections.get("SINGLE", ()):
             externals[single.name] = self._external(single, units.get(single.name))
-        robots, told = tuple(self._robots(externals)), self.notices[:_MOST_TOLD]
-        if more := len(self.notices) - len(told):
-            told.append(ProgramWarning(WarningKind.NOT_READ, f"and {more} more like these", self.file))
-        return Mechanics(self.file, robots, tuple(externals.values()), tuple(told))
+        robots, shown = tuple(self._robots(externals)), self.notices[:_MOST_SHOWN]
+        if more := len(self.notices) - len(shown):
+            shown.append(ProgramWarning(WarningKind.NOT_READ, f"and {more} more like these", self.file))
+        return Mechanics(self.file, robots, tuple(externals.values()), tuple(shown))
 
     def _robots(self, externals: Mapping[str, External]) -> Iterator[ConfiguredRobot]:
         for robot in self.sections.get("ROBOT", ()):

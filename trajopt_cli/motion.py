@@ -489,8 +489,8 @@ class Program:
     @property
     def without_effect(self) -> tuple[str, ...]:
         """A line that names what is ignored; none where nothing is."""
-        told = ", ".join(f"{instruction} {count}" for instruction, count in self.ignored.items())
-        return (f"no effect on motion: {told}",) if told else ()
+        counted = ", ".join(f"{instruction} {count}" for instruction, count in self.ignored.items())
+        return (f"no effect on motion: {counted}",) if counted else ()
 
 
 def as_written(program: Program, motion: Motion) -> tuple[str, str]:

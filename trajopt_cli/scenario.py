@@ -178,13 +178,13 @@ def yaml_answer(value: Answer) -> str:
 def _message(one: Missing) -> str:
     if one.section == "assume_identity":  # the reason ends with the option that does the same
         return f"{one.reason}, or the line '{one.line}' in the cell file"
-    told = asked(one.reason, one.close)
+    reason = asked(one.reason, one.close)
     if one.section == "stubs":
         line = f"the line '{one.line}' in the cell file"
-        return f"{told} give the file that declares it, or ignore it: {line}"
+        return f"{reason} give the file that declares it, or ignore it: {line}"
     if one.section == "data" and not one.declared:
-        return f"{told} give the file that declares it, or its value: the line '{one.line}' in the cell file"
-    return f"{told} add the line '{one.line}' to the cell file"
+        return f"{reason} give the file that declares it, or its value: the line '{one.line}' in the cell file"
+    return f"{reason} add the line '{one.line}' to the cell file"
 
 
 def asked(reason: str, close: str | None) -> str:
@@ -193,7 +193,7 @@ def asked(reason: str, close: str | None) -> str:
 
 
 class MissingError(InputErrorGroup):
-    """A run that the scenario tells too little of. missing: what it does not say."""
+    """A run that the scenario says too little of. missing: what it does not say."""
 
     def __init__(self, errors: Sequence[InputError], missing: Sequence[Missing]):
         super().__init__(errors)

@@ -29,7 +29,7 @@ def laid_beside(program: Program, scenario: Scenario, kinematics: Kinematics | N
     r"""The program with its waits behind \Conc laid beside the moves.
 
     Wait.duration becomes what is left of it, Wait.in_position says where it makes a stop of a fly-by, Move.beside how
-    long a move from stop to stop has to last. ExternalDatum is where more time is taken than the controller may need.
+    long a move from stop to stop has to last. Reported is where more time is taken than the controller may need.
     """
     motions = [*program.motions]
     if not any(isinstance(one, Wait) and one.beside is not None for one in motions):

@@ -36,8 +36,8 @@ class Marks:
 
 def way_around(names: Sequence[str]) -> str:
     """The comment behind an additional point; find_marks gives the names back, blanks in them made one each."""
-    told = ", ".join("'" + " ".join(name.split()).replace("'", "''") + "'" for name in names)
-    return f"! trajopt: {_WAY} {told}"
+    listed = ", ".join("'" + " ".join(name.split()).replace("'", "''") + "'" for name in names)
+    return f"! trajopt: {_WAY} {listed}"
 
 
 def find_marks(tree: ModuleFile, places: Places) -> Marks:

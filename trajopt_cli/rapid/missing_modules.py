@@ -21,7 +21,7 @@ _TOKEN = re.compile(  # what can hold or end a declaration, and what only looks 
     r"(?:(?P<routine>PROC|TRAP|FUNC\s+\w+)|VAR\s+\w+|PERS\s+\w+|CONST\s+\w+|ALIAS\s+\w+|RECORD)\s+(?P<name>\w+))\b",
     re.IGNORECASE,
 )
-_UNTOLD = ("signals", "answers", "data", "assume_identity", "stubs")  # of a name that a file might declare
+_MISSING = ("signals", "answers", "data", "assume_identity", "stubs")  # of a name that a file might declare
 
 
 def with_hints(error: InputError, files: Sequence[TextFile], entry: str) -> InputError:
@@ -40,7 +40,7 @@ def _hinted(error: InputError, section: str, beside: _Beside, entry: str) -> Inp
     name = None
     if isinstance(error, NoEntry):
         name = entry
-    elif isinstance(error, Undeclared) or section in _UNTOLD:
+    elif isinstance(error, Undeclared) or section in _MISSING:
         name = beside.name_at(error)
     place = name and beside.declaring(name)
     if not place:
@@ -93,7 +93,7 @@ class _Beside:
                 if path.is_file() and size <= _MAX_BYTES:
                     yield path, decode(path.read_bytes())[0]
             except OSError:
-                continue  # a hint that cannot be had is none; the error itself is told
+                continue  # a hint that cannot be had is none; the error itself is reported
 
 
 _TASK_FOLDERS = ("progmod", "sysmod")

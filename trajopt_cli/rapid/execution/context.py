@@ -113,7 +113,7 @@ class Context(ABC):
         return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
 
     def undeclared(self, node: Name, what: str = "", known: Missing | None = None) -> Undeclared:
-        """The error for a name that stands for nothing; what: "robtarget " and the like. known: as it lacked before."""
+        """The error for a name that stands for nothing; what: "robtarget " and the like. known: as noted before."""
         scope, routine = self.frame.scope, self.frame.routine
         where = [f"{routine.kind} {routine.name}"] if routine else []
         where += [f"MODULE {scope.name}"] if scope.name else []

@@ -79,8 +79,8 @@ def reach(
 ) -> Array:
     """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject.
 
-    A configuration that cannot be had is given up for the nearest posture, and said. Raises Fault for a flange pose
-    that has none at all.
+    A configuration that cannot be had is given up for the nearest posture, with a warning. Raises Fault for a flange
+    pose that has none at all.
     """
     X_WF, near = matrix(flange), run.position.near()
     if demanded:

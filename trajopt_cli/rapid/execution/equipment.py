@@ -28,7 +28,7 @@ from trajopt_cli.warnings import WarningKind
 # How far a quaternion's length may be off: beyond is an error, a warning. Four numbers rounded to four decimals are off
 # by 1e-4 at most, and 0.707 for the root of a half, as people write it, by 1.5e-4: nobody can mend more than spell it.
 NORM_ERROR, NORM_WARNING = 2e-2, 2e-4
-_TOLD = 20  # orientations off unit length that are told one by one
+_MOST = 20  # orientations off unit length that are reported one by one
 NEVER = "it was never given a value"
 
 
@@ -93,7 +93,7 @@ def current_setup(run: Context, node: Node, last: Setup, tool: Expression | None
 def orientation(
     run: Context, q: frames.Quaternion, name: str, node: Node, file: str, given: bool = False
 ) -> frames.Quaternion:
-    """q at length 1, said when that changes it, once per orientation.
+    """q at length 1, reported when that changes it, once per orientation.
 
     name, node, file: whose orientation, and where it is written. given: whether data that it belongs to was given
     a value, so that zeros are not what nobody wrote.
@@ -109,14 +109,14 @@ def orientation(
         message = f"{name} has orientation [{shown}] of length {n:.6g}, limit 1 +- {NORM_ERROR:g}; {hint}"
         raise run.places(file).error(node.start, message)
     if q not in run.position.rough:
-        if len(run.position.rough) < _TOLD:
+        if len(run.position.rough) < _MOST:
             run.position.rough.add(q)
             place = run.places(file).source(node.start)
             run.warn(WarningKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; it is normalised", place)
         else:
             run.warn(
                 WarningKind.ASSUMED,
-                f"more than {_TOLD} orientations are not unit quaternions; the others are normalised without a message",
+                f"more than {_MOST} orientations are not unit quaternions; the others are normalised without a message",
             )
     return frames.normalised(q)
 

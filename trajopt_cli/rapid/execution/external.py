@@ -1,7 +1,7 @@
 """What a running program finds out about its world: signals and answers as the scenario gives them.
 
 A reading of a signal gives, in this order: what the program set it to, or a wait made sure of; the scenario's value, of
-a sequence the next one, the last one staying; else it lacks, is noted once per name, and 0 stands in, so that one run
+a sequence the next one, the last one staying; else it is missing, noted once per name, and 0 stands in, so that one run
 finds everything that is missing. Outputs begin at 0 where the scenario says nothing.
 
 A wait always comes true unless the scenario lets it time out. Of a sequence it drops the values before the first that
@@ -110,7 +110,7 @@ class External:
         return None if given is None else float(self._next("signals", key, given))
 
     def output(self, signal: str) -> float:
-        """The value that a reading of an output gives; nothing lacks."""
+        """The value that a reading of an output gives; nothing is missing."""
         self._asked.add(("signals", signal))
         if signal in self._values:
             return self._values[signal]

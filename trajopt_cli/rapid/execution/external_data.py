@@ -4,8 +4,8 @@ A reading gives what the program assigned last, or a wait made sure of; else the
 next one, the last one staying. A wait for a condition that does not hold lets the outside write: of a sequence it takes
 the first value left that fits, which stays until the program assigns another or a later wait needs one.
 
-A name that nothing declares stands for a signal where a number is asked for (external.py). Elsewhere it is data that
-lacks: a value to begin with stands in, so that one run finds everything that is missing.
+A name that nothing declares stands for a signal where a number is asked for (external.py). Elsewhere it is missing
+data: a value to begin with stands in, so that one run finds everything that is missing.
 """
 
 from __future__ import annotations
@@ -166,7 +166,7 @@ def _array(run: Context, base: Name, element: Type, sizes: tuple[int, ...]) -> P
 def _stand_in(
     run: Context, node: Name, type_: Type, what: str = "", data: Data = None, spelled: str | None = None
 ) -> Place:
-    """Note that data lacks, and let a value to begin with stand in. A trial (External.trying) leaves no trace.
+    """Note that data is missing, and let a value to begin with stand in. A trial (External.trying) leaves no trace.
 
     what: see Context.undeclared.
     """

@@ -71,13 +71,13 @@ def handle(run: Context, fault: Fault, statement: Statement) -> Handled:
     return Handled.PASSED
 
 
-def raise_error(run: Context, node: Node, said: str, name: str, number: float) -> NoReturn:
-    """Raise an error by its number, as said and named in the program; inside a handler it is a long jump."""
+def raise_error(run: Context, node: Node, what: str, name: str, number: float) -> NoReturn:
+    """Raise an error by its number, as what raised and named it in the program; inside a handler it is a long jump."""
     known = next((known for known, its in ERRORS.items() if its == number), None)
     if not (number in USER_ERRORS or known or BOOKED < number <= BOOKED + run.booked):
-        raise run.fault(node, "ERR_ILLRAISE", f"{said}: {number:.6g} is not an error number; get one with BookErrNo")
+        raise run.fault(node, "ERR_ILLRAISE", f"{what}: {number:.6g} is not an error number; get one with BookErrNo")
     place = run.source(node)
-    message = f"{said} is not handled by any ERROR handler"
+    message = f"{what} is not handled by any ERROR handler"
     raise passed_on(run, Fault(message, known or name, number, file=place.file, line=place.line, column=place.column))
 
 

@@ -40,7 +40,7 @@ def run_for(run: Context, node: For) -> None:
     """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs.
 
     The step is added pass by pass and rounded to a num each time. ABB leaves open whether the last pass of a loop of
-    decimals runs (RAPID reference manual, FOR, limitations), so one is told.
+    decimals runs (RAPID reference manual, FOR, limitations), which is reported.
     """
     first, type_ = _bound(run, node.first)
     last, last_type = _bound(run, node.last)

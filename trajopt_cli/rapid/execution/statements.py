@@ -186,8 +186,8 @@ def _simple(run: Context, node: Simple) -> None:
 def _raise(run: Context, node: Raise) -> None:
     """An error of the program's own; inside a handler a long jump (see faults.py)."""
     if node.value is not None:
-        said = run.text(node.value)
-        raise_error(run, node, f"RAISE {said}", said, run.number(node.value))
+        text = run.text(node.value)
+        raise_error(run, node, f"RAISE {text}", text, run.number(node.value))
     fault = run.frame.handling
     if fault is None:
         raise run.fault(node, "ERR_ILLRAISE", "RAISE without a number belongs in an ERROR handler")

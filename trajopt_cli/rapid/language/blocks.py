@@ -1,6 +1,6 @@
 """Blocks of statements, and how reading goes on where their words do not match.
 
-A block that nobody closes is told of once, where it opens; the word that shows it is left to the block around it.
+A block that nobody closes is reported once, where it opens; the word that shows it is left to the block around it.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class BlockParser(ExpressionParser):
         self._open: list[tuple[str, int, str]] = []  # the blocks around the current token: kind, start, name
         self._unclosed: list[tuple[str, int, str]] = []  # blocks that the file ends in, the innermost first
         self._labels: dict[str, int] = {}  # of the routine so far, in lower case, with where they start
-        self._crossed: set[str] = set()  # kinds of block that were told to be unclosed before the end of another
+        self._crossed: set[str] = set()  # kinds of block that were reported unclosed before the end of another
 
     def statement(self) -> Statement:
         """One statement, up to and including what ends it."""

@@ -29,7 +29,7 @@ OTHER_LANGUAGES = {"&": "AND", "|": "OR"}
 
 
 class Cursor:
-    """Reads the tokens of one file. Mistakes that it is told of are kept, so that one run can tell of several."""
+    """Reads the tokens of one file. Mistakes are kept, so that one run can report several."""
 
     def __init__(self, text: str, file: str, whole: Whole | None = None):
         self.places = Places(text, file)

@@ -80,8 +80,8 @@ class Parser(StatementParser):
             self.i += 1
         end = self.behind
         lines = sum(1 for line in self.text[start:end].splitlines() if line.strip() and line.strip()[0] != "!")
-        said = f"{lines} line{'s' if lines > 1 else ''}"
-        self.warnings.append((start, f"text after ENDMODULE ({said}) is not part of the program and does not run"))
+        counted = f"{lines} line{'s' if lines > 1 else ''}"
+        self.warnings.append((start, f"text after ENDMODULE ({counted}) is not part of the program and does not run"))
         return start, end
 
     def _module(self) -> Module:

@@ -7,7 +7,7 @@ instructions that move have in common with these is here too: to_pose.
 from __future__ import annotations
 
 from math import degrees, dist
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from trajopt_cli.motion import (
     Tool,
     UnitMove,
     Written,
+    Zone,
 )
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
@@ -36,9 +37,8 @@ from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.construction import made, maker
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.equipment import orientation, turned, value_of
-from trajopt_cli.rapid.execution.instructions import speed_settings
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
-from trajopt_cli.rapid.execution.instructions.motion_settings import manner
+from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
+from trajopt_cli.rapid.execution.instructions.motion_settings import duration_of, manner, speed_of, zone_of
 from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.position import Setup
 from trajopt_cli.rapid.execution.positioners import driven_axes, kept_axes, moved
@@ -93,50 +93,30 @@ def asked(args: Arguments, via: bool) -> Asked:
     return _asked((point, speed, zone, tool, args, None))
 
 
-def move_j(run: Context, node: ProcedureCall) -> None:
-    """MoveJ ToPoint, Speed, Zone, Tool."""
-    args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
-    to_pose(run, node, MoveJ, asked(args, via=False))
+def _to_pose(kind: PoseKind) -> Handler:
+    """MoveJ, MoveL or MoveC."""
+    via = ("CirPoint",) if kind is MoveC else ()
+
+    def handler(run: Context, node: ProcedureCall) -> None:
+        args = bind(run, node, (*via, "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
+        to_pose(run, node, kind, asked(args, via=bool(via)))
+
+    return handler
 
 
-def move_l(run: Context, node: ProcedureCall) -> None:
-    """MoveL ToPoint, Speed, Zone, Tool."""
-    args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
-    to_pose(run, node, MoveL, asked(args, via=False))
-
-
-def move_c(run: Context, node: ProcedureCall) -> None:
-    """MoveC CirPoint, ToPoint, Speed, Zone, Tool."""
-    args = bind(run, node, ("CirPoint", "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
-    to_pose(run, node, MoveC, asked(args, via=True))
-
-
-def move_abs_j(run: Context, node: ProcedureCall) -> None:
+def _move_abs_j(run: Context, node: ProcedureCall) -> None:
     """MoveAbsJ ToJointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
     target = run.evaluate(point, JOINTTARGET)
-    setup, caps, accuracy, duration = manner(run, speed, zone, tool, args)
-    robax, extax = target.data
+    how = manner(run, speed, zone, tool, args)
+    robax = target.data[0]
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
-    at = driven_axes(run, point, external(run, extax, offset="noeoffs" not in args.optional))
-    number, partner = together(run, node, args)
+    setup = how.setup
     motion = MoveAbsJ(
-        source=run.source(node),
-        written=written(run, node, point, speed, target),
-        target=run.text(point),
-        speed=caps,
-        zone=accuracy,
-        extax=at,
-        duration=duration,
-        optional=marked(run, node),
-        marked=run.ways.get((run.file, node.start), ()),
-        settings=run.settings,
-        units=moved(run, point, at, caps, None, duration is not None),
-        identity=number,
-        partner=partner,
+        **_of_joints(run, node, args, target, how.speed, how.zone, how.duration, "noeoffs" not in args.optional),
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
@@ -146,32 +126,48 @@ def move_abs_j(run: Context, node: ProcedureCall) -> None:
     run.position.to_joints(setup, motion.q, motion.extax)
 
 
-def move_ext_j(run: Context, node: ProcedureCall) -> None:
+def _move_ext_j(run: Context, node: ProcedureCall) -> None:
     """MoveExtJ ToJointPos, Speed, Zone."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = run.evaluate(point, JOINTTARGET)
-    at = driven_axes(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
-    caps = speed_settings.speed(run, speed, args, external=True)
-    number, partner = together(run, node, args)
-    motion = MoveExtJ(
-        source=run.source(node),
-        written=written(run, node, point, speed, target),
-        target=run.text(point),
-        speed=caps,
-        zone=speed_settings.zone(run, zone, args),
-        extax=at,
-        duration=speed_settings.duration(run, args),
-        optional=marked(run, node),
-        marked=run.ways.get((run.file, node.start), ()),
-        settings=run.settings,
-        units=moved(run, point, at, caps, None, "t" in args.optional),
-        identity=number,
-        partner=partner,
-    )
+    caps, duration = speed_of(run, speed, args, external=True), duration_of(run, args)
+    accuracy = zone_of(run, zone, args)
+    motion = MoveExtJ(**_of_joints(run, node, args, target, caps, accuracy, duration, "useeoffs" in args.optional))
     _succession(run, node, args)
     run.motions.append(motion)
     run.position.to_extax(motion.extax)
+
+
+def _of_joints(
+    run: Context,
+    node: ProcedureCall,
+    args: Arguments,
+    target: Value,
+    speed: Speed,
+    zone: Zone,
+    duration: float | None,
+    offset: bool,
+) -> dict[str, Any]:
+    """What moves to a jointtarget have in common. offset: whether EOffs adds to its external axes."""
+    point = args.required[0]
+    at = driven_axes(run, point, external(run, target.data[1], offset=offset))
+    number, partner = together(run, node, args)
+    return {
+        "source": run.source(node),
+        "written": written(run, node, point, args.required[1], target),
+        "target": run.text(point),
+        "speed": speed,
+        "zone": zone,
+        "extax": at,
+        "duration": duration,
+        "optional": marked(run, node),
+        "marked": run.ways.get((run.file, node.start), ()),
+        "settings": run.settings,
+        "units": moved(run, point, at, speed, None, duration is not None),
+        "identity": number,
+        "partner": partner,
+    }
 
 
 def to_pose(
@@ -376,10 +372,10 @@ _NO_OFFSET = (0.0,) * 6
 
 INSTRUCTIONS: Topic = {
     Effect.PLANNED: {
-        "MoveJ": move_j,
-        "MoveL": move_l,
-        "MoveC": move_c,
-        "MoveAbsJ": move_abs_j,
-        "MoveExtJ": move_ext_j,
+        "MoveJ": _to_pose(MoveJ),
+        "MoveL": _to_pose(MoveL),
+        "MoveC": _to_pose(MoveC),
+        "MoveAbsJ": _move_abs_j,
+        "MoveExtJ": _move_ext_j,
     }
 }

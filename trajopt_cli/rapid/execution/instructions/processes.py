@@ -11,8 +11,8 @@ from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Arguments, named, present
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions import speed_settings
 from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
+from trajopt_cli.rapid.execution.instructions.motion_settings import speed_of
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
@@ -71,8 +71,8 @@ def _process(
             message = f"{node.name} takes up to {len(forms[-1])} arguments ({names}), found {len(places)}"
             raise run.error(node, message)
         extra = places[len(points) + 1 : len(places) - behind]
-        told = tuple((label, run.text(value)) for label, value in zip(kinds[len(extra)], extra, strict=True))
-        told += tuple((label, "" if value is None else run.text(value)) for label, value in own.items())
+        parts = tuple((label, run.text(value)) for label, value in zip(kinds[len(extra)], extra, strict=True))
+        parts += tuple((label, "" if value is None else run.text(value)) for label, value in own.items())
         rest = places[-behind:] if zone else [places[len(points)], places[-1]]  # a zone that is not read
         request = asked(Arguments((*places[: len(points) + 1], *rest), plain.optional), via=via)
         if not zone:
@@ -81,7 +81,7 @@ def _process(
         before = name.endswith("Start") or any(option.lower() == "on" for option in own)  # on the way to the process
         if governing is not None and len(extra) > governing and not before:
             speed = _process_speed(run, node, request.speed, extra[governing])
-        to_pose(run, node, kind, request, process=Process(name, told), speed=speed)
+        to_pose(run, node, kind, request, process=Process(name, parts), speed=speed)
 
     return handler
 
@@ -109,7 +109,7 @@ def _process_speed(run: Context, node: ProcedureCall, speed: Expression, data: E
     if run.settings.override != 1:
         what = f"{run.text(data)} sets the speed of the process; VelSet and SpeedRefresh are taken not to change it"
         run.note(f"override {run.text(data)}", WarningKind.ASSUMED, what, node)
-    outside = speed_settings.speed(run, speed, Arguments((), {}))
+    outside = speed_of(run, speed, Arguments((), {}))
     return Speed(run.text(data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
 
 

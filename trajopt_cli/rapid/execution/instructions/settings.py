@@ -26,12 +26,6 @@ def change(run: Context, settings: Settings) -> None:
     publish(run)
 
 
-def _on(run: Context, node: ProcedureCall) -> bool:
-    args = bind(run, node, (), ("On", "Off"))
-    _exclusive(run, node, args, "on", "off")
-    return "off" not in args.optional
-
-
 def _exclusive(run: Context, node: ProcedureCall, args: Arguments, *names: str) -> None:
     given = [name for name in names if name in args.optional]
     if len(given) > 1:
@@ -39,12 +33,11 @@ def _exclusive(run: Context, node: ProcedureCall, args: Arguments, *names: str) 
         raise run.error(node, f"{node.name} takes one of these, found {found}")
 
 
-def _conf_j(run: Context, node: ProcedureCall) -> None:
-    change(run, replace(run.settings, conf_j=_on(run, node)))
-
-
-def _conf_l(run: Context, node: ProcedureCall) -> None:
-    change(run, replace(run.settings, conf_l=_on(run, node)))
+def _configuration(run: Context, node: ProcedureCall) -> None:
+    r"""ConfJ or ConfL: on, unless \Off says otherwise."""
+    on = "off" not in bind(run, node, (), ("On", "Off")).optional
+    joint = node.name.lower() == "confj"
+    change(run, replace(run.settings, conf_j=on) if joint else replace(run.settings, conf_l=on))
 
 
 def _singularity(run: Context, node: ProcedureCall) -> None:
@@ -184,8 +177,8 @@ def _grip_load(run: Context, node: ProcedureCall) -> None:
 
 INSTRUCTIONS: Topic = {
     Effect.RUN: {
-        "ConfJ": _conf_j,
-        "ConfL": _conf_l,
+        "ConfJ": _configuration,
+        "ConfL": _configuration,
         "AccSet": _acceleration,
         "VelSet": _velocity,
         "SpeedRefresh": _refresh,

@@ -12,25 +12,52 @@ from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 
 _OUTPUTS = ("DOp", "GOp", "AOp")
+_ANY = r"\DOp \GOp \AOp"
 _NUMBERED = tuple(f"T{i}" for i in range(2, 9))
 
 # --------------------------------------------------------------------------------------------- setting up triggers
 
 
-def _trigger(run: Context, node: ProcedureCall, argument: Expression, event: PathEvent) -> None:
-    place = run.locate(argument)
-    if place.type.name != "triggdata":
-        raise run.error(argument, f"{run.text(argument)} is a {place.type.name}; {node.name} sets up triggdata")
-    place.value = Value(place.type, (event,))
+def _set_up(takes: str, kind: Happens = Happens.SIGNAL, *, valued: bool = True) -> Handler:
+    r"""An instruction that sets up triggdata, by the names of what it takes.
 
+    Where: Distance before the end of the move, or after its start with \Start; \Time makes seconds of it, EquipLag and
+    ScaleLag are seconds more. What: an interrupt, or the output of AOutput, AOp, \DOp, \GOp or \AOp, set to SetValue;
+    valued False: its value depends on the speed, so the event has none.
+    """
+    names = takes.split()
+    required = tuple(name for name in names if name[0] != "\\")
+    optional = tuple(name[1:] for name in names if name[0] == "\\")
 
-def _where(run: Context, distance: Expression, args: Arguments) -> tuple[float, float, bool]:
-    r"""distance [m], time [s], from_start; \Time makes a time of the number."""
-    value = run.number(distance)
-    if value < 0:
-        raise run.error(distance, f"a trigger lies {value:.6g} before the end of the move; it must not be negative")
-    start = "start" in args.optional
-    return (0.0, value, start) if "time" in args.optional else (value * MM, 0.0, start)
+    def handler(run: Context, node: ProcedureCall) -> None:
+        args = bind(run, node, required, optional)
+        given = dict(zip(required, args.required, strict=True))
+        if "procid" in args.optional and node.name.lower() == "triggio":
+            what = "TriggIO \\ProcID belongs to a process option and does not set a signal that is known here"
+            raise run.error(node, what)
+        distance = given["Distance"]
+        value, start = run.number(distance), "start" in args.optional
+        if value < 0 and "RampLength" not in given:
+            what = f"a trigger lies {value:.6g} before the end of the move; it must not be negative"
+            raise run.error(distance, what)
+        timed = "time" in args.optional and "RampLength" not in given
+        length, time = (0.0, value) if timed else (value * MM, 0.0)
+        if kind is Happens.INTERRUPT:
+            event = PathEvent(kind, run.text(given["Interrupt"]), distance=length, time=time, from_start=start)
+        else:
+            output = given.get("AOutput") or given.get("AOp")
+            signal = _output(run, node, args) if output is None else run.signal(output)
+            wanted = run.number(given["SetValue"]) if valued else None
+            lag = given.get("EquipLag") or given.get("ScaleLag")
+            time = time if lag is None else run.number(lag)
+            event = PathEvent(kind, signal, wanted, distance=length, time=time, from_start=start)
+        place = run.locate(given["TriggData"])
+        if place.type.name != "triggdata":
+            text = f"{run.text(given['TriggData'])} is a {place.type.name}; {node.name} sets up triggdata"
+            raise run.error(given["TriggData"], text)
+        place.value = Value(place.type, (event,))
+
+    return handler
 
 
 def _output(run: Context, node: ProcedureCall, args: Arguments) -> str:
@@ -38,81 +65,6 @@ def _output(run: Context, node: ProcedureCall, args: Arguments) -> str:
     if len(given) != 1 or given[0][1] is None:
         raise run.error(node, f"{node.name} needs one output: \\DOp, \\GOp or \\AOp")
     return run.signal(given[0][1])
-
-
-def _io(run: Context, node: ProcedureCall) -> None:
-    r"""TriggIO TriggData, Distance [\Start | \Time] \DOp | \GOp | \AOp, SetValue."""
-    options = ("Start", "Time", *_OUTPUTS, "ProcID", "DODelay")
-    args = bind(run, node, ("TriggData", "Distance", "SetValue"), options)
-    trigger, distance, value = args.required
-    if "procid" in args.optional:
-        raise run.error(
-            node, "TriggIO \\ProcID belongs to a process option and does not set a signal that is known here"
-        )
-    length, time, start = _where(run, distance, args)
-    signal = _output(run, node, args)
-    event = PathEvent(Happens.SIGNAL, signal, run.number(value), distance=length, time=time, from_start=start)
-    _trigger(run, node, trigger, event)
-
-
-def _equipment(run: Context, node: ProcedureCall) -> None:
-    r"""TriggEquip TriggData, Distance [\Start], EquipLag \DOp | \GOp | \AOp, SetValue."""
-    options = ("Start", *_OUTPUTS, "ProcID", "Inhib", "InhibDO", "Mode")
-    args = bind(run, node, ("TriggData", "Distance", "EquipLag", "SetValue"), options)
-    trigger, distance, lag, value = args.required
-    length, _, start = _where(run, distance, args)
-    signal, wanted = _output(run, node, args), run.number(value)
-    event = PathEvent(Happens.SIGNAL, signal, wanted, distance=length, time=run.number(lag), from_start=start)
-    _trigger(run, node, trigger, event)
-
-
-def _interrupt(run: Context, node: ProcedureCall) -> None:
-    r"""TriggInt TriggData, Distance [\Start | \Time], Interrupt."""
-    args = bind(run, node, ("TriggData", "Distance", "Interrupt"), ("Start", "Time"))
-    trigger, distance, interrupt = args.required
-    length, time, start = _where(run, distance, args)
-    event = PathEvent(Happens.INTERRUPT, run.text(interrupt), distance=length, time=time, from_start=start)
-    _trigger(run, node, trigger, event)
-
-
-def _check(run: Context, node: ProcedureCall) -> None:
-    r"""TriggCheckIO TriggData, Distance [\Start | \Time], Signal, Relation, CheckValue [\StopMove], Interrupt."""
-    required = ("TriggData", "Distance", "Signal", "Relation", "CheckValue", "Interrupt")
-    args = bind(run, node, required, ("Start", "Time", "StopMove"))
-    trigger, distance, *_, interrupt = args.required
-    length, time, start = _where(run, distance, args)
-    event = PathEvent(Happens.INTERRUPT, run.text(interrupt), distance=length, time=time, from_start=start)
-    _trigger(run, node, trigger, event)
-
-
-def _ramp(run: Context, node: ProcedureCall) -> None:
-    r"""TriggRampAO TriggData, Distance [\Start], EquipLag, AOutput, SetValue, RampLength [\Time]."""
-    required = ("TriggData", "Distance", "EquipLag", "AOutput", "SetValue", "RampLength")
-    args = bind(run, node, required, ("Start", "Time"))
-    trigger, distance, lag, output, value, _ = args.required
-    signal, wanted = run.signal(output), run.number(value)
-    event = PathEvent(
-        Happens.SIGNAL,
-        signal,
-        wanted,
-        distance=run.number(distance) * MM,
-        time=run.number(lag),
-        from_start="start" in args.optional,
-    )
-    _trigger(run, node, trigger, event)
-
-
-def _scaled(run: Context, node: ProcedureCall) -> None:
-    r"""TriggSpeed TriggData, Distance [\Start], ScaleLag, AOp, ScaleValue: an output that follows the TCP speed.
-
-    Its value depends on the speed, so the event has none.
-    """
-    required = ("TriggData", "Distance", "ScaleLag", "AOp", "ScaleValue")
-    args = bind(run, node, required, ("Start", "DipLag", "ErrDO", "Inhib", "InhibDO", "Mode"))
-    trigger, distance, lag, output, _ = args.required
-    length, _, start = _where(run, distance, args)
-    event = PathEvent(Happens.SIGNAL, run.signal(output), distance=length, time=run.number(lag), from_start=start)
-    _trigger(run, node, trigger, event)
 
 
 # -------------------------------------------------------------------------------------------------- moves with them
@@ -191,12 +143,16 @@ _KINDS: tuple[tuple[str, PoseKind], ...] = (("J", MoveJ), ("L", MoveL), ("C", Mo
 
 INSTRUCTIONS: Topic = {
     Effect.PLANNED: {
-        "TriggIO": _io,
-        "TriggEquip": _equipment,
-        "TriggInt": _interrupt,
-        "TriggCheckIO": _check,
-        "TriggRampAO": _ramp,
-        "TriggSpeed": _scaled,
+        "TriggIO": _set_up(rf"TriggData Distance SetValue \Start \Time {_ANY} \ProcID \DODelay"),
+        "TriggEquip": _set_up(rf"TriggData Distance EquipLag SetValue \Start {_ANY} \ProcID \Inhib \InhibDO \Mode"),
+        "TriggInt": _set_up(r"TriggData Distance Interrupt \Start \Time", Happens.INTERRUPT),
+        "TriggCheckIO": _set_up(
+            r"TriggData Distance Signal Relation CheckValue Interrupt \Start \Time \StopMove", Happens.INTERRUPT
+        ),
+        "TriggRampAO": _set_up(r"TriggData Distance EquipLag AOutput SetValue RampLength \Start \Time"),
+        "TriggSpeed": _set_up(
+            r"TriggData Distance ScaleLag AOp ScaleValue \Start \DipLag \ErrDO \Inhib \InhibDO \Mode", valued=False
+        ),
         **{name: _triggered(kind, name) for letter, kind in _KINDS for name in (f"Trigg{letter}",)},
         **{
             name: _with_output(kind, name)

@@ -7,7 +7,7 @@ Where the scenario says `timeout`, a wait with \MaxTime lasts that long, and set
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import takewhile
 
@@ -20,6 +20,7 @@ from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.loops import never
+from trajopt_cli.rapid.execution.operators import COMPARE
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -98,12 +99,6 @@ def _wait_robot(run: Context, node: ProcedureCall) -> None:
 
 # ---------------------------------------------------------------------------------------------------------- signals
 
-_TESTS: dict[str, Callable[[float, float], bool]] = {
-    "=": lambda value, wanted: value == wanted,
-    "<": lambda value, wanted: value < wanted,
-    ">": lambda value, wanted: value > wanted,
-    "<>": lambda value, wanted: value != wanted,
-}
 _SWITCHES = {"lt": "<", "gt": ">", "noteq": "<>"}
 _TIMEOUT = ("MaxTime", "TimeFlag")
 
@@ -126,7 +121,7 @@ def _signal_wait(*switches: str, digital: bool = False) -> Handler:
 
 
 def _await(run: Context, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
-    fits = _TESTS[test]
+    fits = COMPARE[test]
     left = run.external.awaited(signal, lambda value: fits(value, wanted), wanted if test == "=" else None)
     if left:
         values = ", ".join(f"{value:.15g}" for value in left[:7]) + (", ..." if len(left) > 7 else "")
@@ -197,15 +192,15 @@ def _from_outside(run: Context, node: ProcedureCall, wanted: Expression, terms: 
         return run.external.poll(lambda: run.condition(wanted))
 
     parts = [part for part in _parts(run, wanted) if isinstance(run.locate(part).type, Atomic)]
-    told = [place for name in dict.fromkeys(root(run, part).lower() for part in parts) if (place := _given(run, name))]
-    if not told:
+    given = [place for name in dict.fromkeys(root(run, part).lower() for part in parts) if (place := _given(run, name))]
+    if not given:
         if terms is None and not holds():
             external_data.ask(run, node, parts, _unknown(run, wanted), _values(run, wanted, parts), shown, holds)
         return False
-    if external_data.awaited(run, told, holds):
+    if external_data.awaited(run, given, holds):
         return True
-    if terms is None or any(isinstance(run.scenario.data[one.name].value, tuple) for one in told):
-        names = ", ".join(one.name for one in told)
+    if terms is None or any(isinstance(run.scenario.data[one.name].value, tuple) for one in given):
+        names = ", ".join(one.name for one in given)
         raise run.error(
             node,
             f"{node.name} waits for {shown}, and none of the values that the cell file has left for {names} makes it "
