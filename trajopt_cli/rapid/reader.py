@@ -11,9 +11,9 @@ from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.rapid.concurrent import laid_beside
 from trajopt_cli.rapid.entry import find_entry
-from trajopt_cli.rapid.execution.constant_speed import fill_constant_speed
 from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
+from trajopt_cli.rapid.execution.named import fill_constant_speed
 from trajopt_cli.rapid.execution.rail_hold import fill_holds
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, Routine

@@ -15,10 +15,10 @@ from trajopt_cli.rapid.data.scope import CallFrame, ModuleScope, Part, Place
 from trajopt_cli.rapid.execution import calls, statements
 from trajopt_cli.rapid.execution import evaluate as expressions
 from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.instructions.settings import publish
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.recursion_limit import room
 from trajopt_cli.rapid.execution.single_runs import fill_once
-from trajopt_cli.rapid.execution.system_data import publish
 from trajopt_cli.rapid.language.syntax import Expression, Node, Routine
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.warnings import WarningKind

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from trajopt_cli.errors import ErrorKind, InputError
-from trajopt_cli.motion import Span
+from trajopt_cli.motion import MoveC, MoveL, Span
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import Lines
+from trajopt_cli.warnings import WarningKind
 
 Modules = Sequence[tuple[Module, Places]]
 _SHOWN = 5  # names in a message
@@ -104,3 +105,23 @@ class Around:
                 number for span, number in self._stretches if span.file == file and span.start <= node.start < span.end
             )
         return self._statements[id(node)]
+
+
+def fill_constant_speed(run: Context, modules: Modules) -> None:
+    """Mark the lines and arcs of a finished run that constant_speed names, and warn of entries that name none.
+
+    Raises InputError for a procedure or a line in the cell file that the program does not have.
+    """
+    wish = run.scenario.constant_speed
+    entries = [*named(run, modules, "constant_speed", wish.procedures, wish.lines)]
+    if not entries:
+        return
+    around = Around([entry.spans for entry in entries])
+    used: set[int] = set()
+    for motion, link in zip(run.motions, run.links, strict=True):
+        if isinstance(motion, MoveL | MoveC) and (found := around(link)):
+            used |= found
+            object.__setattr__(motion, "constant_speed", True)  # still the run's own, as in once.py
+    for number, entry in enumerate(entries):
+        if number not in used:
+            run.warn(WarningKind.UNUSED, f"constant_speed in the cell file: no line and no arc ran in {entry.text}")

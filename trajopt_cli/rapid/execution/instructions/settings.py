@@ -5,18 +5,21 @@ from __future__ import annotations
 from dataclasses import replace
 
 from trajopt_cli.motion import CirPathMode, Settings, Singularity
+from trajopt_cli.rapid.data.datatypes import MOTSETDATA, PROGDISP, Value
+from trajopt_cli.rapid.data.frames import IDENTITY
+from trajopt_cli.rapid.data.predefined import VMAX
 from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import still_moving
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
-from trajopt_cli.rapid.execution.system_data import publish
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
 _LEAST_PATH_LIMIT, _NUM = 0.1, 1e-8  # m/s2, and the rounding of a num
 _LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
+_NO_LIMIT = -1.0  # what a controller shows of an acceleration that is not limited
 
 
 def change(run: Context, settings: Settings) -> None:
@@ -24,6 +27,30 @@ def change(run: Context, settings: Settings) -> None:
     if settings != run.settings:
         run.settings = settings
     publish(run)
+
+
+def publish(run: Context) -> None:
+    """Let C_PROGDISP and C_MOTSET hold what is in force, for a program to read (RAPID overview, system data).
+
+    What of a motsetdata nothing here follows is refused where it is read (UNFOLLOWED in datatypes.py).
+    """
+    settings = run.settings
+    run.progdisp.value = Value(PROGDISP, (run.position.displacement or IDENTITY, settings.eax_offset))
+    override, highest = run.velset
+    wrist, axis_4 = (settings.singularity is kind for kind in (Singularity.WRIST, Singularity.LOCK_AXIS_4))
+    limits = (settings.path_acceleration, settings.path_deceleration, settings.world_acceleration)
+    acc, dec, world = ((limit is not None, _NO_LIMIT if limit is None else limit) for limit in limits)
+    run.motset.value = Value(
+        MOTSETDATA,
+        (
+            (override * 100, VMAX if highest is None else highest / MM),
+            (settings.acceleration * 100, settings.ramp * 100, 100.0),
+            (wrist, axis_4, False, not (wrist or axis_4)),
+            (settings.conf_j, settings.conf_l, 0.0, 0.0, 0.0),
+            *(100.0, True, 100.0),
+            *(*acc, *dec, 0.0, *world, False, False),
+        ),
+    )
 
 
 def _exclusive(run: Context, node: ProcedureCall, args: Arguments, *names: str) -> None:
