@@ -85,6 +85,8 @@ def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
     """The external axes of a move's target that active units drive; reports once per unit that a value is ignored, or
     missing."""
     units = run.units
+    if not units.axes:  # nearly always
+        return extax
     for eax, names in units.inactive.items():
         value = extax[eax]
         at = [

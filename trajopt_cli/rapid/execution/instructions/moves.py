@@ -162,7 +162,7 @@ def _of_joints(
         "extax": at,
         "duration": duration,
         "optional": marked(run, node),
-        "marked": run.ways.get((run.file, node.start), ()),
+        "marked": run.ways.get((run.file, node.start), ()) if run.ways else (),
         "settings": run.settings,
         "units": moved(run, point, at, speed, None, duration is not None),
         "identity": number,
@@ -216,7 +216,7 @@ def to_pose(
         "duration": duration,
         "optional": marked(run, node),
         "detour": (),
-        "marked": run.ways.get((run.file, node.start), ()),
+        "marked": run.ways.get((run.file, node.start), ()) if run.ways else (),
         "settings": settings,
         "events": events,
         "process": process,
@@ -256,8 +256,8 @@ def _succession(run: Context, node: ProcedureCall, args: Arguments) -> None:
 
 def _check_unit(run: Context, node: ProcedureCall, setup: Setup) -> None:
     """Refuse a move on a work object that moves by itself."""
-    fixed, unit = setup.wobj_data[1:3]
-    if not fixed and run.units.moves_by_itself(str(unit)):
+    unit = "" if setup.wobj_data[1] else str(setup.wobj_data[2])
+    if unit and run.units.moves_by_itself(unit):
         run.refuse(
             "moving work objects",
             node,
