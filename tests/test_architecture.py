@@ -132,6 +132,10 @@ def floor_of(room: str, floors: tuple[tuple[str, ...], ...] = FLOORS) -> int:
     return next(i for i, rooms in enumerate(floors) if room in rooms)
 
 
+def inner_rooms(room: str) -> set[str]:
+    return {one for floor in INNER[room] for one in floor}
+
+
 @cache
 def statements(text: str, module: str) -> tuple[tuple[int, str, str], ...]:
     """Line, dotted name and what is taken from it of every import in a module's text; "" for `import a.b` itself."""
@@ -203,6 +207,8 @@ def violations(path: str, text: str) -> list[str]:
                     found.append(f"{path}:{line}: {room}/{parts[1]} imports {rest[1]}, which is not under it")
             continue
         other = rest[0]
+        if other == "iiwa" and (room != "cli" or (rest[1:2] and rest[1] in inner_rooms("iiwa"))):
+            found.append(f"{path}:{line}: the iiwa job is behind one door, trajopt_cli.iiwa, for commands alone")
         lower = other in STACK[room] if room in STACK else floor_of(other) < floor_of(room)
         if not lower:
             found.append(f"{path}:{line}: {room} imports {other}, which is not on a floor under it")
@@ -221,6 +227,17 @@ def test_every_room_stands_on_a_floor() -> None:
     for room, floors in INNER.items():
         inner = {p.name for p in (PACKAGE / room).iterdir() if (p / "__init__.py").exists()}
         assert inner == {one for floor in floors for one in floor}
+
+
+def test_the_door_of_the_iiwa_job_opens_what_it_names_and_imports_nothing_before() -> None:
+    from trajopt_cli import iiwa
+
+    assert all(getattr(iiwa, name) is not None for name in iiwa.__all__)
+    listed = without_type_checking((PACKAGE / "iiwa" / "__init__.py").read_text("utf-8"))
+    assert {name.split(".")[0] for _, name in imports(listed, "trajopt_cli.iiwa.__init__")} == {"importlib", "typing"}
+    assert {p.name for p in (PACKAGE / "cli").glob("*.py") if "trajopt_cli.iiwa" in p.read_text("utf-8")} <= {
+        *("iiwa.py", "verify.py", "schema.py"),
+    }
 
 
 @pytest.mark.parametrize(
@@ -251,6 +268,9 @@ def test_every_room_stands_on_a_floor() -> None:
         ("runs/results.py", "from trajopt_cli.exporters.rapid_diff import patch", "runs imports exporters"),
         ("runs/folder.py", "from trajopt_cli.iiwa.task.model import Task", "runs imports iiwa"),
         ("cli/export.py", "import pydantic", "pydantic lives in"),
+        ("cli/iiwa.py", "def f():\n    from trajopt_cli.iiwa.job.folder import open_folder", "behind one door"),
+        ("cli/iiwa.py", "from trajopt_cli.iiwa import judge", "behind one door"),
+        ("study/table.py", "from trajopt_cli import iiwa", "behind one door"),
         (
             "iiwa/task/model.py",
             "from trajopt_cli.iiwa.controller.lag import Lag",
@@ -328,9 +348,11 @@ COMPLIANT_SHARED = {
 
 @cache
 def sources() -> Mapping[str, str]:
-    """The text of every module by its dotted name inside the package; a package's own is that of its __init__."""
+    """The text of every module by its dotted name inside the package; a package's own is that of its __init__, a door's
+    without what it names for type checkers only."""
     names = {p: str(p.relative_to(PACKAGE).with_suffix("")).replace("/", ".") for p in PACKAGE.rglob("*.py")}
-    return MappingProxyType({name.removesuffix(".__init__"): p.read_text("utf-8") for p, name in names.items()})
+    texts = {name.removesuffix(".__init__"): p.read_text("utf-8") for p, name in names.items()}
+    return MappingProxyType(texts | {"iiwa": without_type_checking(texts["iiwa"])})
 
 
 @cache

@@ -12,7 +12,7 @@ from hatchling.build import build_wheel
 from packaging.metadata import Metadata
 
 import trajopt_cli
-from trajopt_cli.iiwa.experiments.folder import ExperimentsRecord
+from trajopt_cli.iiwa.experiments.catalogue import ExperimentsRecord
 from trajopt_cli.iiwa.job.folder import TaskRecord
 from trajopt_cli.runs.results import PlanRecord
 

@@ -150,7 +150,6 @@ def test_an_arm_angle_is_chosen_told_and_drawn(
     assert f"{100 * steady:.2f}" in shown.out
     assert said["optimal"]["speed_share_rms"] < said["fixed"]["speed_share_rms"]
     before = (folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes()
-    monkeypatch.setattr("trajopt_cli.iiwa.report.pictures.joints", lambda *_: {})  # drawn once is enough of it
     assert run(["iiwa", "joints", str(folder), *options, "--plots", str(plots)]) == 0
     assert before == ((folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes())
     assert run(["iiwa", "joints", str(folder)]) == 0
@@ -198,7 +197,7 @@ def test_a_run_lags_as_the_law_says_and_is_fed_from_the_files(task: Path, capsys
         rate, state = rate - H / M * (D * rate + K * (state - x_e[k])), state + H * rate
     deviation = rows[:, heads.index("deviation [m]")]
     assert f"lag at most {deviation.max() * 1e3:.2f} mm" in shown
-    assert f"push with up to {1000 * deviation.max():.1f} N" in shown
+    assert f"force if blocked: up to {1000 * deviation.max():.1f} N" in shown
     assert run(["iiwa", "simulate", str(folder), "--feed", "velocity"]) == 0
     _, fed = table(folder / "simulation.csv")
     assert fed[:, heads.index("deviation [m]")].max() < deviation.max() / 3
@@ -276,13 +275,13 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     dosed = task.parent / "out-dosed"
     shown = capsys.readouterr().out
     assert "lag of at most 3 mm, push of at most 20 N" in shown
-    told = re.search(r"begin to push with up to ([0-9.]+) N and ([0-9.]+) Nm", shown)
+    told = re.search(r"force if blocked: up to ([0-9.]+) N and ([0-9.]+) Nm", shown)
     assert told is not None
     # the whole loop on an arm that follows, fed as the folder says
     assert run(["iiwa", "simulate", str(dosed), "--engine", "spring"]) == 0
     simulated = capsys.readouterr().out
     assert f"feed {'velocity' if feed == 'velocity' else 'position'}" in simulated
-    assert f"push with up to {told[1]} N" in simulated  # the same number from both commands
+    assert f"force if blocked: up to {told[1]} N" in simulated  # the same number from both commands
     assert (", counted from plan.csv" in simulated) == (feed == "inverse")
     heads, rows = table(dosed / "simulation.csv")
     assert rows[:, heads.index("deviation [m]")].max() <= 3e-3 * (1 + 1e-6)

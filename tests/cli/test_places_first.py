@@ -45,7 +45,7 @@ def test_nothing_is_solved_for_a_place_that_cannot_be_written(
     def solve(*_: object, **__: object) -> None:
         raise AssertionError("it is solved")
 
-    monkeypatch.setattr("trajopt_cli.iiwa.experiments.catalogue.run_experiments", solve)
+    monkeypatch.setattr("trajopt_cli.iiwa.experiments.catalogue.bench_of", solve)
     monkeypatch.setattr("trajopt_cli.iiwa.job.segments.read_task", solve)
     bad = {"tiny.mod/below": "a file where a folder should be"}
     if Path("/proc").is_dir():

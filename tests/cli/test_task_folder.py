@@ -14,7 +14,7 @@ import pytest
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.iiwa.experiments.folder import ExperimentsRecord
+from trajopt_cli.iiwa.experiments.catalogue import ExperimentsRecord
 from trajopt_cli.iiwa.job.folder import TaskRecord, TaskSummary, read_task_run, write_task_run
 from trajopt_cli.iiwa.task.model import AngleMeaning, RotationLaw
 from trajopt_cli.runs.folder import check_replaceable, read_run

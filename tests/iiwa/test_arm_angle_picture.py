@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.arm_angle import map_figure
-from trajopt_cli.iiwa.report.pictures import ArmAngleSeries
+from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
 from trajopt_cli.iiwa.task.arm_map import ArmMap, arm_map, stages
 from trajopt_cli.report.style import house_style
 from trajopt_cli.robot.srs import load_srs
@@ -35,7 +34,7 @@ def drawn() -> tuple[Figure, ArmMap, Array, list[ArmAngleSeries]]:
             ArmAngleSeries(name, angles, np.unwrap(inverse_branch(ROBOT, X_WF, angles, ArmAngle.FARIA, branch), axis=0))
         )
     with house_style():
-        return map_figure(T, chart, LIMITS, courses, "faria", "a way"), chart, X_WF, courses
+        return map_figure(T, chart, LIMITS, courses, "faria", (), "a way"), chart, X_WF, courses
 
 
 def line(axes: Axes, gid: str) -> Array:
@@ -62,7 +61,7 @@ def test_a_cell_is_coloured_where_a_joint_is_out_of_its_range(
     axes = figure.axes[0]
     branch = int(configuration(UPRIGHT))
     zones = {str(one.get_gid()): one for one in axes.collections if str(one.get_gid() or "").startswith("out joint")}
-    (room,) = (one for one in axes.collections if one.get_gid() == "room")
+    (room,) = (one for one in axes.collections if one.get_gid() == "margin")
     assert zones
     low, high = axes.get_ylim()
     assert high - low >= 360

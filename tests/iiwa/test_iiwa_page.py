@@ -14,7 +14,7 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.experiments.page import experiments_page
+from trajopt_cli.iiwa.experiments.tables import experiments_page
 from trajopt_cli.iiwa.report.page import AFTER, Chart, Curve, charts_data
 
 TASK = """\
@@ -69,7 +69,7 @@ def test_a_simulation_is_shown_as_it_is_written(tmp_path: Path) -> None:
     page = (folder / "report.html").read_text()
     assert len(page) < 1_000_000
     data, summary = data_of(page), json.loads((folder / "summary.json").read_text())["simulation"]
-    assert [one["name"] for one in data["clock"]["cycles"]] == ["asked", "foretold"]
+    assert [one["name"] for one in data["clock"]["cycles"]] == ["commanded", "predicted"]
     assert data["clock"]["duration"] == pytest.approx(summary["duration_s"])
     lag = unpacked(data["arrays"][data["charts"]["lag"]["series"][0]["y"]])
     assert lag.max() == pytest.approx(1000 * summary["lag"]["largest_m"], rel=1e-6)
@@ -84,7 +84,7 @@ def test_a_dosed_sequence_stands_beside_what_it_was_made_from(tmp_path: Path) ->
     assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--output", str(dosed)]) == 0
     page = (dosed / "report.html").read_text()
     data, summary = data_of(page), json.loads((dosed / "summary.json").read_text())["dosing"]
-    assert [one["name"] for one in data["clock"]["cycles"]] == ["as programmed", "dosed, positions"]
+    assert [one["name"] for one in data["clock"]["cycles"]] == ["as programmed", "scheduled, positions"]
     assert data["charts"]["lag"]["limits"] == [{"value": pytest.approx(20.0), "name": "allowed"}]
     before, _, after = (unpacked(data["arrays"][one["y"]]).max() for one in data["charts"]["lag"]["series"])
     assert before > 20.0 >= after - 1e-5
@@ -101,8 +101,8 @@ def test_a_run_that_the_arm_cannot_follow_shows_what_was_asked(
     (told,) = [line for line in capsys.readouterr().err.splitlines() if "cannot be reached" in line]
     page = (folder / "report.html").read_text()
     data = data_of(page)
-    assert [one["name"] for one in data["clock"]["cycles"]] == ["asked"]
-    assert [one["name"] for one in data["scene"]["cycles"]] == ["asked"]
+    assert [one["name"] for one in data["clock"]["cycles"]] == ["commanded"]
+    assert [one["name"] for one in data["scene"]["cycles"]] == ["commanded"]
     assert '<dd class="big">cannot</dd>' in page
     assert escape(told.split(";")[0]) in page
 
@@ -129,11 +129,24 @@ def test_the_experiments_numbers_in_units_for_people() -> None:
         },
         "loop_time": {"section": "6.3", "title": "time", "notes": [], "thesis_worst_s": 0.5},
     }
-    pictures = {"speed_path.svg": b"<svg>1</svg>", "loop_time.svg": b"<svg>2</svg>", "speed.png": b"png"}
-    page = experiments_page(numbers, {**pictures, "stability.svg": b"x" * 700_000}).decode()
-    for wanted in ("thesis deviation [mm]", ">89<", "within 12 % of the thesis", "1.000 °", "2 Nm", "&lt;b&gt;", ">–<"):
+    speed, loop = b"<svg>1</svg>", b"<svg>2</svg>"
+    pictures = {
+        "speed": {"speed.svg": speed, "speed.png": b"png"},
+        "stability": {"stability.svg": b"x" * 700_000},
+        "loop_time": {"loop_time.svg": loop},
+    }
+    page = experiments_page(numbers, pictures).decode()
+    for wanted in (
+        "thesis deviation [mm]",
+        ">89<",
+        "largest relative difference</dt><dd>0.123<",
+        "1.000 °",
+        "2 Nm",
+        "&lt;b&gt;",
+        ">–<",
+    ):
         assert wanted in page
-    assert b64encode(pictures["speed_path.svg"]).decode() in page
-    assert b64encode(pictures["loop_time.svg"]).decode() not in page
+    assert b64encode(speed).decode() in page
+    assert b64encode(loop).decode() not in page
     assert "Not in this page, for its size: stability.svg" in page
     assert len(page) < 200_000

@@ -22,7 +22,7 @@ from spoiled_iiwa import SPOILED
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed, Lead
-from trajopt_cli.iiwa.job.feed_scheduling import DosedJob, dose_folder
+from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob, schedule_feed
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.verify import Judged, verify_folder
 from trajopt_cli.iiwa.task.model import AngleMeaning
@@ -190,8 +190,8 @@ def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str]
 def test_a_dosed_sequence_keeps_its_path_and_its_caps(
     feed: DoseFeed, bases: Callable[[str], Path], tmp_path: Path
 ) -> None:
-    dosed = dose_folder(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)), feed)
-    assert isinstance(dosed, DosedJob)
+    dosed = schedule_feed(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)), feed)
+    assert isinstance(dosed, ScheduledJob)
     judged = verify_folder(tmp_path / "dosed")
     assert messages(judged) == []
     plan = "plan_quaternion.csv" if feed is DoseFeed.INVERSE else "equilibrium_quaternion.csv"
@@ -202,10 +202,10 @@ def test_a_dosed_sequence_keeps_its_path_and_its_caps(
 
 def test_a_plan_that_passes_its_corners_at_speed_has_rows_at_them(tmp_path: Path) -> None:
     make_folder(tmp_path / "cube", shipped("cube").replace("profile: trapezoid", "profile: thesis"), joints=False)
-    dosed = dose_folder(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)), DoseFeed.INVERSE)
-    assert isinstance(dosed, DosedJob)
-    assert any("slowed down" in note for note in dosed.dosed.notes)  # or the joints would break theirs
-    assert dosed.dosed.lag.maximum > 4e-3  # corners are cut
+    dosed = schedule_feed(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)), DoseFeed.INVERSE)
+    assert isinstance(dosed, ScheduledJob)
+    assert any("slowed down" in note for note in dosed.scheduled.notes)  # or the joints would break theirs
+    assert dosed.scheduled.lag.maximum > 4e-3  # corners are cut
     judged = verify_folder(tmp_path / "dosed")
     assert messages(judged) == []
     assert {"pose reached", "v_max"} <= {finding.check for finding in judged.reports["plan_quaternion.csv"].findings}

@@ -1,21 +1,19 @@
-"""`trajopt iiwa segments|joints|simulate|dose|experiments`: what a compliant controller is fed, and makes of it."""
+"""`trajopt iiwa segments|joints|simulate|dose|experiments`: what a compliant controller is fed, and how it follows."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal, NoReturn
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet
 from trajopt_cli.cli.process import wrote
-from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
 
-    from trajopt_cli.iiwa.controller.feed_limits import Lead
-    from trajopt_cli.iiwa.job.simulation import NoRun
+    from trajopt_cli.iiwa import Answer, Refused
 
 app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
 
@@ -24,7 +22,7 @@ TaskResults = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results fo
 
 @app.callback()
 def _group() -> None:
-    """Cartesian segments for a compliant KUKA LBR iiwa 7, its joints, and what the controller will make of them."""
+    """Cartesian segments for a compliant KUKA LBR iiwa 7, its joints, and how the controller will follow them."""
 
 
 @app.command("segments", short_help="TASK's poses in, one pose per period out.")
@@ -53,26 +51,9 @@ def segments(
     Example:
       trajopt iiwa segments programs/iiwa_cube.yaml
     """
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
-    from trajopt_cli.cli.iiwa_tables import passing_lines, segments_table, sequence_line
-    from trajopt_cli.iiwa.job.folder import read_summary
-    from trajopt_cli.iiwa.job.segments import make_segments
-    from trajopt_cli.iiwa.task.model import AngleMeaning
+    from trajopt_cli import iiwa
 
-    folder = output or Path("results") / task.stem
-    meaning = AngleMeaning(angles) if angles else None
-    made = make_segments(task, folder, task_file, meaning, said(quiet))
-    if as_json:
-        print_json(read_summary(folder)["sequence"])
-        return
-    if quiet:
-        result(sequence_line(made.opened.equilibrium))
-        return
-    console = stdout()
-    show(console, segments_table(task.name, made.facts))
-    tell(console, passing_lines(made.facts, made.opened.task.route))
-    tell(console, [sequence_line(made.opened.equilibrium), *(f"note: {note}" for note in made.notes)])
-    tell(console, [f"written to {folder}"])
+    _report(iiwa.segments(task, output, task_file, angles, said(quiet)), as_json, quiet)
 
 
 @app.command("joints", short_help="RESULTS' joints in one configuration, the arm angle fixed or chosen.")
@@ -104,72 +85,13 @@ def joints(
       trajopt iiwa segments programs/iiwa_cube.yaml
       trajopt iiwa joints results/iiwa_cube
     """
-    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
-    from trajopt_cli.cli.iiwa_tables import (
-        ahead_line,
-        arm_line,
-        chosen_lines,
-        chosen_table,
-        failure_lines,
-        joints_table,
-    )
+    from trajopt_cli import iiwa
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.iiwa.job.folder import check_place, read_summary
-    from trajopt_cli.iiwa.job.joints import follow_joints, stops_nothing
-    from trajopt_cli.iiwa.task.joints import Unfollowable
     from trajopt_cli.problem.progress import Progress
-    from trajopt_cli.runs.transaction import write_files
 
-    check_place(plots, "--plots")
-    _check_results(results)
-    if goal is not None and arm_angle != "optimal":
-        raise InputError(f"--for {goal}: says what --arm-angle optimal is best for; the arm angle is {arm_angle} here")
-    wanted = None
-    if arm_angle == "optimal":
-        from trajopt_cli.iiwa.task.arm_plan import Goal
-
-        wanted = Goal(goal or "limits")
     with ProgressView(quiet=quiet) as view:
-        opened, answer = follow_joints(
-            results, arm_angle == "free", wanted, lambda phase: view.show("joints", Progress(phase))
-        )
-    assert opened.folder is not None
-    ahead = [ahead_line(opened)] if "dosing" in opened.folder.sections() else []
-    if isinstance(answer, Unfollowable):
-        no((f"{opened.task.file}: {answer.message}", *ahead), as_json, answer="out of reach")
-    failed = [finding for finding in answer.findings if not finding.passed]
-    written = stops_nothing(answer)
-    if written:
-        wrote(results / "joints.csv")
-    if as_json and written:
-        print_json(read_summary(results)["joints"])
-    elif as_json:
-        print_json({"feasible": False, "answer": "limits broken", "why": [one.message for one in failed]})
-    elif quiet:
-        result(arm_line(answer))
-    else:
-        console = stdout()
-        show(console, joints_table(opened.robot.name, answer))
-        tell(console, [arm_line(answer)])
-        if answer.plan is not None:
-            show(console, chosen_table(answer.plan))
-            tell(console, chosen_lines(answer.plan))
-        tell(console, (f"note: {note}" for note in answer.notes))
-        if written:
-            tell(console, [f"written to {results / 'joints.csv'}"])
-    if failed:
-        for line in ahead or failure_lines(answer.findings):
-            typer.echo(line, err=True)
-    if not written:
-        typer.echo("NOTHING WRITTEN" if ahead else "NOTHING WRITTEN: the controller's loop would stop there", err=True)
-    if plots is not None:
-        from trajopt_cli.iiwa.job.drawing import joint_pictures
-
-        pictures = joint_pictures(opened, answer)
-        write_files(plots, pictures)
-        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
-    if failed:
-        raise typer.Exit(1)
+        answer = iiwa.joints(results, arm_angle, goal, plots, lambda phase: view.show("joints", Progress(phase)))
+    _report(answer, as_json, quiet, plots)
 
 
 @app.command("simulate", short_help="What the compliant controller makes of RESULTS.")
@@ -210,42 +132,10 @@ def simulate(
       trajopt iiwa segments programs/iiwa_cube.yaml
       trajopt iiwa simulate results/iiwa_cube --engine spring
     """
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
-    from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
-    from trajopt_cli.iiwa.job.folder import check_place, read_summary
-    from trajopt_cli.iiwa.job.simulation import NoRun
-    from trajopt_cli.iiwa.job.simulation import simulate as run
-    from trajopt_cli.iiwa.task.model import Feed, Integration
-    from trajopt_cli.runs.transaction import write_files
+    from trajopt_cli import iiwa
 
-    check_place(plots, "--plots")
-    _check_results(results)
-    if settle is not None and not settle < float("inf"):
-        raise InputError(f"--settle: needs a time of 0 to 600 s, not {settle}")
-    how = Integration(integration) if integration else None
-    answer = run(results, contact, engine, Feed(feed) if feed else None, how, settle)
-    if isinstance(answer, NoRun):
-        no_run(answer, as_json)
-    wrote(results / "simulation.csv")
-    if as_json:
-        print_json(read_summary(results)["simulation"])
-    elif quiet:
-        result(lag_lines(answer)[0])
-    else:
-        console = stdout()
-        show(console, stability_table(answer.axes, answer.opened.equilibrium.h))
-        tell(console, (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)))
-        tell(console, [f"written to {results}: report.html (open it in a browser), simulation.csv"])
-    if plots is not None:
-        from trajopt_cli.iiwa.job.drawing import simulation_pictures
-
-        pictures = simulation_pictures(answer)
-        write_files(plots, pictures)
-        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
-    if broken := answer.broken:
-        for line in broken:
-            typer.echo(line, err=True)
-        raise typer.Exit(1)
+    answer = iiwa.simulate(results, contact, engine, feed, integration, settle, plots)
+    _report(answer, as_json, quiet, plots)
 
 
 @app.command("dose", short_help="RESULTS retimed so that the controller follows.")
@@ -296,59 +186,10 @@ def dose(
       trajopt iiwa segments programs/iiwa_cube.yaml
       trajopt iiwa dose results/iiwa_cube --max-lag 5mm --max-lead 100N
     """
-    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
-    from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table, front_table
-    from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
-    from trajopt_cli.iiwa.job.feed_scheduling import NotFollowed, dose_folder
-    from trajopt_cli.iiwa.job.folder import check_place, read_summary
-    from trajopt_cli.iiwa.job.simulation import NoRun
-    from trajopt_cli.iiwa.task.joints import Unfollowable
-    from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, option_value
-    from trajopt_cli.runs.transaction import write_files
+    from trajopt_cli import iiwa
 
-    # '.' and '..' have no name of their own
-    beside = results if results.name not in ("", "..") else results.resolve()
-    folder = output or beside.with_name(f"{beside.name}-dosed")
-    check_place(plots, "--plots")
-    if plots is not None and folder.absolute() in (plots.absolute(), *plots.absolute().parents):
-        raise InputError("--plots: is the folder of the results or lies in it; choose another", file=str(plots))
-    lead = _lead(max_lead, FORCE, LENGTH, "--max-lead")
-    if front and lead is None:
-        raise InputError("--front: needs a bound on the lead; give --max-lead")
-    allowed = Allowed(
-        option_value(max_lag, LENGTH, "--max-lag"),
-        None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag"),
-        lead,
-        _lead(max_turn_lead, MOMENT, ANGLE, "--max-turn-lead"),
-    )
-    answer = dose_folder(results, folder, allowed, DoseFeed(feed) if feed else None, front)
-    if isinstance(answer, NoRun):
-        no_run(answer, as_json)
-    if isinstance(answer, CannotDose | Unfollowable):
-        no([f"{results}: {answer.message}"], as_json, answer="no sequence")
-    if isinstance(answer, NotFollowed):
-        remedy = "allow less lead or lag, lower v_max, or move the path"
-        last = f"NOTHING WRITTEN: the arm cannot follow; {remedy}"
-        no([*answer.sentences, last], as_json, answer="not followed")
-    wrote(folder)
-    if as_json:
-        print_json(read_summary(folder)["dosing"])
-    elif quiet:
-        result(dose_lines(answer)[0])
-    else:
-        console = stdout()
-        show(console, dose_table(results.name, answer))
-        tell(console, dose_lines(answer))
-        if answer.front:
-            show(console, front_table(answer))
-        tell(console, [f"written to {folder}: report.html (open it in a browser) and the sequence"])
-    if plots is not None:
-        from trajopt_cli.iiwa.job.drawing import dose_pictures
-
-        pictures = dose_pictures(answer)
-        write_files(plots, pictures)
-        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
+    bounds = (max_lag, max_turn_lag, max_lead, max_turn_lead)
+    _report(iiwa.schedule_feed(results, *bounds, feed, front, output, plots), as_json, quiet, plots)
 
 
 @app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")
@@ -368,59 +209,44 @@ def experiments(
     Example:
       trajopt iiwa experiments --engine spring
     """
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
-    from trajopt_cli.cli.experiments_tables import tables
-    from trajopt_cli.iiwa.experiments.catalogue import run_experiments
-    from trajopt_cli.iiwa.experiments.folder import write_experiments
-    from trajopt_cli.iiwa.experiments.record import record
-    from trajopt_cli.iiwa.job.folder import check_place
-    from trajopt_cli.runs.folder import check_replaceable
+    from trajopt_cli import iiwa
 
-    check_place(output, "--output")
-    check_replaceable(output)
-    answer = run_experiments(lambda name: said(quiet)(f"experiment {name}"), engine)
+    _report(iiwa.run_experiments(output, engine, lambda name: said(quiet)(f"experiment {name}")), as_json, quiet)
+
+
+def _report(answer: Answer | Refused, as_json: bool, quiet: bool, plots: Path | None = None) -> None:
+    """Print an answer and draw its pictures; stop with exit code 1 where there is none, or where limits are broken."""
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
+    from trajopt_cli.iiwa import Refused
+    from trajopt_cli.runs.transaction import write_files
+    from trajopt_cli.table import TextTable
+
+    if isinstance(answer, Refused):
+        no(answer.sentences, as_json, answer=answer.answer)
+    if answer.written is not None:
+        wrote(answer.written)
     if as_json:
-        print_json(record(answer))
-    elif not quiet:
-        console = stdout()
-        for part in tables(answer):
-            if isinstance(part, str):
-                tell(console, part.split("\n"))
-            else:
-                show(console, part)
-    count = write_experiments(output, answer)
-    if quiet and not as_json:
-        result(f"written to {output}: {count} files")
+        print_json(answer.record)
+    elif quiet:
+        result(answer.line)
     else:
-        said(quiet)(f"written to {output}: report.html (open it in a browser) and {count - 1} files more")
-
-
-def _check_results(results: Path) -> None:
-    """Before the work: what the command finds can be written into RESULTS."""
-    from trajopt_cli.runs.files import check_writable
-
-    if results.is_dir():
-        check_writable(results, into=True)
-
-
-def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
-    """A bound on the lead: a force or moment, or what a spring that pushes as much is stretched by."""
-    from trajopt_cli.iiwa.controller.feed_limits import Lead
-    from trajopt_cli.quantity import option_value
-
-    if text is None:
-        return None
-    stretch = any(text.strip().endswith(unit) for unit in stretches) and not text.strip().endswith(tuple(pushes))
-    return Lead(option_value(text, {**pushes, **stretches}, option), stretch)
-
-
-def no_run(answer: NoRun, as_json: bool) -> NoReturn:
-    """Say why there is nothing to show, and stop with exit code 1."""
-    from trajopt_cli.cli.console import no
-
-    no([*answer.sentences, "NOTHING WRITTEN: the controller cannot run"], as_json, answer="no run")
+        console = stdout()
+        for part in answer.parts:
+            if isinstance(part, TextTable):
+                show(console, part)
+            else:
+                tell(console, part)
+        tell(console, [answer.where] if answer.where else [])
+    if plots is not None:
+        pictures = answer.draw()
+        write_files(plots, pictures)
+        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
+    if answer.broken:
+        for line in answer.broken:
+            typer.echo(line, err=True)
+        raise typer.Exit(1)
 
 
 def said(quiet: bool) -> Callable[[str], None]:
-    """What takes a word on how far things are."""
+    """What prints a line of progress."""
     return (lambda text: None) if quiet else lambda text: typer.echo(text, err=True)

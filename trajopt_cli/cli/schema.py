@@ -24,7 +24,7 @@ def schema(
       trajopt schema cell
     """
     from trajopt_cli.cell.schema import cell_schema
-    from trajopt_cli.iiwa.task.document import task_schema
+    from trajopt_cli.iiwa import task_schema
     from trajopt_cli.robot.catalogue import robot_schema
 
     make = {"cell": cell_schema, "task": task_schema, "robot": robot_schema}[kind]

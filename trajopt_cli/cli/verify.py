@@ -56,7 +56,7 @@ def verify(
     if what.is_dir():
         _check_folder_alone(program, cell, entry, assume_identity, task, arm)
         if kind_of(what) == TASK:
-            from trajopt_cli.iiwa.judge.verify import verify_folder
+            from trajopt_cli.iiwa import verify_folder
 
             judged = verify_folder(what)
             reports, unchecked = judged.reports, judged.unchecked
@@ -69,7 +69,7 @@ def verify(
     elif task is not None or arm is not None:
         if of_program or (task is not None and arm is not None):
             raise typer.BadParameter("give one of --program, --task and --robot; --cell and the like go with --program")
-        from trajopt_cli.iiwa.judge.verify import verify_joints
+        from trajopt_cli.iiwa import verify_joints
 
         judged = verify_joints(what, task, arm)
         reports, unchecked = judged.reports, judged.unchecked

@@ -212,11 +212,11 @@ def test_the_iiwas_arms_are_where_the_files_have_them(window: Window, folders: d
     pose = "return TrajoptPage.view3d.poseOf(arguments[0])"
     for row in (0, 300, 640, len(values) - 1):
         window.run("TrajoptPage.clock.seek(arguments[0])", float(values[row, 0]))
-        asked, foretold = (np.reshape(window.run(pose, i), (4, 4)) for i in (0, 1))
+        commanded, predicted = (np.reshape(window.run(pose, i), (4, 4)) for i in (0, 1))
         x_e = values[row, [table[f"{axis}_e [m]"] for axis in "xyz"]]
-        np.testing.assert_allclose(asked[:3, 3], x_e, atol=1e-4)
+        np.testing.assert_allclose(commanded[:3, 3], x_e, atol=1e-4)
         q = values[row, [table[f"joint_{j} [rad]"] for j in range(1, 8)]]
-        np.testing.assert_allclose(foretold, robot.forward(q) @ tool, atol=1e-4)
+        np.testing.assert_allclose(predicted, robot.forward(q) @ tool, atol=1e-4)
     assert window.run("return TrajoptPage.data.scene.static.map((one) => one.name)") == ["wall"]
     titles = window.run("return [...document.querySelectorAll('figure.chart b:first-child')].map((e) => e.textContent)")
     for title in ("Lag", "Turn lag", "Force, of what touches the tool", "Depth of the tip", "joint 7"):

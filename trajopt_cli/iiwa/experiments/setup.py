@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import radians
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.iiwa.controller.forces import zero
 from trajopt_cli.iiwa.controller.regulator import response
+from trajopt_cli.iiwa.report.runs import Draw, Following, picture
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_checks import stops_loop
 from trajopt_cli.iiwa.task.joints import Unfollowable, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, Push, RotationLaw, Zeroing
-from trajopt_cli.iiwa.task.world import Seven, World
+from trajopt_cli.iiwa.task.world import Seven
 from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle
@@ -32,8 +34,36 @@ FORCE, MOMENT = 10.0, 2.0
 """Our steps [N, Nm]: the thesis shows its own in figures only."""
 
 _PACKAGE = Path(__file__).parents[2]
-# In a checkout the programs stand beside the package, a wheel carries them inside it.
+# In a checkout the programs are beside the package, a wheel carries them inside it.
 _PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """What one experiment gave.
+
+    numbers: SI values beside the thesis', under names that end in their unit, as experiments.json has them; lists of
+    rows become tables. notes: what is ours and what differs. figures: by file name, called with a heading. measured:
+    times of a clock, which differ from run to run.
+    """
+
+    section: str
+    title: str
+    notes: Sequence[str]
+    numbers: Mapping[str, Any]
+    figures: Mapping[str, Draw] = field(default_factory=dict)
+    measured: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Its part of experiments.json."""
+        return {"section": self.section, "title": self.title, "notes": list(self.notes), **self.numbers}
+
+    def draw(self) -> dict[str, bytes]:
+        """File name -> contents of its pictures."""
+        heading = f"{self.section} {self.title}"
+        drawn = [picture(name, heading, make) for name, make in self.figures.items()]
+        return {name: content for files in drawn for name, content in files.items()}
 
 
 def program(name: str) -> Path:
@@ -47,60 +77,17 @@ def compliance(k: float, k_turn: float, d: float, d_turn: float) -> Compliance:
 
 
 @dataclass(frozen=True, eq=False)
-class Series:
-    """One run over t (n,) [s]: equilibrium x_e, controller x, force (n, 6) [m, rad; N, Nm].
-
-    flange (n, 6): as the world moved it, None where nothing but the controller was computed. felt (n, 6): simulated
-    forces before zeroing, None where there are none.
-    """
-
-    label: str
-    t: Array
-    x_e: Array
-    x: Array
-    force: Array | None = None
-    flange: Array | None = None
-    felt: Array | None = None
-
-    def __post_init__(self) -> None:
-        for name in ("t", "x_e", "x", "force", "flange", "felt"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, readonly(getattr(self, name)))
-
-
-@dataclass(frozen=True, eq=False)
 class Pushed:
-    """What simulated forces do, rows every H [s]: equilibrium x_e, controller x and its rates v, felt and force before
-    and after zeroing, all (n, 6); flange (n, 6) in the world of that name, None where it is where the controller is."""
+    """What simulated forces do, rows every H [s]: run; the controller's rates v, and forces before zeroing (n, 6)."""
 
-    world: str
-    t: Array
-    x_e: Array
-    x: Array
+    run: Following
     v: Array
-    felt: Array
-    force: Array
-    flange: Array | None
-
-    def series(self, label: str) -> Series:
-        """The run as it is kept for pictures."""
-        return Series(label, self.t, self.x_e, self.x, self.force, self.flange, self.felt)
-
-
-@dataclass(frozen=True)
-class Tracking:
-    """How far the flange was from the controller's pose along axis [m or rad]: largest and mean, the thesis' beside."""
-
-    axis: str
-    maximum: float
-    mean: float
-    thesis_maximum: float
-    thesis_mean: float
+    unzeroed: Array
 
 
 @dataclass(frozen=True)
 class Bench:
-    """The arm at START, in the world of an engine. moves: whether that world's flange has a motion of its own."""
+    """The arm at START, in the world of an engine. Raises InputError where the engine is not installed."""
 
     robot: SrsRobot
     engine: Engine
@@ -109,15 +96,12 @@ class Bench:
     def __post_init__(self) -> None:
         X = self.robot.forward(np.array(START))
         object.__setattr__(self, "start", readonly(np.r_[X[:3, 3], np.zeros(3)]))
+        make_world(self.engine, self.robot, np.eye(4), None, None, H)
 
     @property
     def moves(self) -> bool:
         """Whether the flange follows the command with a lag and a give of its own; the ideal arm does not."""
         return self.engine is Engine.MUJOCO
-
-    def check(self) -> None:
-        """Raise InputError where the engine is not installed."""
-        make_world(self.engine, self.robot, np.eye(4), None, None, H)
 
     def pushed(
         self, law: Compliance, pushes: Sequence[Push], duration: float, zeroing: Zeroing | None = None
@@ -129,31 +113,27 @@ class Bench:
         same. Raises RuntimeError where a joint limit would stop the loop.
         """
         t = np.arange(round(duration / H) + 1, dtype=np.float64) * H
-        felt = np.zeros((len(t), 6))
+        unzeroed = np.zeros((len(t), 6))
         for one in pushes:
-            felt[round(one.start / H) : round(one.end / H)] += one.force
-        force = felt if zeroing is None else zero(felt, zeroing)
+            unzeroed[round(one.start / H) : round(one.end / H)] += one.force
+        force = unzeroed if zeroing is None else zero(unzeroed, zeroing)
         x_e = np.tile(self.start, (len(t), 1))
         done = response(x_e, H, law, force=force)
         whole = (Piece(0, len(t) - 1, "start", "end"),)
         turn = rotation(done.x[:, 3:])
         sequence = Equilibrium(H, done.x, turn, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, whole)
-        limits = self.robot.profile()
-        joints = follow(sequence, self.robot, np.eye(4), np.array(START), limits, ArmAngle.FARIA, None, False)
+        limits, X_FT = self.robot.profile(), np.eye(4)
+        joints = follow(sequence, self.robot, X_FT, np.array(START), limits, ArmAngle.FARIA, None, False)
         broken = [joints] if isinstance(joints, Unfollowable) else stops_loop(joints.findings)
         if broken or isinstance(joints, Unfollowable):
             raise RuntimeError(f"an experiment of chapter 6 would be stopped: {broken[0].message}")
-        world = make_world(self.engine, self.robot, np.eye(4), None, None, H)
-        flange = self._followed(world, joints.trajectory.q) if self.moves else None
-        return Pushed(world.name, t, x_e, done.x, done.v, felt, force, flange)
+        world, flange = make_world(self.engine, self.robot, X_FT, None, None, H), None
+        if self.moves:
+            rows = [world.reset(START).q, *(world.step(seven(row)).q for row in joints.trajectory.q[1:])]
+            flange = self.tool(np.array(rows), X_FT)
+        return Pushed(Following(world.name, t, x_e, done.x, force, flange), done.v, unzeroed)
 
-    def _followed(self, world: World, q: Array) -> Array:
-        """Where the world's flange is (n, 6) while it is told to follow joints q (n, 7)."""
-        rows = [world.reset(START).q]
-        rows += [world.step(_seven(row)).q for row in q[1:].tolist()]
-        return self.flange(np.array(rows), np.eye(4))
-
-    def flange(self, q: Array, X_FT: Array) -> Array:
+    def tool(self, q: Array, X_FT: Array) -> Array:
         """Positions [m] and angles from the first row's orientation [rad] (n, 6) of the TCP at joints q (n, 7)."""
         X = self.robot.forward(q) @ X_FT
         angles = continuous(angles_of(X[:, :3, :3] @ X[0, :3, :3].T))
@@ -167,6 +147,7 @@ def push(start: float, end: float, axis: int, size: float | None = None) -> Push
     return Push(start, end, force)
 
 
-def _seven(row: Sequence[float]) -> Seven:
-    a, b, c, d, e, f, g = row
+def seven(q: Array) -> Seven:
+    """Joints (7,) [rad] as plain numbers."""
+    a, b, c, d, e, f, g = q.tolist()
     return (a, b, c, d, e, f, g)

@@ -20,10 +20,12 @@ from trajopt_cli.iiwa.job.folder import (
     open_folder,
     sequence_files,
     sequence_record,
+    start_distance,
     write_task_run,
 )
 from trajopt_cli.iiwa.job.joints import joint_record
-from trajopt_cli.iiwa.job.simulation import NoRun, Simulated, lag_record, run_controller
+from trajopt_cli.iiwa.job.simulation import Simulated, clamped, lag_record, run_controller
+from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.model import Clamps, Feed, Profile, RotationLaw, Task
@@ -34,34 +36,32 @@ from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
     from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, Dosed
-    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
+    from trajopt_cli.iiwa.task.joints import Followed
 
 AS_PROGRAMMED, WITH_SPEED = "as programmed", "with the equilibrium's speed"
-DOSED = {
-    DoseFeed.POSITION: "dosed, positions",
-    DoseFeed.VELOCITY: "dosed, with speed",
-    DoseFeed.INVERSE: "dosed, inverse law",
+SCHEDULED = {
+    DoseFeed.POSITION: "scheduled, positions",
+    DoseFeed.VELOCITY: "scheduled, with speed",
+    DoseFeed.INVERSE: "scheduled, inverse law",
 }
 LONG = 400_000
 """Rows of a sequence that is worked out although another feed is known to be faster; more take minutes."""
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _EASED, _MARGIN = 12, 0.02
-"""Times that the inverse feed is slowed down for the joints' accelerations, and by which share of them in addition."""
+"""Times that the inverse feed is slowed down for the joints' accelerations, and by which fraction more each time."""
 _STEADY = 1e-6  # m/s2, rad/s2, N, m: a smaller acceleration or push is rounding
-_Caps = tuple[float | None, float | None]  # on the acceleration of position [m/s2] and angles [rad/s2]
 _NEAR_START = 1e-6  # m, rad: a sequence that begins this near to the start begins there
+_Caps = tuple[float | None, float | None]  # on the acceleration of position [m/s2] and angles [rad/s2]
 
 
 @dataclass(frozen=True, eq=False)
-class FeedSchedule:
-    """One way to feed the path as programmed, and the controller's answer to it: name, when the arm arrived [s] (None:
-    not yet), the greatest push [N]."""
+class FeedRun:
+    """The path as programmed, fed in one way, and the controller's answer; arrived [s]: None where it did not."""
 
     name: str
     run: Simulated
     arrived: float | None
-    push: float
 
 
 @dataclass(frozen=True)
@@ -73,22 +73,22 @@ class FrontPoint:
 
 
 @dataclass(frozen=True, eq=False)
-class DosedJob:
-    """A dosed sequence in its folder, beside the ways to feed the one it came from.
+class ScheduledJob:
+    """A scheduled sequence in its folder, beside the feeds of the one it came from.
 
-    ways: as programmed, with the equilibrium's speed. tried: what every feed that was asked for comes to; dosed: the
-    fastest of them that the arm can follow, run: the controller's answer to it. joints: the arm's then. passed_over:
-    why faster feeds were not taken. steady: the speed [m/s] at which the arm would lag by the bound on a long line
-    along its slowest axis. front: by lead, empty if not asked for. left_out: what the task has that dosing does not
-    look at.
+    before_feeds: as programmed, with the equilibrium's speed. tried: what every feed that was asked for comes to;
+    scheduled: the fastest of them that the arm can follow, run: the controller's answer to it. joints: the arm's then.
+    passed_over: why faster feeds were not taken. steady: the speed [m/s] at which the arm would lag by the bound on a
+    long line along its slowest axis. front: by lead, empty if not asked for. left_out: what the task has that the
+    schedule does not regard.
     """
 
     before: Opened
     after: Opened
-    dosed: Dosed
+    scheduled: Dosed
     run: Simulated
     tried: Mapping[DoseFeed, Dosed | CannotDose]
-    ways: tuple[FeedSchedule, ...]
+    before_feeds: tuple[FeedRun, ...]
     joints: Followed
     passed_over: tuple[str, ...]
     steady: float
@@ -96,17 +96,52 @@ class DosedJob:
     left_out: tuple[str, ...]
     folder: Path
 
+    def remarks(self) -> list[str]:
+        """Feeds that were not taken and why, and notes."""
+        from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
 
-@dataclass(frozen=True)
-class NotFollowed:
-    """The arm could not follow the dosed sequence's answer: one sentence per joint and limit."""
+        refused = [(feed, one.message) for feed, one in self.tried.items() if isinstance(one, CannotDose)]
+        lines = [f"not taken: {reason}" for reason in self.passed_over]
+        lines += [f"left out: {SCHEDULED[feed]}: {message}" for feed, message in refused]
+        if self.left_out:
+            lines.append(f"note: the schedule does not regard the task's {', '.join(self.left_out)}; simulate does")
+        return [*lines, *(f"note: {note}" for note in self.scheduled.notes)]
 
-    sentences: tuple[str, ...]
+    def record(self) -> dict[str, Any]:
+        """What summary.json says of it."""
+        allowed = self.scheduled.allowed
+        undosed = [
+            {
+                "feed": one.name,
+                "duration_s": one.run.opened.equilibrium.duration,
+                "arrived_s": one.arrived,
+                "lag": lag_record(one.run.lag),
+                "largest_push_N": one.run.most_push,
+            }
+            for one in self.before_feeds
+        ]
+        return {
+            "feed": self.scheduled.feed.value,
+            "max_lag_m": allowed.lag,
+            "max_turn_lag_rad": allowed.turn_lag,
+            "max_lead": lead_record(allowed.lead),
+            "max_turn_lead": lead_record(allowed.turn_lead, ("Nm", "rad")),
+            "feeds": {feed.value: feed_record(made) for feed, made in self.tried.items()},
+            "passed_over": list(self.passed_over),
+            "undosed": undosed,
+            "front": [
+                {"lead": lead_record(point.lead), **{f"{feed.value}_s": s for feed, s in point.durations.items()}}
+                for point in self.front
+            ],
+            "left_out": list(self.left_out),
+            "joints": joint_record(self.joints),
+            "notes": list(self.scheduled.notes),
+        }
 
 
-def dose_folder(
+def schedule_feed(
     folder: Path, output: Path, allowed: Allowed, feed: DoseFeed | None = None, front: bool = False
-) -> DosedJob | CannotDose | Unfollowable | NotFollowed | NoRun:
+) -> ScheduledJob | Refused:
     """Retime a folder's sequence: least time within what is allowed, into output.
 
     feed: the one to take; None for positions alone where no lead is bounded, else for the fastest of all. The sequence
@@ -134,29 +169,33 @@ def dose_folder(
     if before.plan is not None or before.feed is not Feed.POSITION:
         message = "is dosed already, and its equilibrium is not its path; dose the folder it came from"
         raise InputError(message, file=str(folder))
-    task, sequence = before.task, before.equilibrium
-    away = _away_from_start(before)
-    if away is not None:
-        return CannotDose(away)
-    limits = before.robot.profile(task.limits)
+
+    def none(message: str) -> Refused:
+        return Refused("no sequence", [f"{folder}: {message}"])
+
+    task, sequence, robot = before.task, before.equilibrium, before.robot
+    way, turn = start_distance(before)
+    if max(way, turn) > _NEAR_START:
+        return none(
+            f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
+            " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
+        )
+    limits = robot.profile(task.limits)
     followed = follow(
-        sequence, before.robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, free=False
+        sequence, robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, free=False
     )
     if not isinstance(followed, Followed):
-        return followed
-
-    def timed(feed: DoseFeed, allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
-        return dose(
-            *(path, task.compliance, sequence.h, allowed),
-            feed=feed,
-            integration=task.integration,
-            acceleration=acceleration or _accelerations(task),
-        )
-
+        return none(followed.message)
     try:
         path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=limits.velocity)
     except ValueError as error:
-        return CannotDose(str(error))
+        return none(str(error))
+
+    def timed(feed: DoseFeed, allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
+        caps = acceleration or _accelerations(task)
+        law, how = task.compliance, task.integration
+        return dose(path, law, sequence.h, allowed, feed=feed, integration=how, acceleration=caps)
+
     pushes = allowed.lead is not None or allowed.turn_lead is not None
     feeds = [feed] if feed is not None else list(DoseFeed) if pushes else [DoseFeed.POSITION]
     tried: dict[DoseFeed, Dosed | CannotDose] = {}
@@ -167,27 +206,29 @@ def dose_folder(
             tried[one] = CannotDose(f"not worked out: it takes at least {least:.0f} s, and another feed {best:.3f} s")
         else:
             tried[one] = timed(one, allowed)
-    # what happens to the controller besides its feed is left out: the dosing does not know it either
+    if all(isinstance(one, CannotDose) for one in tried.values()):
+        return none("; ".join(sorted({one.message for one in tried.values() if isinstance(one, CannotDose)})))
+    # what happens to the controller besides its feed is left out: the schedule does not know it either
     quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
-    found = _fastest(quiet, tried, lambda caps: timed(DoseFeed.INVERSE, allowed, caps))
-    if not isinstance(found, _Chosen):
+    found = _fastest(quiet, tried, lambda caps: timed(DoseFeed.INVERSE, allowed, caps), none)
+    if isinstance(found, Refused):
         return found
-    ways = []
+    scheduled, opened, run, joints, passed_over = found
+    before_feeds = []
     for name, how in ((AS_PROGRAMMED, Feed.POSITION), (WITH_SPEED, Feed.VELOCITY)):
-        run = run_controller(quiet, None, None, how, None, None)
-        if isinstance(run, NoRun):
-            return run
-        arrived = settling(run.x, run.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)
-        ways.append(FeedSchedule(name, run, arrived, float(np.linalg.norm(run.push, axis=1).max())))
-    job = DosedJob(
+        fed = run_controller(quiet, None, None, how, None, None)
+        if isinstance(fed, Refused):
+            return fed
+        before_feeds.append(FeedRun(name, fed, settling(fed.x, fed.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)))
+    job = ScheduledJob(
         before,
-        replace(found.opened, task=task),
-        found.dosed,
-        found.run,
+        replace(opened, task=task),
+        scheduled,
+        run,
         tried,
-        tuple(ways),
-        found.joints,
-        found.passed_over,
+        tuple(before_feeds),
+        joints,
+        passed_over,
         _steady(task, allowed.lags(task.compliance.K)[0]),
         _front(timed, allowed, feeds) if front else (),
         _left_out(task),
@@ -197,21 +238,14 @@ def dose_folder(
     return job
 
 
-@dataclass(frozen=True, eq=False)
-class _Chosen:
-    """The fastest feed that the arm can follow."""
-
-    dosed: Dosed
-    opened: Opened
-    run: Simulated
-    joints: Followed
-    passed_over: tuple[str, ...]
-
-
 def _fastest(
-    before: Opened, tried: dict[DoseFeed, Dosed | CannotDose], gentler: Callable[[_Caps], Dosed | CannotDose]
-) -> _Chosen | CannotDose | Unfollowable | NotFollowed | NoRun:
-    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints.
+    before: Opened,
+    tried: dict[DoseFeed, Dosed | CannotDose],
+    gentler: Callable[[_Caps], Dosed | CannotDose],
+    none: Callable[[str], Refused],
+) -> tuple[Dosed, Opened, Simulated, Followed, tuple[str, ...]] | Refused:
+    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints: the sequence,
+    opened, run, the arm's joints, and why faster ones were passed over.
 
     gentler: the inverse feed under caps on the tool's acceleration, tried in its place where joints' would break.
     """
@@ -220,56 +254,52 @@ def _fastest(
     from trajopt_cli.iiwa.task.joints import Followed
 
     timings = [one for one in tried.values() if not isinstance(one, CannotDose)]
-    if not timings:
-        refusals = {one.message for one in tried.values() if isinstance(one, CannotDose)}
-        return CannotDose("; ".join(sorted(refusals)))
-    first: Unfollowable | NotFollowed | NoRun | None = None
+    refusals: list[Refused] = []
     passed_over: list[str] = []
     eased, slerp = 0, before.equilibrium.rotation is RotationLaw.SLERP
     while timings:
-        dosed = timings.pop(min(range(len(timings)), key=lambda i: timings[i].duration))
-        opened = _dosed_opened(before, dosed)
+        made = timings.pop(min(range(len(timings)), key=lambda i: timings[i].duration))
+        opened = _opened(before, made)
         run = run_controller(opened, None, None, opened.feed, None, None)
-        if isinstance(run, NoRun):
-            first = first or run
+        if isinstance(run, Refused):
+            refusals.append(run)
             continue
         joints = run.joints
-        if isinstance(joints, Followed):
-            broken = [finding for finding in joints.findings if not finding.passed]
-            if not broken:
-                return _Chosen(dosed, opened, run, joints, tuple(passed_over))
-            # what is wrong, without a remedy: those are for sequences that are not dosed
-            failed = tuple(finding.message.partition(";")[0] for finding in broken)
-            first = first or NotFollowed(failed)
-            if dosed.feed is DoseFeed.INVERSE and eased < _EASED and all(one.check == ACCELERATION for one in broken):
-                caps = _gentler(dosed, slerp, min(one.limit / one.value for one in broken))
-                again = gentler(caps)
-                if not isinstance(again, CannotDose):
-                    eased += 1
-                    told = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
-                    again = replace(again, notes=(*again.notes, told))
-                    tried[dosed.feed] = again
-                    timings.append(again)
-                    continue
-            passed_over.append(f"{DOSED[dosed.feed]}: {failed[0]}")
-        else:
+        if not isinstance(joints, Followed):
             assert joints is not None
-            first = first or joints
-            passed_over.append(f"{DOSED[dosed.feed]}: {joints.message}")
-    assert first is not None
-    return first
+            refusals.append(none(joints.message))
+            passed_over.append(f"{SCHEDULED[made.feed]}: {joints.message}")
+            continue
+        broken = [finding for finding in joints.findings if not finding.passed]
+        if not broken:
+            return made, opened, run, joints, tuple(passed_over)
+        # what is wrong, without a remedy: those are for sequences that are not scheduled
+        failed = [finding.message.partition(";")[0] for finding in broken]
+        last = "NOTHING WRITTEN: the arm cannot follow; allow less lead or lag, lower v_max, or move the path"
+        refusals.append(Refused("not followed", [*failed, last]))
+        if made.feed is DoseFeed.INVERSE and eased < _EASED and all(one.check == ACCELERATION for one in broken):
+            again = gentler(_gentler(made, slerp, min(one.limit / one.value for one in broken)))
+            if not isinstance(again, CannotDose):
+                eased += 1
+                note = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
+                again = replace(again, notes=(*again.notes, note))
+                tried[made.feed] = again
+                timings.append(again)
+                continue
+        passed_over.append(f"{SCHEDULED[made.feed]}: {failed[0]}")
+    return refusals[0]
 
 
-def _gentler(dosed: Dosed, slerp: bool, share: float) -> _Caps:
-    """Caps on the tool's acceleration at a share of what a dosed sequence takes, of position and orientation.
+def _gentler(made: Dosed, slerp: bool, fraction: float) -> _Caps:
+    """Caps on the tool's acceleration at a fraction of what a sequence takes, of position and orientation.
 
     slerp: orientations are timed by how far they turn, else by their three angles.
     """
-    angles = np.diff(dosed.x[:, 3:], axis=0)
-    turns = rotation_vector(dosed.R_x[1:] @ np.swapaxes(dosed.R_x[:-1], 1, 2)) if slerp else angles
-    steps = (np.diff(dosed.x[:, :3], axis=0), turns)
-    most = [float(np.max(np.linalg.norm(np.diff(one, axis=0), axis=1))) / dosed.h**2 for one in steps]
-    caps = [share * (1 - _MARGIN) * one if one > _STEADY else None for one in most]
+    angles = np.diff(made.x[:, 3:], axis=0)
+    turns = rotation_vector(made.R_x[1:] @ np.swapaxes(made.R_x[:-1], 1, 2)) if slerp else angles
+    steps = (np.diff(made.x[:, :3], axis=0), turns)
+    most = [float(np.max(np.linalg.norm(np.diff(one, axis=0), axis=1))) / made.h**2 for one in steps]
+    caps = [fraction * (1 - _MARGIN) * one if one > _STEADY else None for one in most]
     return caps[0], caps[1]
 
 
@@ -287,26 +317,12 @@ def _front(
         most = free.lead if allowed.lead.stretch else free.push
     # a path that only turns pushes with nothing but rounding: what other leads allow is the same
     others = (most / 2**i for i in range(FRONT if most > _STEADY else 0))
-    leads = sorted({allowed.lead.most, *others}, reverse=True)
     points = []
-    for lead in (replace(allowed.lead, most=one) for one in leads):
+    for lead in (replace(allowed.lead, most=one) for one in sorted({allowed.lead.most, *others}, reverse=True)):
         made = {feed: timed(feed, replace(allowed, lead=lead)) for feed in feeds}
         durations = {feed: None if isinstance(one, CannotDose) else one.duration for feed, one in made.items()}
         points.append(FrontPoint(lead, durations))
     return tuple(points)
-
-
-def _away_from_start(opened: Opened) -> str | None:
-    """What to say of a sequence that begins elsewhere than the controller, or None."""
-    X, sequence = opened.X_start, opened.equilibrium
-    way = float(np.linalg.norm(sequence.pose[0, :3] - X[:3, 3]))
-    turn = float(np.linalg.norm(rotation_vector(sequence.rotations(X[:3, :3])[0] @ X[:3, :3].T)))
-    if max(way, turn) <= _NEAR_START:
-        return None
-    return (
-        f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
-        " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
-    )
 
 
 def _accelerations(task: Task) -> _Caps:
@@ -327,29 +343,28 @@ def _steady(task: Task, bound: float) -> float:
 
 
 def _left_out(task: Task) -> tuple[str, ...]:
-    clamped = bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
     has = {
         "contact": task.contact is not None,
         "sensor errors": task.sensor is not None,
-        "clamps": clamped,
+        "clamps": clamped(task),
         "changes": bool(task.changes),
         "pushes": bool(task.pushes),
     }
     return tuple(name for name, there in has.items() if there)
 
 
-def _dosed_opened(before: Opened, dosed: Dosed) -> Opened:
-    """The dosed sequence in place of the one before, how it is fed, and its plan where that is another."""
+def _opened(before: Opened, made: Dosed) -> Opened:
+    """The scheduled sequence in place of the one before, how it is fed, and its plan where that is another."""
     sequence = before.equilibrium
 
-    def made(pose: Array, R: Array, notes: tuple[str, ...]) -> Equilibrium:
-        return Equilibrium(sequence.h, pose, R, sequence.rotation, sequence.meaning, dosed.pieces, notes)
+    def of(pose: Array, R: Array, notes: tuple[str, ...]) -> Equilibrium:
+        return Equilibrium(sequence.h, pose, R, sequence.rotation, sequence.meaning, made.pieces, notes)
 
     return replace(
         before,
-        equilibrium=made(dosed.pose, dosed.R, dosed.notes),
-        plan=made(dosed.plan, dosed.R_plan, ()) if dosed.feed is DoseFeed.INVERSE else None,
-        feed=Feed.VELOCITY if dosed.feed is DoseFeed.VELOCITY else Feed.POSITION,
+        equilibrium=of(made.pose, made.R, made.notes),
+        plan=of(made.plan, made.R_plan, ()) if made.feed is DoseFeed.INVERSE else None,
+        feed=Feed.VELOCITY if made.feed is DoseFeed.VELOCITY else Feed.POSITION,
     )
 
 
@@ -358,7 +373,7 @@ def lead_record(lead: Lead | None, units: tuple[str, str] = ("N", "m")) -> dict[
     return None if lead is None else {"most": lead.most, "unit": units[lead.stretch]}
 
 
-def dosed_record(made: Dosed | CannotDose) -> dict[str, Any]:
+def feed_record(made: Dosed | CannotDose) -> dict[str, Any]:
     """What one feed comes to, as plain data."""
     from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
 
@@ -375,45 +390,19 @@ def dosed_record(made: Dosed | CannotDose) -> dict[str, Any]:
     }
 
 
-def _write(job: DosedJob) -> None:
+def _write(job: ScheduledJob) -> None:
+    from trajopt_cli.iiwa.job.pages import feed_page
+
     found = job.before.folder
     assert found is not None
     inputs = {name: content for name, content in found.contents.items() if name.startswith(INPUT)}
-    allowed = job.dosed.allowed
-    dosing = {
-        "feed": job.dosed.feed.value,
-        "max_lag_m": allowed.lag,
-        "max_turn_lag_rad": allowed.turn_lag,
-        "max_lead": lead_record(allowed.lead),
-        "max_turn_lead": lead_record(allowed.turn_lead, ("Nm", "rad")),
-        "feeds": {feed.value: dosed_record(made) for feed, made in job.tried.items()},
-        "passed_over": list(job.passed_over),
-        "undosed": [
-            {
-                "feed": way.name,
-                "duration_s": way.run.opened.equilibrium.duration,
-                "arrived_s": way.arrived,
-                "lag": lag_record(way.run.lag),
-                "largest_push_N": way.push,
-            }
-            for way in job.ways
-        ],
-        "front": [
-            {"lead": lead_record(point.lead), **{f"{feed.value}_s": s for feed, s in point.durations.items()}}
-            for point in job.front
-        ],
-        "left_out": list(job.left_out),
-        "joints": joint_record(job.joints),
-        "notes": list(job.dosed.notes),
-    }
-    from trajopt_cli.iiwa.job.pages import dose_page
-
-    options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": job.dosed.feed.value}
+    allowed = job.scheduled.allowed
+    options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": job.scheduled.feed.value}
     write_task_run(
         job.folder,
         "iiwa dose",
         options,
         found.record.inputs,
-        {**inputs, **sequence_files(job.after), REPORT: dose_page(job)},
-        {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": dosing},
+        {**inputs, **sequence_files(job.after), REPORT: feed_page(job)},
+        {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": job.record()},
     )

@@ -10,9 +10,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.geometry import Array, axis_angle
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, RotationLaw, Task
 from trajopt_cli.quantity import complain
@@ -22,7 +24,6 @@ from trajopt_cli.runs.folder import TASK, ResultsFolder, read_run, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json
 
 if TYPE_CHECKING:
-    from trajopt_cli.geometry import Array
     from trajopt_cli.robot.srs import SrsRobot
 
 EQUILIBRIUM, QUATERNIONS, JOINTS, SIMULATION = (
@@ -98,7 +99,7 @@ TaskRun = ResultsFolder[TaskRecord]
 class Opened:
     """A task, its robot, mounted, and its equilibrium sequence; folder: where it came from, None for a fresh one.
 
-    feed: what the controller is told of it. plan: where the arm should be at every row, None where that is the
+    feed: what the controller is fed of it. plan: where the arm should be at every row, None where that is the
     equilibrium.
     """
 
@@ -113,6 +114,13 @@ class Opened:
     def X_start(self) -> Array:
         """The tool in the world (4, 4) where the controller is switched on."""
         return self.robot.forward(self.task.start_joints) @ self.task.X_FT
+
+
+def start_distance(opened: Opened) -> tuple[float, float]:
+    """How far the sequence's first pose is from the tool where the controller is switched on [m], [rad]."""
+    X, sequence = opened.X_start, opened.equilibrium
+    turned = axis_angle(X[:3, :3].T @ sequence.rotations(X[:3, :3])[0])[1]
+    return float(np.linalg.norm(sequence.pose[0, :3] - X[:3, 3])), turned
 
 
 def check_place(place: Path | None, option: str) -> None:

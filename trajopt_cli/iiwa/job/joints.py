@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 Tell = Callable[[str], None]
 
 LONG = 50_000
-"""Rows of a sequence from which on what is being done is worth telling."""
+"""Rows of a sequence from which on what is being done is worth a line."""
 
 
 def follow_joints(
@@ -25,7 +25,7 @@ def follow_joints(
     """Joints along a folder's sequence, written as joints.csv into it.
 
     free: the arm angle may change where the fixed one fails. goal: what it is chosen for instead. Nothing is written
-    where a joint passes its range or its speed limit, which would stop the controller's loop. tell: is told what is
+    where a joint passes its range or its speed limit, which would stop the controller's loop. tell: hears what is
     being worked on where that takes a while.
     """
     from trajopt_cli.iiwa.task.joints import Followed, follow

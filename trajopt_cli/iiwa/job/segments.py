@@ -8,16 +8,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.errors import InputError, printable
-from trajopt_cli.iiwa.job.folder import Opened, check_place, sequence_files, sequence_record, write_task_run
+from trajopt_cli.iiwa.job.folder import (
+    Opened,
+    check_place,
+    sequence_files,
+    sequence_record,
+    start_distance,
+    write_task_run,
+)
 from trajopt_cli.iiwa.task.model import AngleMeaning, Task
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
+from trajopt_cli.units import DEG, MM
 
 if TYPE_CHECKING:
     from trajopt_cli.iiwa.task.segments import Passed, SegmentFacts
 
 _POSES = (".mod", ".prg", ".sys", ".csv")
-_MANY = 100_000  # rows whose writing is told of
+_MANY = 100_000  # rows whose writing is worth a line
 _AT_START = 1e-6  # m, rad: nearer counts as the same pose
 
 
@@ -59,11 +67,11 @@ def make_segments(
     folder: Path,
     task: Path | None,
     angles: AngleMeaning | None,
-    told: Callable[[str], None] = lambda _: None,
+    tell: Callable[[str], None] = lambda _: None,
 ) -> Segments:
     """Interpolate the poses of a task file (or of a RAPID program or a path as CSV with one) and write folder.
 
-    angles: how the sequence counts them, None for the task's own way. told: is told of progress. Raises InputError for
+    angles: how the sequence counts them, None for the task's own way. tell: hears of progress. Raises InputError for
     mistakes, and nothing is written then.
     """
     from trajopt_cli.iiwa.task.angle_frames import counted
@@ -73,7 +81,7 @@ def make_segments(
     check_place(folder, "--output")
     check_replaceable(folder)
     read, task_path, program = read_task(path, task)
-    equilibrium, facts = planned(read.route, told)
+    equilibrium, facts = planned(read.route, tell)
     robot = load_srs(read.robot, read.X_WB)
     opened = Opened(read, robot, equilibrium)
     if angles is not None:
@@ -84,7 +92,7 @@ def make_segments(
         opened = replace(opened, equilibrium=equilibrium)
     notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
     if len(equilibrium.pose) > _MANY:
-        told(f"writing {len(equilibrium.pose)} rows")
+        tell(f"writing {len(equilibrium.pose)} rows")
     inputs = _inputs(read, task_path, program)
     files = {one.place: one.content for one in inputs} | sequence_files(opened)
     section = sequence_record(opened) | {
@@ -134,18 +142,11 @@ def _passed_record(passed: Passed) -> dict[str, Any]:
 
 def _start_notes(opened: Opened) -> tuple[str, ...]:
     """What the controller would do where the sequence does not begin where it is switched on."""
-    import numpy as np
-
-    from trajopt_cli.geometry import axis_angle
-    from trajopt_cli.units import MM
-
-    X, sequence = opened.X_start, opened.equilibrium
-    away = float(np.linalg.norm(sequence.pose[0, :3] - X[:3, 3]))
-    turned = axis_angle(X[:3, :3].T @ sequence.rotations(X[:3, :3])[0])[1]
+    away, turned = start_distance(opened)
     if away < _AT_START and turned < _AT_START:
         return ()
     return (
-        f"the first pose is {away / MM:.4g} mm and {np.degrees(turned):.4g}° from the tool at the start joints:"
+        f"the first pose is {away / MM:.4g} mm and {turned / DEG:.4g}° from the tool at the start joints:"
         " a controller switched on there is pulled to it at once",
     )
 

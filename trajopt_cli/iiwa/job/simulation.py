@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import ceil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +16,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.regulator import equilibrium_rates
 from trajopt_cli.iiwa.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.iiwa.job.joints import joint_record
+from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import angles_near, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import (
@@ -39,13 +42,6 @@ if TYPE_CHECKING:
 
 _LONGEST_SETTLING = 10.0  # s
 _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
-
-
-@dataclass(frozen=True, eq=False)
-class NoRun:
-    """There is nothing to show: an unstable law, or a loop that stops before its first period. One sentence each."""
-
-    sentences: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +95,7 @@ class Simulated:
 
     @property
     def tool(self) -> Array:
-        """The tool (n, 6) as the arm stands, angles from the start: where the loop's joints put it, else x.
+        """The tool (n, 6) where the arm is, angles from the start: where the loop's joints put it, else x.
 
         Also x where poses are counted from other frames in the course of the run.
         """
@@ -108,6 +104,30 @@ class Simulated:
         X = self.opened.robot.forward(self.loop.q) @ self.opened.task.X_FT
         turned = X[:, :3, :3] @ self.opened.X_start[:3, :3].T
         return np.column_stack([X[:, :3, 3], angles_near(turned, self.x[:, 3:])])
+
+    @cached_property
+    def touch(self) -> dict[str, Any] | None:
+        """What the contact did, as touch_record."""
+        return touch_record(self)
+
+    @property
+    def q(self) -> Array | None:
+        """The arm's joints (n, 7) [rad], None where it cannot follow."""
+        from trajopt_cli.iiwa.task.joints import Followed
+
+        if self.loop is not None:
+            return self.loop.q
+        return self.joints.trajectory.q if isinstance(self.joints, Followed) else None
+
+    @property
+    def on_plan(self) -> bool:
+        """Whether lag is counted from plan.csv."""
+        return self.opened.plan is not None and not frames_change(self.opened.task)
+
+    @property
+    def most_push(self) -> float:
+        """The largest force [N] the tool would begin to push with if it were blocked."""
+        return float(np.linalg.norm(self.push, axis=1).max())
 
     @property
     def spring(self) -> Array:
@@ -138,7 +158,7 @@ def simulate(
     feed: Feed | None = None,
     integration: Integration | None = None,
     settle: float | None = None,
-) -> Simulated | NoRun:
+) -> Simulated | Refused:
     """Run the controller on a folder's sequence and write simulation.csv and report.html into it.
 
     contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
@@ -167,8 +187,11 @@ def run_controller(
     integration: Integration | None,
     settle: float | None,
     place: str | None = None,
-) -> Simulated | NoRun:
-    """As simulate, on a sequence at hand; nothing is written. place: the contact's file, for messages."""
+) -> Simulated | Refused:
+    """As simulate, on a sequence at hand; nothing is written.
+
+    contact: what the tool may run into. place: the contact's file, for messages.
+    """
     from trajopt_cli.iiwa.controller.lag import worst_lag
     from trajopt_cli.iiwa.controller.stability import StabilityVerdict, stability
     from trajopt_cli.iiwa.world.mujoco_world import available
@@ -186,7 +209,7 @@ def run_controller(
             bad = (axis for axis in changed if axis.verdict is StabilityVerdict.UNSTABLE)
             unstable += [f"with the change at {change.t:g} s {axis.sentence}" for axis in bad]
     if unstable:
-        return NoRun(tuple(unstable))
+        return _no_run(unstable)
     if settle is None:
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
         # a round time, so that runs whose laws differ by rounding end together
@@ -201,7 +224,7 @@ def run_controller(
         links, motors = world.link_contacts, world.motors
         if len(loop.x) == 0:
             assert loop.stop is not None
-            return NoRun((loop.stop.message,))
+            return _no_run([loop.stop.message])
         x_e, x, R, force, joints = loop.x_e, loop.x, loop.R, loop.force_believed, None
     else:
         loop = None
@@ -213,8 +236,8 @@ def run_controller(
     if sequence.rotation is RotationLaw.SLERP and not frames_change(task):
         x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
     lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
-    told = (fallback, links, motors, target)
-    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *told)
+    of_world = (fallback, links, motors, target)
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *of_world)
 
 
 def frames_change(task: Task) -> bool:
@@ -222,10 +245,14 @@ def frames_change(task: Task) -> bool:
     return any(change.restart or change.X_FT is not None or change.X_WB is not None for change in task.changes)
 
 
+def clamped(task: Task) -> bool:
+    """Whether torques or forces are clamped."""
+    return bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
+
+
 def simulation_csv(run: Simulated) -> str:
-    """simulation.csv: equilibrium, controller, deviation, forces, joints; what a world adds stands at the end."""
+    """simulation.csv: equilibrium, controller, deviation, forces, joints; what a world adds comes last."""
     from trajopt_cli.iiwa.controller.lag import deviation
-    from trajopt_cli.iiwa.task.joints import Followed
 
     heads = ["t [s]"]
     heads += [f"{name}_e [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
@@ -237,9 +264,9 @@ def simulation_csv(run: Simulated) -> str:
         heads += [f"{name} command [rad]" for name in names] + [f"{name} [rad]" for name in names]
         heads += [f"true {name}" for name in _FORCES] + ["depth [m]"]
         columns += [run.loop.q_command, run.loop.q, run.loop.contact_true, run.loop.depth[:, None]]
-    elif isinstance(run.joints, Followed):
+    elif run.q is not None:
         heads += [f"{name} [rad]" for name in names]
-        columns += [run.joints.trajectory.q]
+        columns += [run.q]
     table = np.hstack(columns)
     row = ",".join(["%.10g"] * table.shape[1])  # finer than any model here is true
     return "\n".join([",".join(heads), *(row % tuple(values) for values in table.tolist())]) + "\n"
@@ -257,7 +284,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
         "loop_run_for": list(run.why),
         "lag": lag_record(run.lag),
         "largest_spring_force_N": float(np.linalg.norm(run.spring, axis=1).max()),
-        "largest_push_N": float(np.linalg.norm(run.push, axis=1).max()),
+        "largest_push_N": run.most_push,
         "stability": [
             {
                 "axis": axis.axis,
@@ -275,7 +302,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
         record["joints"] = {"unfollowable": run.joints.message}
     if run.loop is not None:
         record["world"] = run.loop.world
-        record["contact"] = touch_record(touches(run))
+        record["contact"] = run.touch
         record["links_in_obstacles"] = [
             {
                 "link": one.link,
@@ -313,65 +340,36 @@ def lag_record(lag: Lag) -> dict[str, Any]:
     }
 
 
-@dataclass(frozen=True)
-class Touching:
-    """What the contact did: first and last touch [s], seconds in contact, the largest force [N] and depth [m] with
-    their times, the largest force per axis of the world (3,) [N], and how far the tool, as the arm stands, was from
-    the equilibrium along each axis while it touched (3,) [m], its lag included; controller: the same of the
-    controller's own pose."""
+def touch_record(run: Simulated) -> dict[str, Any] | None:
+    """The contact as plain data, None where the tool touched nothing.
 
-    first: float
-    last: float
-    seconds: float
-    force: float
-    force_time: float
-    per_axis: tuple[float, float, float]
-    depth: float
-    depth_time: float
-    excursion: tuple[float, float, float]
-    controller: tuple[float, float, float]
-
-
-def touches(run: Simulated) -> Touching | None:
-    """The contact of a run in one record, None where the tool touched nothing."""
+    Excursions are how far the tool, where the arm is, was from the equilibrium along each axis while it touched, its
+    lag included; the controller's are those of its own pose.
+    """
     if run.loop is None or not np.any(run.loop.depth > 0):
         return None
     rows = np.flatnonzero(run.loop.depth > 0)
     force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
     away, controller = (np.abs(pose - run.x_e)[rows, :3].max(axis=0).tolist() for pose in (run.tool, run.x))
-    t, h = run.t, run.opened.equilibrium.h
+    t = run.t
     strongest, deepest = (int(np.argmax(values)) for values in (force, run.loop.depth))
-    per_axis = np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist()
-    return Touching(
-        float(t[rows[0]]),
-        float(t[rows[-1]]),
-        len(rows) * h,
-        float(force[strongest]),
-        float(t[strongest]),
-        (per_axis[0], per_axis[1], per_axis[2]),
-        float(run.loop.depth[deepest]),
-        float(t[deepest]),
-        (away[0], away[1], away[2]),
-        (controller[0], controller[1], controller[2]),
-    )
-
-
-def touch_record(touching: Touching | None) -> dict[str, Any] | None:
-    """A contact as plain data."""
-    if touching is None:
-        return None
     return {
-        "first_s": touching.first,
-        "last_s": touching.last,
-        "in_contact_s": touching.seconds,
-        "largest_force_N": touching.force,
-        "largest_force_at_s": touching.force_time,
-        "largest_per_axis_N": list(touching.per_axis),
-        "deepest_m": touching.depth,
-        "deepest_at_s": touching.depth_time,
-        "largest_excursion_per_axis_m": list(touching.excursion),
-        "controllers_excursion_per_axis_m": list(touching.controller),
+        "first_s": float(t[rows[0]]),
+        "last_s": float(t[rows[-1]]),
+        "in_contact_s": len(rows) * run.opened.equilibrium.h,
+        "largest_force_N": float(force[strongest]),
+        "largest_force_at_s": float(t[strongest]),
+        "largest_per_axis_N": np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist(),
+        "deepest_m": float(run.loop.depth[deepest]),
+        "deepest_at_s": float(t[deepest]),
+        "largest_excursion_per_axis_m": away,
+        "controllers_excursion_per_axis_m": controller,
     }
+
+
+def _no_run(sentences: Sequence[str]) -> Refused:
+    """An unstable law, or a loop that stops before its first period."""
+    return Refused("no run", [*sentences, "NOTHING WRITTEN: the controller cannot run"])
 
 
 def _finite(value: float) -> float | None:
@@ -380,11 +378,10 @@ def _finite(value: float) -> float | None:
 
 def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tuple[str, ...]:
     """What happens that the law alone cannot tell; empty where nothing does."""
-    clamped = bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
     asked = {
         "contact": contact is not None,
         "sensor errors": task.sensor is not None,
-        "clamps": clamped,
+        "clamps": clamped(task),
         "changes": bool(task.changes),
         "--engine": engine is not None,
     }
@@ -451,10 +448,10 @@ def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
     task, sequence = opened.task, opened.equilibrium
     last = sequence.pieces[-1]
     pieces = (*sequence.pieces, Piece(last.last, len(x) - 1, last.goal, last.goal, dwell=True))
-    way = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
+    path = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
     limits = opened.robot.profile(task.limits)
     return follow(
-        way,
+        path,
         opened.robot,
         task.X_FT,
         task.start_joints,

@@ -14,8 +14,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
-from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.iiwa.report.runs import curve, looked_at, times
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.report.runs import checked, curve, times
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, margins
 from trajopt_cli.iiwa.task.joint_checks import ELBOW
 from trajopt_cli.iiwa.task.joint_rows import position_excess, speeds
@@ -26,11 +26,11 @@ from trajopt_cli.units import DEG, MM
 
 # Of joints 1, 2, 3, 5, 6, 7, from light to dark in turns, so that neighbours differ in grey, too.
 _ZONES = dict(zip(FREE, ("#f2d5a0", "#b98a8a", "#d9c2e0", "#9cbf9c", "#e9a98c", "#b9b08a"), strict=True))
-_ROOM = LinearSegmentedColormap.from_list("room", ["#4f7fae", "#b9d2e8", "#ffffff"])
+_MARGIN = LinearSegmentedColormap.from_list("margin", ["#4f7fae", "#b9d2e8", "#ffffff"])
 _NEAR = 10 * DEG  # of joint_2, joint_4 or joint_6 from zero
 _FLIP = 3 * DEG  # of joint_2: a spot this near to zero is marked
 _AXIS = 20 * MM  # of the wrist centre from axis 1
-_WAYS: tuple[dict[str, Any], ...] = (
+_STYLES: tuple[dict[str, Any], ...] = (
     {"color": BLACK, "linestyle": (0, (5, 2)), "linewidth": 2.2},
     {"color": VERMILLION, "linestyle": "-", "linewidth": 2.6},
 )
@@ -51,8 +51,8 @@ def map_figure(
     limits: JointLimits,
     courses: Sequence[ArmAngleSeries],
     definition: str,
+    places: Sequence[tuple[float, str]],
     title: str,
-    places: Sequence[tuple[float, str]] = (),
 ) -> Figure:
     """The map over times t (n,) [s], one or two courses on it, and their distance from limits and speed below.
 
@@ -60,38 +60,38 @@ def map_figure(
     """
     time = times(t, "arm angle map")
     for one in courses:
-        looked_at(one.arm_angle, time.shape, f"arm angle map: {one.name}")
-        looked_at(one.q, (len(time), len(limits.names)), f"arm angle map: joints of {one.name}")
+        checked(one.arm_angle, time.shape, f"arm angle map: {one.name}")
+        checked(one.q, (len(time), len(limits.names)), f"arm angle map: joints of {one.name}")
     figure = new_figure(
         9.6, title, "white: far from every limit · coloured: a joint out of its range · joint_4 left out"
     )
-    plan, room, speed = figure.subplots(3, 1, sharex=True, height_ratios=[6, 1.5, 1.5])
+    plan, margin, speed = figure.subplots(3, 1, sharex=True, height_ratios=[6, 1.5, 1.5])
     at, columns, shown = time[chart.rows], _edges(time[chart.rows]), _shown(chart, courses)
     q = chart.q[:, shown % len(chart.delta)]
     delta = (chart.delta[0] + chart.cell * shown) / DEG
     handles = _zones(plan, q, columns, _edges(delta), limits, figure)
     handles += _singular(plan, q, at, delta, chart)
-    for one, style in zip(courses, _WAYS, strict=False):
+    for one, style in zip(courses, _STYLES, strict=False):
         angles = one.arm_angle / DEG
         if style["linestyle"] == "-":  # a seam, so that it shows on every colour
             curve(plan, time, angles, f"{one.name} seam", color="white", linewidth=4.6)
         curve(plan, time, angles, one.name, **style)
-        curve(room, time, margins(one.q, limits) / DEG, f"{one.name} distance", **{**style, "linewidth": 1.8})
+        curve(margin, time, margins(one.q, limits) / DEG, f"{one.name} distance", **{**style, "linewidth": 1.8})
         used = 100 * (speeds(one.q, time[1] - time[0]) / limits.velocity)[:, FREE].max(axis=1)
         curve(speed, time[1:], used, f"{one.name} speed", **{**style, "linewidth": 1.8})
         handles.append(Line2D([], [], **style, label=f"{one.name} arm angle"))
     plan.set_ylim(delta[0], delta[-1])
     plan.yaxis.set_major_locator(MultipleLocator(60))
     plan.set_ylabel(f"arm angle, {definition} [deg]")
-    room.set_ylabel("to nearest\nlimit [deg]", size=SMALL)
+    margin.set_ylabel("to nearest\nlimit [deg]", size=SMALL)
     speed.set_ylabel("fastest joint\n[% of limit]", size=SMALL)
-    room.set_ylim(*_span(room, 0.0))
+    margin.set_ylim(*_span(margin, 0.0))
     top = max(_span(speed, 0.0)[1], 20.0)
     speed.set_ylim(0.0, top)
     if top > 100:
         name_limit(speed, 100, "limit")
-    if room.get_ylim()[0] < 0:
-        room.axhline(0, **LIMIT)
+    if margin.get_ylim()[0] < 0:
+        margin.axhline(0, **LIMIT)
     speed.set_xlabel(TIME)
     speed.set_xlim(columns[0], columns[-1])
     figure.legend(handles=handles, loc="outside lower center", ncols=3, columnspacing=1.4)
@@ -123,17 +123,23 @@ def _span(axes: Axes, least: float) -> tuple[float, float]:
 def _zones(
     axes: Axes, q: Array, columns: Array, rows: Array, limits: JointLimits, figure: Figure
 ) -> list[Patch | Line2D]:
-    """Distance from limits where it is allowed; where not, the joint that is furthest out, named in its zone."""
-    room = margins(q, limits) / DEG
+    """Distance from limits where it is allowed; where not, the joint that is furthest out."""
+    margin = margins(q, limits) / DEG
     excess = position_excess(q, limits)[..., FREE]
     broken, worst = excess.max(axis=-1) > 0, np.array(FREE)[excess.argmax(axis=-1)]
     scale = axes.pcolormesh(
-        columns, rows, np.ma.masked_where(broken, room).T, cmap=_ROOM, vmin=0, vmax=60, rasterized=True, gid="room"
+        columns,
+        rows,
+        np.ma.masked_where(broken, margin).T,
+        cmap=_MARGIN,
+        vmin=0,
+        vmax=60,
+        rasterized=True,
+        gid="margin",
     )
     bar = figure.colorbar(scale, ax=axes, extend="max", pad=0.01, aspect=30)
     bar.set_label("distance from the nearest joint limit [deg]", size=SMALL)
     handles: list[Patch | Line2D] = []
-    across, up = (columns[1:] + columns[:-1]) / 2, (rows[1:] + rows[:-1]) / 2
     for joint in FREE:
         zone = broken & (worst == joint)
         if not zone.any():
@@ -142,9 +148,6 @@ def _zones(
         shade = np.ma.masked_where(~zone, np.ones(zone.shape)).T
         axes.pcolormesh(columns, rows, shade, cmap=color, rasterized=True, gid=f"out joint_{joint + 1}")
         handles.append(Patch(color=_ZONES[joint], linewidth=0, label=f"joint_{joint + 1} out of range"))
-        k, i, deep = _deepest(zone)
-        if deep > 12:
-            axes.text(across[k], up[i], f"joint_{joint + 1}", ha="center", va="center", size=SMALL)
     return handles
 
 
@@ -179,18 +182,3 @@ def _singular(axes: Axes, q: Array, at: Array, delta: Array, chart: ArmMap) -> l
             axes.fill_between(at, delta[0], delta[-1], where=rows.tolist(), step="mid", **style)
             handles.append(Patch(**{**style, "linewidth": 0.8}, label=name))
     return handles
-
-
-def _deepest(zone: BoolArray) -> tuple[int, int, int]:
-    """The cell of a zone that is furthest from its border, and how many cells."""
-    inside, deep, place = zone.copy(), 0, (0, 0)
-    while inside.any():
-        places = np.argwhere(inside)
-        place = tuple(places[len(places) // 2].tolist())
-        deep += 1
-        inner = np.zeros_like(inside)
-        inner[1:-1, 1:-1] = (
-            inside[1:-1, 1:-1] & inside[:-2, 1:-1] & inside[2:, 1:-1] & inside[1:-1, :-2] & inside[1:-1, 2:]
-        )
-        inside = inner
-    return place[0], place[1], deep

@@ -59,7 +59,7 @@ class Tile:
 
 @dataclass(frozen=True)
 class TimelineEntry:
-    """A stretch of the run: what it is, from when to when [s], and what else is told of it."""
+    """A part of the run: what it is, from when to when [s], and further cells."""
 
     name: str
     start: float
@@ -83,7 +83,7 @@ def run_page(
     """
     specs, arrays = charts_data([one for _, group in charts.values() for one in group])
     space = HOLDER if not isinstance(scene, str) else points([scene])
-    keys = "Space plays, arrow keys step 10 ms, with Shift 100 ms. Drag over a chart to enlarge a stretch of time."
+    keys = "Space plays, arrow keys step 10 ms, with Shift 100 ms. Drag over a chart to enlarge an interval."
     sections = [Section("motion", "Motion", space, keys)]
     for heading, (lead, group) in charts.items():
         figures = "".join(chart(one.name, f"{one.title} over time") for one in group)
@@ -112,7 +112,7 @@ def head(title: str, about: str, tiles: Sequence[Tile]) -> str:
 
 
 def legs_table(heads: Sequence[str], legs: Sequence[TimelineEntry]) -> str:
-    """Stretches of a run as a table; a click on one goes to its beginning. heads: of what else is told."""
+    """Parts of a run as a table; a click on one goes to its beginning. heads: of the further cells."""
     names = ["", ">from [s]", ">to [s]", *heads]
     top = "".join(
         f'<th scope="col" class="n">{text(name[1:])}</th>'
