@@ -103,11 +103,6 @@ def inverse_pose(X: ArrayLike) -> Array:
     return pose(R_t, -(R_t @ X[..., :3, 3:])[..., 0])
 
 
-def rotation_xyz(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
-    """R = Rx(alpha) Ry(beta) Rz(gamma), intrinsic x-y'-z'' angles in rad (spec rail-arm, eq. 1.9)."""
-    return rotation_about([1, 0, 0], alpha) @ rotation_about([0, 1, 0], beta) @ rotation_about([0, 0, 1], gamma)
-
-
 def xyz_from_rotation(R: ArrayLike) -> Array:
     """Intrinsic x-y'-z'' angles (..., 3) in rad, beta in [-90, 90] deg; at |beta| = 90 deg gamma = 0."""
     R = np.asarray(R, dtype=np.float64)

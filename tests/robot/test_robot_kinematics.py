@@ -3,12 +3,7 @@
 import numpy as np
 import pytest
 
-from trajopt_cli.geometry import rotation_xyz, xyz_from_rotation
 from trajopt_cli.robot.kinematics import (
-    analytic_jacobian,
-    analytic_jacobian_rate,
-    euler_rate_map,
-    euler_rate_map_rate,
     forward_acceleration,
     forward_velocity,
     inverse_acceleration,
@@ -104,41 +99,6 @@ def test_a_rail_needs_its_motion_given():
         inverse_velocity(robot, np.radians([0, 10, 20, -40, 30, 40, 50]), np.ones(6))
 
 
-def test_euler_rate_map_turns_angle_rates_into_angular_velocity(rng):
-    angles, rates = rng.uniform(-1.4, 1.4, (100, 3)), rng.normal(size=(100, 3))
-    h = 1e-6
-    R_0, R, R_1 = (rotation_xyz(*np.moveaxis(angles + t * rates, -1, 0)) for t in (-h, 0.0, h))
-    spin = (R_1 - R_0) / (2 * h) @ np.swapaxes(R, -1, -2)
-    omega = np.stack([spin[..., 2, 1], spin[..., 0, 2], spin[..., 1, 0]], axis=-1)
-    np.testing.assert_allclose((euler_rate_map(angles) @ rates[..., None])[..., 0], omega, rtol=0, atol=1e-8)
-    difference = (euler_rate_map(angles + h * rates) - euler_rate_map(angles - h * rates)) / (2 * h)
-    np.testing.assert_allclose(euler_rate_map_rate(angles, rates), difference, rtol=0, atol=1e-8)
-
-
-def generalised(robot, q, X_FT):
-    X = robot.forward(q) @ X_FT
-    return np.concatenate([X[..., :3, 3], xyz_from_rotation(X[..., :3, :3])], axis=-1)
-
-
-def test_analytic_jacobian_and_its_rate_are_differences(mounted, X_FT, rng):
-    q, qd, _ = states(mounted, rng)
-    tame = np.abs(generalised(mounted, q, X_FT)[:, 4]) < 1.2  # the angles' own singularity is at 90 deg
-    q, qd, h = q[tame], qd[tame], 1e-6
-    assert len(q) > 20
-    apart = generalised(mounted, q + h * qd, X_FT) - generalised(mounted, q - h * qd, X_FT)
-    apart[:, 3:] = (apart[:, 3:] + np.pi) % (2 * np.pi) - np.pi
-    found = (analytic_jacobian(mounted, q, X_FT) @ qd[..., None])[..., 0]
-    np.testing.assert_allclose(found, apart / (2 * h), rtol=1e-7, atol=1e-7)
-    difference = analytic_jacobian(mounted, q + h * qd, X_FT) - analytic_jacobian(mounted, q - h * qd, X_FT)
-    found = analytic_jacobian_rate(mounted, q, qd, X_FT)
-    np.testing.assert_allclose(found, difference / (2 * h), rtol=1e-6, atol=1e-6)
-
-
-def test_analytic_jacobian_refuses_beta_at_90_degrees(irb140):
-    with pytest.raises(ValueError, match=r"angles are singular: \|cos beta\| = \S+, at least 1e-09"):
-        analytic_jacobian(irb140, np.zeros(6))
-
-
 @pytest.mark.parametrize("which", range(3))
 def test_what_counts_as_singular(irb140, which):
     """The measures one by one, just beside their limit."""
@@ -156,15 +116,3 @@ def test_what_counts_as_singular(irb140, which):
         else:
             rates = inverse_velocity(irb140, q, np.ones(6))
             np.testing.assert_allclose(irb140.jacobian(q) @ rates, np.ones(6), rtol=0, atol=1e-4)
-
-
-def test_angles_have_rates_up_to_their_lock(irb140):
-    """beta is 90 deg less q2 + q3 for an arm in its plane that points ahead: cos beta = |sin|, beside 0."""
-    for off, locked in ((0.9e-9, True), (1.1e-9, False)):
-        q = np.array([0.0, 0.4, -0.4, 0.0, off, 0.0])
-        assert abs(irb140.forward(q)[2, 2]) == pytest.approx(off, rel=1e-5)
-        if locked:
-            with pytest.raises(ValueError, match=r"\|cos beta\| = 9e-10, at least 1e-09 for rates"):
-                analytic_jacobian(irb140, q)
-        else:
-            assert np.isfinite(analytic_jacobian(irb140, q)).all()
