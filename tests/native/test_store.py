@@ -182,12 +182,12 @@ def test_code_for_another_computer_is_not_taken(tmp_path: Path, monkeypatch: pyt
 def test_robots_that_differ_in_a_hair_have_blocks_of_their_own(tmp_path: Path) -> None:
     axes = Axes.of(plant_with_rail())
     ours = Native(machine(), Store(tmp_path))
-    same = Formulation(Axes.of(plant_with_rail()), ours).axis_node("l").block
-    assert Formulation(axes, ours).axis_node("l").block is same
+    same = Formulation(Axes.of(plant_with_rail()), ours).node("joints", "l").block
+    assert Formulation(axes, ours).node("joints", "l").block is same
     longer = replace(axes.robot, arm=replace(axes.robot.arm, c2=np.nextafter(axes.robot.arm.c2, 1.0)))
-    assert Formulation(replace(axes, robot=longer), ours).axis_node("l").block is not same
+    assert Formulation(replace(axes, robot=longer), ours).node("joints", "l").block is not same
     higher = replace(axes, upper=np.nextafter(axes.upper, 9.0))
-    assert Formulation(higher, ours).axis_node("l").block is not same
+    assert Formulation(higher, ours).node("joints", "l").block is not same
 
 
 def test_only_data_has_an_exact_text() -> None:

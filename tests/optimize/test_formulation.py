@@ -10,7 +10,7 @@ from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.nlp.block_cache import Maps
 from trajopt_cli.nlp.constraint import Relation
-from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
@@ -19,6 +19,8 @@ from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity,
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.limits.joint_torque import JointTorque
+from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
 
 X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
 
@@ -67,9 +69,8 @@ def parameters(axes: Axes, X_0: Array, X_1: Array, cfx: int, near: Array) -> dic
     return {"path": path, "branch": BranchSigns.from_cfx(cfx).vector(), "near": near}
 
 
-def at_node(V: Array, A: Array, caps: Array, room: Array) -> dict[str, object]:
-    at = dict(zip(("at_speed", "at_acceleration", "at_turning"), caps, strict=True))
-    return {"V": V, "A": A, **at, "room": room}
+def at_node(V: Array, A: Array, room: Array) -> dict[str, object]:
+    return {"V": V, "A": A, "room": room}
 
 
 def motion_at(axes: Axes, X_0: Array, X_1: Array, cfx: int, s: float, d: float, v: float, w: float, a: float, b: float):
@@ -84,12 +85,12 @@ def motion_at(axes: Axes, X_0: Array, X_1: Array, cfx: int, s: float, d: float, 
     return q, qd, qdd
 
 
-def arm_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: float, V: Array, A: Array, room: Array):
+def node_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: float, V: Array, A: Array, room: Array):
     arm = axes.layout.arm
     middle, half = (axes.upper + axes.lower)[arm] / 2, (axes.upper - axes.lower)[arm] / 2
     wrist = -1.0 if cfx & 1 else 1.0
-    wanted = [(q[arm] - middle) / (half * room), np.sin(q[arm][2]), wrist * np.sin(q[arm][4]), qd[arm] / (V[arm] * T)]
-    return wanted + [qdd[arm] / (A[arm] * T**2) for qdd in qdds]
+    wanted = [np.sin(q[arm][2]), wrist * np.sin(q[arm][4]), qd / (V * T), *(qdd / (A * T**2) for qdd in qdds)]
+    return np.hstack([*wanted, (q[arm] - middle) / (half * room[arm])])
 
 
 @pytest.mark.parametrize("sides", ["l", "lr"])
@@ -97,27 +98,25 @@ def arm_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: fl
 def test_path_rows_are_the_motion_over_its_limits(
     axes: Axes, formulation: Formulation, sides: str, turning: bool
 ) -> None:
-    rng = np.random.default_rng(11)
-    node = formulation.path_node(LineSymbols(turning), sides)
-    n, r, rail = len(sides), axes.layout.r, axes.layout.rail
-    assert len(node.block.shape.lower) == 6 + 2 + 6 + 6 * n + 2 + r + (1 + r) * n
+    rng, track, n, k = np.random.default_rng(11), LineSymbols(turning), len(sides), axes.n
+    node = formulation.node(track, sides)
+    tool = formulation.limit_node(TcpMotion(axes), ToolKind((*ToolCap,), along=False), track, sides)
+    assert len(node.block.shape.lower) == 2 + k + k * n + 6
     for X_0, X_1, d, cfx in lines(axes, rng, turning):
         s, v, w, T = rng.uniform(0.2, 0.8), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
         acc, rail_acc = rng.normal(size=n) * 3, rng.normal(size=n)
-        V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, 6)
+        V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, k)
         caps = rng.uniform(0.1, 1, 3)
         z = {"s": s, "v": v, "T": T, **{f"a_{side}": a for side, a in zip(sides, acc, strict=True)}}
         z |= {"d": rails(axes, d), "w": rails(axes, w)}
         z |= {f"b_{side}": rails(axes, b) for side, b in zip(sides, rail_acc, strict=True)}
         q, qd, _ = motion_at(axes, X_0, X_1, cfx, s, d, v, w, 0.0, 0.0)
         qdds = [motion_at(axes, X_0, X_1, cfx, s, d, v, w, a, b)[2] for a, b in zip(acc, rail_acc, strict=True)]
-        near = q[axes.layout.arm] + rng.uniform(-1, 1, 6)
-        got = node.value(z, {**parameters(axes, X_0, X_1, cfx, near), **at_node(V, A, caps, room)})
-        wanted = arm_rows(axes, cfx, q, qd, qdds, T, V, A, room)
-        wanted += [caps[0] * v / T, caps[2] * v / T, rails(axes, w) / (V[rail] * T)]
-        for a, b in zip(acc, rail_acc, strict=True):
-            wanted += [caps[1] * a / T**2, rails(axes, b) / (A[rail] * T**2)]
-        np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+        path = parameters(axes, X_0, X_1, cfx, q[axes.layout.arm] + rng.uniform(-1, 1, 6))
+        got = node.value(z, {**path, **at_node(V, A, room)})
+        np.testing.assert_allclose(got, node_rows(axes, cfx, q, qd, qdds, T, V, A, room), rtol=1e-9, atol=1e-9)
+        wanted = [caps[0] * v / T, caps[2] * v / T, *(caps[1] * a / T**2 for a in acc)]
+        np.testing.assert_allclose(tool.value(z, {**path, "caps": caps}), wanted, rtol=1e-9, atol=1e-9)
 
 
 @pytest.mark.parametrize("turning", [False, True], ids=["even", "turning"])
@@ -125,9 +124,10 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
     axes: Axes, formulation: Formulation, turning: bool
 ) -> None:
     """The tool's acceleration from the axes' by the numeric Jacobian is what the row says."""
-    rng = np.random.default_rng(17)
+    rng, k = np.random.default_rng(17), axes.n
     symbols = ArcSymbols(turning)
-    node = formulation.path_node(symbols, "l")
+    node = formulation.node(symbols, "l")
+    tool = formulation.limit_node(TcpMotion(axes), ToolKind((*ToolCap,), along=False), symbols, "l")
     for X_0, X_1, d, cfx in lines(axes, rng, turning, 6):
         aside = np.cross(X_1[:3, 3] - X_0[:3, 3], rng.normal(size=3))
         arc = Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + 0.01 * aside / np.linalg.norm(aside), X_1)
@@ -139,17 +139,14 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
         qdd = inverse_acceleration(axes.robot, q, qd, (twist * a + bend * v**2) / T**2, b / T**2, X_FT)
         A = forward_acceleration(axes.robot, q, qd, qdd, X_FT)[:3]
         p = {"path": symbols.vector(arc, inverse_pose(axes.X_WB0), X_FT), "branch": BranchSigns.from_cfx(cfx).vector()}
-        p |= {
-            "near": q[axes.layout.arm],
-            **at_node(axes.velocity, axes.acceleration, [1, arc.length / 3, 1], np.ones(6)),
-        }
+        p |= {"near": q[axes.layout.arm]}
         z = {"s": s, "v": v, "d": rails(axes, d), "w": rails(axes, w), "a_l": a, "b_l": rails(axes, b), "T": T}
-        got = node.value(z, p)
-        wanted = arm_rows(axes, cfx, q, qd * T, [qdd * T**2], T, axes.velocity, axes.acceleration, np.ones(6))
-        np.testing.assert_allclose(got[:20], np.hstack(wanted), rtol=1e-9, atol=1e-9)
-        r = axes.layout.r
-        assert got[22 + r] == pytest.approx(np.sum(A**2) / 3**2, rel=1e-9)
-        assert node.block.shape.upper[22 + r] == 1.0
+        got = node.value(z, {**p, **at_node(axes.velocity, axes.acceleration, np.ones(k))})
+        wanted = node_rows(axes, cfx, q, qd * T, [qdd * T**2], T, axes.velocity, axes.acceleration, np.ones(k))
+        np.testing.assert_allclose(got, wanted, rtol=1e-9, atol=1e-9)
+        got = tool.value(z, {**p, "caps": [1, arc.length / 3, 1]})
+        assert got[2] == pytest.approx(np.sum(A**2) / 3**2, rel=1e-9)
+        assert tool.block.shape.upper[2] == 1.0
 
 
 @pytest.mark.parametrize("sides", ["l", "lr"])
@@ -157,18 +154,17 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
 def test_dwell_rows_are_the_self_motion_over_its_limits(mount: str, sides: str) -> None:
     rng, axes = np.random.default_rng(12), mounted(mount)
     formulation = Formulation(axes, Maps())
-    node, rail = formulation.dwell_node(sides), axes.layout.rail
+    node = formulation.node(DWELL, sides)
     for X_0, d, cfx in poses(axes, rng, 6):
         w, T, acc = rng.normal(), rng.uniform(0.3, 2), rng.normal(size=len(sides))
         q, qd, _ = motion_at(axes, X_0, X_0, cfx, 0.0, d, 0.0, w, 0.0, 0.0)
         qdds = [motion_at(axes, X_0, X_0, cfx, 0.0, d, 0.0, w, 0.0, b)[2] for b in acc]
         V, A = axes.velocity, axes.acceleration
-        p = {**parameters(axes, X_0, X_0, cfx, q[axes.layout.arm]), **at_node(V, A, np.ones(3), np.ones(6))}
+        p = {**parameters(axes, X_0, X_0, cfx, q[axes.layout.arm]), **at_node(V, A, np.ones(axes.n))}
         z = {f"b_{side}": rails(axes, b) for side, b in zip(sides, acc, strict=True)}
         got = node.value({"d": rails(axes, d), "w": rails(axes, w), "T": T, **z}, p)
-        wanted = [*arm_rows(axes, cfx, q, qd, qdds, T, V, A, np.ones(6)), rails(axes, w) / (V[rail] * T)]
-        wanted += [rails(axes, b) / (A[rail] * T**2) for b in acc]
-        np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+        wanted = node_rows(axes, cfx, q, qd, qdds, T, V, A, np.ones(axes.n))
+        np.testing.assert_allclose(got, wanted, rtol=1e-9, atol=1e-9)
 
 
 @pytest.mark.parametrize("way", ["line", "tied", "dwell"])
@@ -180,7 +176,8 @@ def test_torque_rows_are_pins_forces_and_torques(way: str) -> None:
     load = ToolLoad(3.0, np.array([0.1, 0.02, 0.05]), np.diag([0.02, 0.03, 0.04]))
     standing = Dynamics(axes.robot, load, rotor=axes.torque.plant.robot.rotor)
     formulation, track = Formulation(axes, Maps()), LineSymbols(True)
-    rows = formulation.dwell_torque("lr") if way == "dwell" else formulation.path_torque(track, "lr", way == "tied")
+    place = DWELL if way == "dwell" else track
+    rows = formulation.limit_node(JointTorque(axes), axes.torque.limited, place, "lr", way == "tied")
     for X_0, X_1, d, cfx in lines(axes, rng, True, 4):
         s, v, w, T = rng.uniform(0.3, 0.7), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
         acc, rail_acc = rng.normal(size=2) * 3, rng.normal(size=2)
@@ -228,7 +225,7 @@ def test_waypoint_rows_vanish_at_the_self_motion_and_nowhere_else(axes: Axes, fo
 def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> None:
     axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
     rng, n, formulation = np.random.default_rng(14), axes.n, Formulation(axes, Maps())
-    row = formulation.tool_cap(cap)
+    row = formulation.limit_node(TcpMotion(axes), ToolKind((cap,), along=False), JOINTS, "l")
 
     def share(q: Array, v: Array, a: Array, T: float, limit: float) -> float:
         V, A = forward_velocity(axes.robot, q, v / T, X_FT), forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)
@@ -238,8 +235,7 @@ def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> No
     for arm in safe_arm(rng, axes, 10):
         q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
         T, limit = rng.uniform(0.3, 2), rng.uniform(0.5, 5)
-        acc = {"a": a} if cap is ToolCap.ACCELERATION else {}
-        got = row.value({"q": q, "v": v, **acc, "T": T}, {"tcp": X_FT[:3, 3], "cap": limit})
+        got = row.value({"q": q, "v": v, "a_l": a, "T": T}, {"tcp": X_FT[:3, 3], "caps": np.full(3, limit)})
         assert got == pytest.approx([share(q, v, a, T, limit)], rel=1e-9)
     assert row.block.shape.upper.tolist() == [1.0]
 
@@ -249,17 +245,19 @@ def test_rows_along_the_tools_path_are_shares_of_speeding_up_and_slowing_down(na
     """With s of the squared speed over itself and 1 mm/s squared, which is nearly 1: both rows are below 0 as long as
     v a / |v| is within its caps."""
     axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
-    rng, n, row = np.random.default_rng(15), axes.n, Formulation(axes, Maps()).tool_along()
+    rng, n, kind = np.random.default_rng(15), axes.n, ToolKind((ToolCap.ACCELERATION,), along=True)
+    row = Formulation(axes, Maps()).limit_node(TcpMotion(axes), kind, JOINTS, "lr")
     for arm in safe_arm(rng, axes, 10):
         q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
         T, ramps = rng.uniform(0.3, 2), rng.uniform(0.5, 5, 2)
         V = forward_velocity(axes.robot, q, v / T, X_FT)[:3]
         A = forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)[:3]
         along, s = V @ A / np.linalg.norm(V), V @ V / (V @ V + 1e-6)
-        got = row.value({"q": q, "v": v, "a": a, "T": T}, {"tcp": X_FT[:3, 3], "ramps": ramps})
-        wanted = [np.sqrt(s) * along / ramps[0] - s, -np.sqrt(s) * along / ramps[1] - s]
+        z, p = {"q": q, "v": v, "a_l": a, "a_r": a, "T": T}, {"tcp": X_FT[:3, 3], "ramps": ramps, "caps": np.ones(3)}
+        got = row.value(z, p)[2:]
+        wanted = [np.sqrt(s) * along / ramps[0] - s, -np.sqrt(s) * along / ramps[1] - s] * 2
         assert got == pytest.approx(wanted, rel=1e-9)
-    assert row.block.shape.upper.tolist() == [0.0, 0.0]
+    assert row.block.shape.upper.tolist() == [1.0, 1.0, 0.0, 0.0, 0.0, 0.0]
 
 
 def test_small_relations_say_what_their_names_say(formulation: Formulation) -> None:
@@ -273,8 +271,11 @@ def test_small_relations_say_what_their_names_say(formulation: Formulation) -> N
     assert formulation.zones().value({"h": [0.1, 0.05, 0.1]}, {"n": 4}) == pytest.approx([0.0], abs=1e-15)
     assert formulation.velocity_link().value({"xd": 0.5, "v": 0.75, "T": 1.5}) == [0.0]
     assert formulation.equal().value({"x": 0.5, "y": 0.75}) == [-0.25]
-    got = formulation.axis_node("lr").value({"v": 1.2, "a_l": 3.0, "a_r": -4.0, "T": 0.5}, {"V": 2.0, "A": 10.0})
-    np.testing.assert_allclose(got, [1.2 / 1.0, 3 / 2.5, -4 / 2.5])
+    n = formulation.axes.n
+    q, v, left, right = rng.normal(size=(4, n))
+    z = {"q": q, "v": v, "a_l": left, "a_r": right, "T": 0.5}
+    got = formulation.node(JOINTS, "lr").value(z, {"V": np.full(n, 2.0), "A": np.full(n, 10.0)})
+    np.testing.assert_allclose(got, [*v, *(left / 2.5), *(right / 2.5)])
 
 
 def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Formulation) -> None:
@@ -289,11 +290,11 @@ def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Fo
 
 
 def test_a_relation_is_built_once_per_kind(formulation: Formulation) -> None:
-    free = formulation.path_node(LineSymbols(True), "lr")
-    assert formulation.path_node(LineSymbols(True), "lr") is free
-    assert formulation.path_node(LineSymbols(False), "lr") is not free
-    assert len({id(formulation.axis_node(sides)) for sides in ("l", "r", "lr")}) == 3
-    left, right = (formulation.axis_node(side) for side in "lr")
+    free = formulation.node(LineSymbols(True), "lr")
+    assert formulation.node(LineSymbols(True), "lr") is free
+    assert formulation.node(LineSymbols(False), "lr") is not free
+    assert len({id(formulation.node(JOINTS, sides)) for sides in ("l", "r", "lr")}) == 3
+    left, right = (formulation.node(JOINTS, side) for side in "lr")
     assert left.block is right.block  # names are the relation's, the functions are the same
 
 
@@ -305,9 +306,9 @@ def test_a_relation_refuses_a_name_it_does_not_have(formulation: Formulation) ->
 def test_without_a_rail_no_relation_has_a_variable_of_one(axes: Axes, formulation: Formulation) -> None:
     """Two per node less for position and velocity, one less per acceleration; a row less for each."""
     r = axes.layout.r
-    assert formulation.path_node(LineSymbols(True), "lr").z.size == 5 + 4 * r
+    assert formulation.node(LineSymbols(True), "lr").z.size == 5 + 4 * r
     assert formulation.waypoint().z.size == 12 + 2 * r
-    assert formulation.tool_cap(ToolCap.SPEED).z.size == 2 * (6 + r) + 1
+    assert formulation.node(JOINTS, "l").z.size == 3 * (6 + r) + 1
 
 
 def test_a_relation_holds_at_many_nodes_at_once(formulation: Formulation) -> None:

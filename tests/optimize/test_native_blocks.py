@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from heavy_cells import heavy, heavy_on_rail
+from heavy_cells import heavy_on_rail
 from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.graph_search.search import search
@@ -16,7 +16,7 @@ from trajopt_cli.limits import CoupledRange
 from trajopt_cli.native.machine import machine
 from trajopt_cli.nlp.block_cache import Library, Maps, library
 from trajopt_cli.nlp.driver import first_draft
-from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
 from trajopt_cli.nlp.nlp_assembly import Block, Expressed, NlpResult
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.arc import ArcSymbols
@@ -24,29 +24,32 @@ from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
+from trajopt_cli.trajectories.limits.joint_torque import JointTorque
+from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
 
 SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
 KINDS: dict[str, list[tuple[object, ...]]] = {
-    "path_node": [(track, sides) for track in (TRACKS[0], TRACKS[-1]) for sides in SIDES]
-    + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True), (TRACKS[1], "lr", False, False, True)],
-    "dwell_node": [(sides,) for sides in SIDES] + [("lr", True)],
+    "node": [(track, sides) for track in (TRACKS[0], TRACKS[-1], JOINTS, DWELL) for sides in SIDES]
+    + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True), (DWELL, "lr", True)],
     "law_interval": [(10,)],
-    "axis_node": [(sides,) for sides in SIDES],
-    "tool_cap": [(cap,) for cap in ToolCap],
     "clear_path": [(track,) for track in (TRACKS[0], TRACKS[-1], None)],
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
-    "tool_chord", "tool_along", "axes_effort", "elapsed", "acceleration_link", "clear_axes",
+    "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
-    "path_torque": [(TRACKS[-1], "l", True)],
-    "dwell_torque": [("lr",)],
+    "limit_node": [
+        *((TcpMotion, ToolKind((*ToolCap,), along=True), place, "lr") for place in (JOINTS, TRACKS[0], TRACKS[-1])),
+        (JointTorque, tuple(range(7)), TRACKS[-1], "l", True),
+        (JointTorque, tuple(range(7)), DWELL, "lr"),
+        (JointTorque, tuple(range(7)), JOINTS, "lr"),
+    ],
     "sums": [()],
 }
-KINDS |= LIMITED | {"axes_torque": [("lr",)]}  # without a rail: what test_torque_plans.py has compiled
+KINDS |= LIMITED
 
 
 @dataclass
@@ -77,8 +80,13 @@ def limited() -> Plant:
     return replace(plant, limits=replace(plant.limits, coupled=coupled))
 
 
-PLANTS: dict[str, Callable[[], Plant]] = {"axes_torque": heavy, **dict.fromkeys(LIMITED, limited)}
+PLANTS: dict[str, Callable[[], Plant]] = dict.fromkeys(LIMITED, limited)
 both = cache(lambda plant: compiled_and_not(Axes.of(plant())))
+
+
+def of_axes(arguments: tuple[object, ...], formulation: Formulation) -> tuple[object, ...]:
+    """Limits made for the formulation's axes."""
+    return tuple(one(formulation.axes) if isinstance(one, type) else one for one in arguments)
 
 
 def test_no_kind_of_relation_is_left_out() -> None:
@@ -92,7 +100,8 @@ def test_native_functions_equal_casadis(kind: str) -> None:
     rng, n = np.random.default_rng(21), machine().lanes + 3
     for arguments in KINDS[kind]:
         ours, casadis = (
-            getattr(formulation, kind)(*arguments).block for formulation in both(PLANTS.get(kind, plant_with_rail))
+            getattr(formulation, kind)(*of_axes(arguments, formulation)).block
+            for formulation in both(PLANTS.get(kind, plant_with_rail))
         )
         n_z, n_p, m = ours.sizes
         z, p, lam = (rng.uniform(0.2, 1.0, (n, k)) for k in (n_z, n_p, m))

@@ -25,7 +25,7 @@ from trajopt_cli.report.over_time import joints
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.limits.joint_torque import of_room
+from trajopt_cli.trajectories.limits.joint_torque import JointTorque, of_room
 from trajopt_cli.trajectories.plan_series import follow, torques_along
 from trajopt_cli.trajectory import hermite
 
@@ -150,9 +150,8 @@ def test_rows_at_a_node_are_pins_torques(sides: str) -> None:
     q, v, a = rng.uniform(-1, 1, (3, 6))
     T, share, limit = 0.7, rng.uniform(0.5, 1, 6), axes.torque.limit
     z = {"q": q, "v": v, **{f"a_{side}": a * (1 + i) for i, side in enumerate(sides)}, "T": T}
-    rows = (
-        Formulation(axes).axes_torque(sides).value(z, {"load": load_parameters(load), "limit": limit, "share": share})
-    )
+    node = Formulation(axes).limit_node(JointTorque(axes), axes.torque.limited, "joints", sides)
+    rows = node.value(z, {"load": load_parameters(load), "limit": limit, "share": share})
     standing = Dynamics(axes.robot, load, GRAVITY, axes.torque.plant.robot.rotor)
     rest = standing.gravity_torque(q)
     wanted = []

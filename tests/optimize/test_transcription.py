@@ -14,7 +14,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.block_cache import library
 from trajopt_cli.nlp.constraint import Relation
 from trajopt_cli.nlp.driver import first_draft
-from trajopt_cli.nlp.formulation import Formulation, ToolCap
+from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind
@@ -22,6 +22,7 @@ from trajopt_cli.settings import DAMPED_AS_MUCH, DAMPING
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
+from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
 
 N_JOINT = 5
 
@@ -73,10 +74,10 @@ def test_every_node_of_a_path_has_the_accelerations_beside_it(program: Transcrip
             beside = [j for j in (i - 1, i) if 0 <= j < N]
             sides = {(N - 1,): "l", (0,): "r"}.get(tuple(beside), "lr")
             if kind is LegKind.LINE:
-                relation = program.formulation.path_node(LineSymbols(False), sides)
+                relation = program.formulation.node(LineSymbols(False), sides)
                 wanted = row(x.s[i], x.v[i], x.d[i], x.w[i], *(row(x.a[j], x.b[j]) for j in beside), x.T)
             else:
-                relation = program.formulation.dwell_node(sides)
+                relation = program.formulation.node(DWELL, sides)
                 wanted = row(x.d[i], x.w[i], *(x.b[j] for j in beside), x.T)
             copies, count = held(program, relation)
             assert count == (2 if len(beside) == 1 else N - 1)
@@ -94,11 +95,10 @@ def test_every_node_of_a_joint_move_keeps_each_axis(program: Transcription) -> N
     for i in range(N_JOINT + 1):
         beside = [j for j in (i - 1, i) if 0 <= j < N_JOINT]
         sides = "lr" if len(beside) == 2 else "r" if i == 0 else "l"
-        copies, count = held(program, program.formulation.axis_node(sides))
-        assert count == (n * (N_JOINT - 1) if len(beside) == 2 else 2 * n)
-        for j in range(n):
-            p = copies[row(x.qv[i, j], *(x.qa[one, j] for one in beside), x.T)]
-            np.testing.assert_array_equal(p, [V[j] * m.velocity[i, j], A[j] * m.acceleration[i, j]])
+        copies, count = held(program, program.formulation.node(JOINTS, sides))
+        assert count == (N_JOINT - 1 if len(beside) == 2 else 2)
+        p = copies[row(x.q[i], x.qv[i], *(x.qa[one] for one in beside), x.T)]
+        np.testing.assert_array_equal(p, np.r_[V * m.velocity[i], A * m.acceleration[i]])
     chain, count = held(program, program.formulation.integration())
     assert count == n * N_JOINT
     for i in range(N_JOINT):
@@ -112,18 +112,15 @@ def test_tool_caps_hold_at_every_node(program: Transcription) -> None:
     x, m, leg = program.legs[k], program.margins[k], program.problem.legs[k]
     assert x is not None
     assert m is not None
-    copies, count = held(program, program.formulation.tool_cap(ToolCap.ACCELERATION))
-    assert count == 2 * N_JOINT
-    for i in range(N_JOINT):
-        for at in (i, i + 1):
-            p = copies[row(x.q[at], x.qv[at], x.qa[i], x.T)]
-            np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.a_tcp * m.tool[at, ToolCap.ACCELERATION]])
-    for cap, limit in ((ToolCap.SPEED, leg.v_tcp), (ToolCap.REORIENTATION, leg.v_ori)):
-        copies, count = held(program, program.formulation.tool_cap(cap))
-        assert count == N_JOINT + 1
-        for i in range(N_JOINT + 1):
-            p = copies[row(x.q[i], x.qv[i], x.T)]
-            np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], limit * m.tool[i, cap]])
+    caps = np.array([leg.v_tcp, leg.a_tcp, leg.v_ori])
+    for i in range(N_JOINT + 1):
+        beside = [j for j in (i - 1, i) if 0 <= j < N_JOINT]
+        sides = "lr" if len(beside) == 2 else "r" if i == 0 else "l"
+        kind = ToolKind((*ToolCap,), along=False)
+        copies, count = held(program, program.formulation.limit_node(TcpMotion(program.axes), kind, JOINTS, sides))
+        assert count == (N_JOINT - 1 if len(beside) == 2 else 2)
+        p = copies[row(x.q[i], x.qv[i], *(x.qa[one] for one in beside), x.T)]
+        np.testing.assert_array_equal(p, [*(caps * m.tool[i]), *leg.X_FT[:3, 3]])
 
 
 def test_the_tools_way_from_node_to_node_takes_its_time(program: Transcription) -> None:
@@ -149,7 +146,7 @@ def test_a_joint_move_takes_no_less_than_the_tool_straight_from_stop_to_stop(pro
     way = np.linalg.norm([0.5, 0.6, 0.45] - program.axes.forward(program.problem.waypoints[k].q)[:3, 3])
     x = program.legs[k]
     assert x is not None
-    low = program.nlp._bounds().lower[x.T]
+    low = program.nlp.bounds().lower[x.T]
     assert low == program.least(program.problem.legs[k]) == pytest.approx(way / 1.0 + 1.0 / 20.0)
 
 
@@ -179,5 +176,5 @@ def test_a_programmed_time_is_no_variable() -> None:
     nlp = Transcription(axes, Formulation(axes, library()), problem, draft, margins)
     timed = nlp.legs[1]
     assert timed is not None
-    bounds = nlp.nlp._bounds()
+    bounds = nlp.nlp.bounds()
     assert bounds.lower[timed.T] == bounds.upper[timed.T] == 2.0

@@ -124,5 +124,5 @@ def _files() -> Iterator[Path]:
     package = Path(__file__).parents[1]
     yield package / "geometry.py"
     yield from (package / f"{name}.py" for name in _OURS)
-    for room in ("native", "path", "robot"):
+    for room in ("native", "path", "robot", "trajectories/limits"):
         yield from sorted((package / room).glob("*.py"))

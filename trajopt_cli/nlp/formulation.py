@@ -15,13 +15,11 @@ so the tool never leaves its line whatever the iterate. Rows that compare with a
 
 from __future__ import annotations
 
-from enum import IntEnum
+from collections.abc import Hashable
 from types import SimpleNamespace
 
 import casadi as ca
-import numpy as np
 
-from trajopt_cli.limits import Couplings
 from trajopt_cli.native.store import exact
 from trajopt_cli.nlp.block_cache import Library
 from trajopt_cli.nlp.block_cache import library as users_library
@@ -30,24 +28,19 @@ from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.path.turning import TurningSymbols
-from trajopt_cli.robot.dynamics import GRAVITY
 from trajopt_cli.robot.symbolic import Reached
-from trajopt_cli.robot.symbolic_dynamics import LOAD, torques
-from trajopt_cli.settings import ELBOW, PAIRS, STILL_NODE, WRIST
+from trajopt_cli.settings import ELBOW, PAIRS, WRIST
 from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.limits.joint_range import JointRange
+from trajopt_cli.trajectories.limits.limit import INF, Limit, NodeMotion, Row, Share
 
 Track = LineSymbols | ArcSymbols | TurningSymbols
+DWELL, JOINTS = "dwell", "joints"
+OwnShapes = dict[str, tuple[int, ...]]
+Place = Track | str
+"""Where a node is: on the path of a track, in a dwell, or in a joint move on a grid."""
 
-INF = float("inf")
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
-
-
-class ToolCap(IntEnum):
-    """The caps on the tool centre point, in the order of Margins.tool."""
-
-    SPEED = 0
-    ACCELERATION = 1
-    REORIENTATION = 2
 
 
 def beside(**shapes: tuple[int, ...]) -> dict[str, dict[str, tuple[int, ...]]]:
@@ -74,16 +67,8 @@ class Formulation:
         self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, *ranges))
         self._cache: dict[tuple[object, ...], Relation] = {}
         self.smooth = axes.jerk is not None
-        self._limited = () if axes.torque is None else axes.torque.limited
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
-        # and of a node: limits; s the tool would take at its caps for the whole way, s^2 for the acceleration; the
-        # share of each joint's range that may be used
-        self._limit_of_jerk: dict[str, tuple[int, ...]] = {"jerk": self._all} if self.smooth else {}
-        self._at_node: Shapes = {
-            **self._on_path, "V": self._all, "A": self._all, "at_speed": (), "at_acceleration": (), "at_turning": (),
-            "room": self._joints, **self._limit_of_jerk,
-        }  # fmt: skip
 
     def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
         names = (*key, *z)
@@ -132,97 +117,102 @@ class Formulation:
         """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
         return [(at.elbow, -ELBOW, ELBOW), (at.wrist, WRIST, INF)]
 
-    def _joint_limits(self, at, qd, qdds, T, p):  # type: ignore[no-untyped-def]
-        """Ranges, walls, velocities and accelerations of the arm; qd and qdds by tau."""
-        middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
-        return [
-            ((at.q - middle) / (half * p.room), -1.0, 1.0),
-            *(self._sums(self.couplings.arm(self.arm), at.q, p.room)),
-            *self._walls(at),
-            (qd / (p.V[self.arm] * T), -1.0, 1.0),
-            *((qdd / (p.A[self.arm] * T * T), -1.0, 1.0) for qdd in qdds),
-        ]
-
-    def _sums(self, couplings: Couplings, q: ca.SX, room: ca.SX) -> list[tuple[ca.SX, float, float]]:
-        """Sums of axes q in their ranges, of which the least share is in force that any of the axes has."""
-        out = []
-        for row, low, high in zip(couplings.rows, couplings.lower, couplings.upper, strict=True):
-            at = np.flatnonzero(row).tolist()
-            total = sum(float(row[i]) * q[i] for i in at) - (low + high) / 2
-            out.append((total / ((high - low) / 2 * ca.mmin(ca.vertcat(*(room[i] for i in at)))), -1.0, 1.0))
-        return out
-
     def sums(self) -> Relation:
         """Sums of axes in their ranges at a waypoint, or at a node of a joint move. room: as for a path's node."""
         z: Shapes = {"q": self._all}
-        return self._relation(("sums",), z, {"room": self._all}, lambda z, p: self._sums(self.couplings, z.q, p.room))
+        return self._relation(
+            ("sums",), z, {"room": self._all}, lambda z, p: JointRange(self.axes).sum_rows(z.q, p.room)
+        )
 
-    def _rail_velocity(self, w: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
-        return w / (p.V[self.rail] * z.T), -1.0, 1.0
+    def node(self, place: Place, sides: str, weighed: bool = False, tied: bool = False) -> Relation:
+        """A node within all limits that are not evaluated apart; on a path or in a dwell arm = IK(X(s), d), too.
 
-    def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
-        return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
-
-    def path_node(
-        self, track: Track, sides: str, weighed: bool = False, tied: bool = False, along: bool = False
-    ) -> Relation:
-        """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
-
-        track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
-        weighed: with the node's effort, see _weight. tied: jerk is limited and the rail is in proportion to the share,
-        d = d_0 + s way. along: speeding up and slowing down of the tool are limited by themselves, from -1 to 1 what is
-        left of a / T^2 times p.along[0] less p.along[1].
+        Args:
+            place: where the node is.
+            sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
+            weighed: with the node's effort, see _weight.
+            tied: jerk is limited and the rail is in proportion to the share, d = d_0 + s way.
         """
-        weight = self._weight(sides) if weighed else {}
-        z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}
-        if tied:
-            weight = {**weight, "d_0": self._rails, "way": self._rails}
-        else:
-            accelerations = self._driving(sides, a=(), b=self._rails)
-            z = {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}
-
-        def place(p: SimpleNamespace, x: ca.SX) -> Reached:
-            flange = track.flange(p.path, x[0])
-            return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+        z, p = self._at(place, sides, tied)
+        shared = [limit for limit in self.axes.limits if not limit.apart]
+        for limit in shared:
+            p |= limit.node_shapes(True, place != JOINTS)
+        if weighed:
+            z, p = {**z, "e": ()}, {**p, **self._weight(sides)}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            if tied:
-                z.d, z.w, z.b = p.d_0 + z.s * p.way, z.v * p.way, z.a * p.way
-                for side in sides:
-                    setattr(z, f"jb_{side}", getattr(z, f"ja_{side}") * p.way)
-            acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
-            ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
-            x, dx = ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w)
-            at, qd, qdds, qddds = _carried(lambda x: place(p, x), x, dx, ddxs, jerks)
-            out = self._joint_limits(at, qd, qdds, z.T, p) + self._jerk_limits(qddds, jerks, z.T, p)
-            out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
-            out += [self._rail_velocity(z.w, z, p)]
-            for a, b in zip(acc, rail_acc, strict=True):
-                out += [self._tool_acceleration(track, a, z, p), self._rail_acceleration(b, z, p)]
-                out += [(p.along[0] * a / (z.T * z.T) - p.along[1], -1.0, 1.0)] if along else []
-            if isinstance(track, TurningSymbols):  # positioners keep step with the share
-                rates = ca.vertcat(p.table[0] * z.v / z.T, *(p.table[1] * a / (z.T * z.T) for a in acc))
-                out += [(rates, -1.0, 1.0)]
-            return out + (self._effort(qdds, rail_acc, z, p) if weighed else [])
+            node, walls = self._motion(place, sides, tied, z, p)
+            out = [*walls, *(row for limit in shared for row in limit.node_rows(True, node, p))]
+            return out + (self._effort(node, z, p) if weighed else [])
 
-        p = {**self._at_node, "path": (track.size,), **weight}
-        if isinstance(track, TurningSymbols):
-            p["table"] = (2,)
-        if along:
-            p["along"] = (2,)
-        z = {**z, "e": ()} if weighed else z
-        key = "path", track, len(sides), weighed, tied, *(("along",) if along else ())
-        return self._relation(key, z, p, rows)
+        return self._relation(("node", place, len(sides), weighed, tied), z, p, rows)
 
-    def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
-        """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
-        path = p.path
+    def limit_node(self, limit: Limit, kind: Hashable, place: Place, sides: str, tied: bool = False) -> Relation:
+        """A limit that is evaluated apart, at a node of such a place; kind: see Limit.node_kind."""
+        z, p = self._at(place, sides, tied)
+        p |= limit.node_shapes(kind, place != JOINTS)
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            return limit.node_rows(kind, self._motion(place, sides, tied, z, p)[0], p)
+
+        return self._relation((limit.name, kind, place, len(sides), tied), z, p, rows)
+
+    def _at(
+        self, place: Place, sides: str, tied: bool
+    ) -> tuple[dict[str, tuple[int, ...]], dict[str, tuple[int, ...]]]:
+        """Variables and parameters of the motion at a node."""
+        if place == JOINTS:
+            return {"q": self._all, "v": self._all, **self._driving(sides, a=self._all), "T": ()}, {}
+        p = dict(self._on_path)
+        if place == DWELL:
+            return {"d": self._rails, "w": self._rails, **self._driving(sides, b=self._rails), "T": ()}, p
+        assert not isinstance(place, str)
+        p["path"] = (place.size,)
+        if tied:
+            return {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}, {
+                **p,
+                "d_0": self._rails,
+                "way": self._rails,
+            }
+        accelerations = self._driving(sides, a=(), b=self._rails)
+        return {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}, p
+
+    def _motion(self, place, sides, tied, z, p):  # type: ignore[no-untyped-def]
+        """What limits are asked with, and the walls of the inverse kinematics."""
+        ends = len(sides) == 1
+        if place == JOINTS:
+            acc, jerks = self._accelerations(z, sides, "a")
+            return NodeMotion(z.q, z.v, acc, jerks, z.T, slice(0), ends=ends), []
+        if place == DWELL:
+            rail_acc, jerks = self._accelerations(z, sides, "b")
+            at, qd, qdds, qddds = _carried(lambda d: self._resting(p, d), z.d, z.w, rail_acc, jerks)
+            return self._joined(z, at, qd, rail_acc, qdds, jerks, qddds, None, ends), self._walls(at)
+        if tied:
+            z.d, z.w = p.d_0 + z.s * p.way, z.v * p.way
+            for name in ("a", *(f"{name}_{side}" for side in sides for name in ("a", "ja"))):
+                if hasattr(z, name):
+                    setattr(z, name.replace("a", "b"), getattr(z, name) * p.way)
+
+        def placed(x: ca.SX) -> Reached:
+            flange = place.flange(p.path, x[0])
+            return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+
+        acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
+        ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
+        at, qd, qdds, qddds = _carried(placed, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, jerks)
+        track, path = place, p.path
         if isinstance(track, TurningSymbols):  # against the work object
             track, path = track.way, track.layout.split(path)["way"]
-        if isinstance(track, LineSymbols):
-            return p.at_acceleration * a / (z.T * z.T), -1.0, 1.0
-        inward = track.layout.split(path)["sweep"] * z.v**2
-        return (p.at_acceleration / z.T**2) ** 2 * (a**2 + inward**2), -INF, 1.0
+        inward = 0.0 if isinstance(track, LineSymbols) else track.layout.split(path)["sweep"]
+        share = Share(z.v, acc, inward)
+        node = self._joined(z, at, qd, rail_acc, qdds, [j[1:, 0] for j in jerks], qddds, share, ends)
+        return node, self._walls(at)
+
+    def _joined(self, z, at, qd, rail_acc, qdds, rail_jerks, qddds, share, ends):  # type: ignore[no-untyped-def]
+        """A node's motion of rail and arm."""
+        second = [ca.vertcat(*both) for both in zip(rail_acc, qdds, strict=True)]
+        third = [ca.vertcat(*both) for both in zip(rail_jerks, qddds, strict=True)]
+        return NodeMotion(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), second, third, z.T, self.arm, share, ends)
 
     def _driving(self, sides: str, **shapes: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
         """Shapes of what drives a node: accelerations on its sides; where jerk is limited its own accelerations, and
@@ -237,27 +227,6 @@ class Formulation:
             return *([getattr(z, f"{name}_{side}") for side in sides] for name in names), []
         jerks = [ca.vertcat(*(getattr(z, f"j{name}_{side}") for name in names)) for side in sides]
         return *([getattr(z, name)] for name in names), jerks
-
-    def _jerk_limits(self, qddds, jerks, T, p):  # type: ignore[no-untyped-def]
-        """|jerk| of arm and rail <= p.jerk T^3; the rail's are the last of what drives."""
-        rails = self._rails[0]
-        out = [(arm / (p.jerk[self.arm] * T**3), -1.0, 1.0) for arm in qddds]
-        return out + [(j[j.numel() - rails :, 0] / (p.jerk[self.rail] * T**3), -1.0, 1.0) for j in jerks]
-
-    def dwell_node(self, sides: str, weighed: bool = False) -> Relation:
-        """A node of a dwell: the tool rests while the rail moves and the arm makes up for it. weighed: as path_node."""
-        z: Shapes = {"d": self._rails, "w": self._rails, **self._driving(sides, b=self._rails), "T": ()}
-        weight = self._weight(sides) if weighed else {}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc, jerks = self._accelerations(z, sides, "b")
-            at, qd, qdds, qddds = _carried(lambda d: self._resting(p, d), z.d, z.w, acc, jerks)
-            out = self._joint_limits(at, qd, qdds, z.T, p) + self._jerk_limits(qddds, jerks, z.T, p)
-            out += [self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
-            return out + (self._effort(qdds, acc, z, p) if weighed else [])
-
-        z = {**z, "e": ()} if weighed else z
-        return self._relation(("dwell", len(sides), weighed), z, {**self._at_node, **weight}, rows)
 
     # ---- clearance: bodies stay apart
 
@@ -285,81 +254,6 @@ class Formulation:
     def _tangents(self) -> Shapes:
         return {"gradient": (PAIRS, *self._all), "least": (PAIRS,)}
 
-    # ---- torques: rows of their own at the same nodes, where they are limited
-
-    def path_torque(self, track: Track, sides: str, tied: bool = False) -> Relation:
-        """Torques at a node of a path, see path_node and _torque."""
-        p: dict[str, tuple[int, ...]] = {**self._on_path, "path": (track.size,), **self._torque_limits}
-        z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}
-        if tied:
-            p = {**p, "d_0": self._rails, "way": self._rails}
-        else:
-            z = {"s": (), "v": (), "d": self._rails, "w": self._rails,
-                 **self._driving(sides, a=(), b=self._rails), "T": ()}  # fmt: skip
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            if tied:
-                z.d, z.w = p.d_0 + z.s * p.way, z.v * p.way
-                for side in [""] if self.smooth else [f"_{side}" for side in sides]:
-                    setattr(z, f"b{side}", getattr(z, f"a{side}") * p.way)
-
-            def place(x: ca.SX) -> Reached:
-                flange = track.flange(p.path, x[0])
-                return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
-
-            acc, rail_acc = (self._by_side(z, sides, name) for name in ("a", "b"))
-            ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
-            at, qd, qdds, _ = _carried(place, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, [])
-            moved = [ca.vertcat(b, qdd) for b, qdd in zip(rail_acc, qdds, strict=True)]
-            return self._torque(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), moved, z.T, p)
-
-        return self._relation(("path torque", track, len(sides), tied, self._limited), z, p, rows)
-
-    def dwell_torque(self, sides: str) -> Relation:
-        """Torques at a node of a dwell, see dwell_node and _torque."""
-        z: Shapes = {"d": self._rails, "w": self._rails, **self._driving(sides, b=self._rails), "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc = self._by_side(z, sides, "b")
-            at, qd, qdds, _ = _carried(lambda d: self._resting(p, d), z.d, z.w, acc, [])
-            moved = [ca.vertcat(b, qdd) for b, qdd in zip(acc, qdds, strict=True)]
-            return self._torque(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), moved, z.T, p)
-
-        p = {**self._on_path, **self._torque_limits}
-        return self._relation(("dwell torque", len(sides), self._limited), z, p, rows)
-
-    def axes_torque(self, sides: str) -> Relation:
-        """Torques at a node of a joint move on a grid, see _torque."""
-        z: Shapes = {"q": self._all, "v": self._all, **self._driving(sides, a=self._all), "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            return self._torque(z.q, z.v, self._by_side(z, sides, "a"), z.T, p)
-
-        return self._relation(("axes torque", len(sides), self._limited), z, self._torque_limits, rows)
-
-    def _torque(self, q, qd, qdds, T, p):  # type: ignore[no-untyped-def]
-        """|moving / (room T^2) + g| <= limit for the torques beyond gravity of the axes that have a limit, by tau, and
-        gravity's g: what gravity leaves is used up to the share room. One by one for each of qdds."""
-        assert self.axes.torque is not None
-        robot, still = self.axes.torque.plant.robot, ca.SX.zeros(*self._all)
-        own = (robot.pin_model, q)
-        rest = torques(*own, still, still, GRAVITY, p.load, robot.rotor)
-        out = []
-        for qdd in qdds:
-            moving = torques(*own, qd, qdd, 0.0, p.load, robot.rotor) / (T * T)
-            for i in self._limited:
-                out.append((moving[i] / (p.limit[i] * p.share[i]) + rest[i] / p.limit[i], -1.0, 1.0))
-        return out
-
-    @property
-    def _torque_limits(self) -> dict[str, tuple[int, ...]]:
-        """Parameters of torques: what the flange carries, limits, and the share of what gravity leaves of them."""
-        return {"load": (LOAD,), "limit": self._all, "share": self._all}
-
-    def _by_side(self, z: SimpleNamespace, sides: str, name: str) -> list[ca.SX]:
-        """The accelerations of a name, by side unless jerk is limited."""
-        return [getattr(z, name)] if self.smooth else [getattr(z, f"{name}_{side}") for side in sides]
-
     # ---- effort: what a motion of a given time is gentle by
 
     def _weight(self, sides: str) -> dict[str, tuple[int, ...]]:
@@ -367,11 +261,10 @@ class Formulation:
         limit of each axis."""
         return {"unit": self._all, **{f"h_{i}": () for i in range(1 if self.smooth else len(sides))}}
 
-    def _effort(self, qdds, rail_acc, z, p):  # type: ignore[no-untyped-def]
+    def _effort(self, node: NodeMotion, z: SimpleNamespace, p: SimpleNamespace) -> list[Row]:
         """sum h |q'' / unit|^2 / T^3 <= e over the sides of a node."""
-        shares = ((qdd / p.unit[self.arm], b / p.unit[self.rail]) for qdd, b in zip(qdds, rail_acc, strict=True))
-        halves = (getattr(p, f"h_{i}") for i in range(len(qdds)))
-        total = sum(h * (ca.sumsqr(arm) + ca.sumsqr(rail)) for h, (arm, rail) in zip(halves, shares, strict=True))
+        halves = (getattr(p, f"h_{i}") for i in range(len(node.qdds)))
+        total = sum(h * ca.sumsqr(qdd / p.unit) for h, qdd in zip(halves, node.qdds, strict=True))
         return [(total / z.T**3 - z.e, -INF, 0.0)]
 
     def axes_effort(self) -> Relation:
@@ -431,45 +324,6 @@ class Formulation:
 
         return self._relation(("reach",), z, {"V": (), "A": ()}, rows)
 
-    def axis_node(self, sides: str) -> Relation:
-        """|q'| <= V T and |q''| <= A T^2 of one axis at a node of a joint move on a grid; where jerk is limited, it is
-        <= p.jerk T^3."""
-        z: Shapes = {"v": (), **self._driving(sides, a=()), "T": ()}
-        p: Shapes = {"V": (), "A": (), **({"jerk": ()} if self.smooth else {})}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc, jerks = self._accelerations(z, sides, "a")
-            out = [(z.v / (p.V * z.T), -1.0, 1.0), *((a / (p.A * z.T * z.T), -1.0, 1.0) for a in acc)]
-            return out + [(j / (p.jerk * z.T**3), -1.0, 1.0) for j in jerks]
-
-        return self._relation(("axis", len(sides)), z, p, rows)
-
-    def tool_cap(self, cap: ToolCap) -> Relation:
-        """|tool| <= cap at a node of a joint move, squared so that it stays smooth where the tool rests.
-
-        tcp: the tool centre point in the flange's frame."""
-        acceleration: Shapes = {"a": self._all} if cap is ToolCap.ACCELERATION else {}
-        z: Shapes = {"q": self._all, "v": self._all, **acceleration, "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            return [self._tool(p.tcp, cap, z.q, z.v, getattr(z, "a", None), z.T, p.cap)]
-
-        return self._relation(("tool", cap.name), z, {"tcp": (3,), "cap": ()}, rows)
-
-    def tool_along(self) -> Relation:
-        """-p.ramps[1] <= v a / |v| <= p.ramps[0] of the tool at a node of a joint move: its speeding up and slowing
-        down along its path. Below STILL_NODE [m/s] it fades, so that it is smooth where the tool comes to rest."""
-        z: Shapes = {"q": self._all, "v": self._all, "a": self._all, "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            rate, acc = self._tool_motion(p.tcp, z.q, z.v, z.a)
-            squared = ca.sumsqr(rate) / z.T**2
-            size = squared + STILL_NODE**2
-            along, share = ca.dot(rate, acc) / z.T**3 / ca.sqrt(size), squared / size
-            return [(along / p.ramps[0] - share, -INF, 0.0), (-along / p.ramps[1] - share, -INF, 0.0)]
-
-        return self._relation(("ramps",), z, {"tcp": (3,), "ramps": (2,)}, rows)
-
     def tool_chord(self) -> Relation:
         """The tool's straight way between two nodes of a joint move <= cap h T, squared: with a limit at the nodes
         alone it might be fast between them. way: cap h. tcp: the tool centre point in the flange's frame."""
@@ -484,29 +338,6 @@ class Formulation:
     def _tcp(self, p_FT: ca.SX, q: ca.SX) -> ca.SX:
         pos, R = self.axes.robot.expressions.flange(q)
         return pos + R @ p_FT
-
-    def _tool(self, p_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
-        if cap is ToolCap.REORIENTATION:
-            Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
-            _, R = self.axes.robot.expressions.flange(Q)
-            spin = R.T @ ca.reshape(ca.jtimes(ca.vec(R), Q, dQ), 3, 3)
-            omega = ca.substitute(ca.vertcat(spin[2, 1], spin[0, 2], spin[1, 0]), ca.vertcat(Q, dQ), ca.vertcat(q, v))
-            return ca.sumsqr(omega) / (limit * T) ** 2, -INF, 1.0
-        rate, acc = self._tool_motion(p_FT, q, v, a)
-        if cap is ToolCap.SPEED:
-            return ca.sumsqr(rate) / (limit * T) ** 2, -INF, 1.0
-        return ca.sumsqr(acc) / (limit * T * T) ** 2, -INF, 1.0
-
-    def _tool_motion(self, p_FT, q, v, a):  # type: ignore[no-untyped-def]
-        """The tool centre point's first derivative by tau and, where a is given, its second."""
-        Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
-        at, here = ca.vertcat(Q, dQ), ca.vertcat(q, v)
-        tcp = self._tcp(p_FT, Q)
-        rate = ca.jtimes(tcp, Q, dQ)
-        if a is None:
-            return ca.substitute(rate, at, here), None
-        acc = ca.jtimes(rate, Q, dQ) + ca.jtimes(tcp, Q, a)
-        return ca.substitute(rate, at, here), ca.substitute(acc, at, here)
 
     # ---- boundary: waypoints, and legs that begin and end there
 

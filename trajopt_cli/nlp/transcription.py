@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.nlp.clearances import Tangents
-from trajopt_cli.nlp.constraint import Parts, Relation
-from trajopt_cli.nlp.formulation import INF, LEFT, RIGHT, Formulation, ToolCap, Track
+from trajopt_cli.nlp.constraint import NOTHING, Parts, Relation
+from trajopt_cli.nlp.formulation import DWELL, JOINTS, LEFT, RIGHT, Formulation, Place, Track
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
@@ -26,7 +26,6 @@ from trajopt_cli.path.turning import Turning, TurningSymbols
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.settings import (
     DAMPED_AS_MUCH,
     DAMPING,
@@ -44,7 +43,6 @@ from trajopt_cli.settings import (
     SHARE_JERK,
     SHARE_RATE,
     SHARPEST,
-    START,
     TYPICAL_JERK,
 )
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
@@ -52,6 +50,7 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts
 from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.limits.limit import INF
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
@@ -313,23 +312,13 @@ class Transcription:
         line = LineSymbols(turning)
         return line, line.vector(segment, X_BW, motion.X_FT)
 
-    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> dict[str, Array]:
-        """Parameters of all nodes of a path."""
-        m = margins
-        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.fastest_turn / leg.v_ori]) / m.tool
+    def _path_parameters(self, motion: PathLeg, path: Array) -> dict[str, Array]:
+        """Parameters of the pose at all nodes of a path."""
+        count = motion.N + 1
         return {
-            "path": np.tile(path, (len(caps), 1)),
-            "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (len(caps), 1)),
+            "path": np.tile(path, (count, 1)),
+            "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (count, 1)),
             "near": motion.node_arm(self.axes),
-            "V": self.axes.velocity_on(leg) * m.velocity,
-            "A": self.axes.acceleration_on(leg) * m.acceleration,
-            "at_speed": caps[:, 0],
-            "at_acceleration": caps[:, 1],
-            "at_turning": caps[:, 2],
-            "room": m.position[:, self.axes.layout.arm],
-            **({} if self.axes.jerk is None else {"jerk": self.axes.jerk * m.jerk}),
-            **({} if leg.along is None else {"along": _along(leg, leg.along, m.tool[:, ToolCap.ACCELERATION])}),
-            **({"table": np.tile(np.array(leg.table) / START, (len(caps), 1))} if leg.units else {}),
         }
 
     def _chain(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
@@ -429,7 +418,7 @@ class Transcription:
         if not tied:
             self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
-        p = self._path_parameters(leg, motion, margins, path)
+        p, place = self._path_parameters(motion, path), track if line else DWELL
         half = np.diff(motion.grid) / 2
         e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
@@ -443,45 +432,33 @@ class Transcription:
             if tied:
                 ends = self.draft.q[leg.start : leg.start + 2, self.axes.layout.rail]
                 here |= {"d_0": np.tile(ends[0], (len(at), 1)), "way": np.tile(ends[1] - ends[0], (len(at), 1))}
+            more: dict[str, Array] = {}
             if self._weighed:
                 z["e"] = e[at]
-                here |= {"unit": np.tile(self._unit, (len(at), 1))}
+                more["unit"] = np.tile(self._unit, (len(at), 1))
                 widths = [half[i] for i in nodes.beside.values()]
-                here |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
-            relation = (
-                self.formulation.path_node(track, nodes.sides, self._weighed, tied, leg.along is not None)
-                if line
-                else self.formulation.dwell_node(nodes.sides, self._weighed)
-            )
-            self._hold(relation, z, here)
-            self._path_torques(track if line else None, nodes, z, here, leg, margins, tied)
+                more |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
+            self._limits(leg, margins, nodes, place, z, here, more, tied)
         if not fixed and (tangents := self.tangents.get(leg.start)) is not None:
             z = {"d": out.d, "s": out.s} if line else {"d": out.d}
             here = {name: p[name] for name in ("path", "branch", "near")}
             here |= {"gradient": tangents.gradient, "least": tangents.least}
             self._hold(self.formulation.clear_path(track if line else None), z, here)
 
-    def _path_torques(
-        self, track: Track | None, nodes: Nodes, z: Parts, p: Parts, leg: Leg, margins: Margins,
-        tied: bool,
+    def _limits(
+        self, leg: Leg, margins: Margins, nodes: Nodes, place: Place, z: dict[str, ArrayLike], p: Parts,
+        more: Parts = NOTHING, tied: bool = False,
     ) -> None:  # fmt: skip
-        """Torques at nodes of a path, track None for a dwell, with the parts of its own relation."""
-        if self.axes.torque is None:
-            return
-        rows = self.formulation
-        relation = rows.dwell_torque(nodes.sides) if track is None else rows.path_torque(track, nodes.sides, tied)
-        have = {**p, **self._torque_parameters(leg, margins, nodes)}
-        own = {name: have[name] for name in relation.p.shapes}
-        self._hold(relation, {name: z[name] for name in relation.z.shapes}, own)
-
-    def _torque_parameters(self, leg: Leg, margins: Margins, nodes: Nodes) -> dict[str, Array]:
-        assert self.axes.torque is not None
-        count = (len(nodes.at), 1)
-        return {
-            "load": np.tile(load_parameters(leg.load), count),
-            "limit": np.tile(np.nan_to_num(self.axes.torque.limit, posinf=1.0), count),
-            "share": margins.torque[nodes.at],
-        }
+        """All limits at some nodes of a leg with variables z and parameters p of their pose; more: of the effort."""
+        shared, weighed = {**p, **more}, "e" in z
+        plain = {name: x for name, x in z.items() if name != "e"}
+        for limit in self.axes.limits:
+            values = limit.node_values(leg, margins.by_name[limit.name][nodes.at], place != JOINTS)
+            if not limit.apart:
+                shared |= values
+            elif (kind := limit.node_kind(leg)) is not None:
+                self._hold(self.formulation.limit_node(limit, kind, place, nodes.sides, tied), plain, {**p, **values})
+        self._hold(self.formulation.node(place, nodes.sides, weighed, tied), z, shared)
 
     def _driving(self, nodes: Nodes, **variables: IndexArray) -> dict[str, IndexArray]:
         """What drives at some nodes: accelerations on their sides; where jerk is limited their own, and jerks on their
@@ -526,7 +503,6 @@ class Transcription:
             self._damp(indices, DAMPING * N * step * max(1.0, motion.T / DAMPED_AS_MUCH))
         if self.axes.jerk is not None:
             self._damp_jerk(out.qj, self.axes.jerk * motion.T**3, motion.T)
-        V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
         if not leg.rail_moves:
             held = out.q[1:-2, rail]  # the last one follows from the chain
@@ -542,57 +518,17 @@ class Transcription:
             z_effort: Parts = {"a": out.qa, "T": out.T, "e": e}
             self._hold(self.formulation.axes_effort(), z_effort, {"h": h, "unit": unit})
         for nodes in _nodes_by_sides(N):
-            at = nodes.at
-            acc = {name: i.ravel() for name, i in self._driving(nodes, a=out.qa, ja=out.qj).items()}
-            z: Parts = {"v": out.qv[at].ravel(), "T": out.T, **acc}
-            p = {"V": (V * margins.velocity[at]).ravel(), "A": (A * margins.acceleration[at]).ravel()}
-            if self.axes.jerk is not None:
-                p["jerk"] = (self.axes.jerk * margins.jerk[at]).ravel()
-            self._hold(self.formulation.axis_node(nodes.sides), z, p)
-            if self.axes.torque is not None:
-                own: Parts = {"q": out.q[at], "v": out.qv[at], **self._driving(nodes, a=out.qa, ja=out.qj), "T": out.T}
-                relation = self.formulation.axes_torque(nodes.sides)
-                self._hold(relation, own, self._torque_parameters(leg, margins, nodes))
+            at, driving = nodes.at, self._driving(nodes, a=out.qa, ja=out.qj)
+            self._limits(leg, margins, nodes, JOINTS, {"q": out.q[at], "v": out.qv[at], **driving, "T": out.T}, {})
         if (tangents := self.tangents.get(k0)) is not None:
             p = {"gradient": tangents.gradient, "least": tangents.least}
             self._hold(self.formulation.clear_axes(), {"q": out.q}, p)
-        self._tool_caps(leg, motion, margins, out)
+        if np.isfinite(leg.v_tcp):  # with a limit at the nodes alone the tool might be fast between them
+            speed = margins.tool[:, 0]
+            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * np.minimum(speed[:-1], speed[1:]) * np.diff(motion.grid)}
+            self._hold(self.formulation.tool_chord(), {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}, p)
 
     def _integrate(self, grid: Array, z: dict[str, IndexArray]) -> None:
         """Chains (N+1, n) of all axes on one grid."""
         h = np.repeat(np.diff(grid), z["x_0"].shape[1])
         self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
-
-    def _tool_caps(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
-        """The tool's caps at the nodes of a joint move; of the acceleration on either side, of the speed also on the
-        straight way from node to node."""
-        N = motion.N
-        for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
-            if not np.isfinite(limit):
-                continue
-            at = i = np.arange(N + 1)
-            beside: dict[str, ArrayLike] = {}
-            if cap is ToolCap.ACCELERATION and self._smooth:
-                beside = {"a": out.qa}
-            elif cap is ToolCap.ACCELERATION:
-                at, i = np.concatenate([at[1:], at[:-1]]), np.concatenate([at[:-1], at[:-1]])
-                beside = {"a": out.qa[i]}
-            z: Parts = {"q": out.q[at], "v": out.qv[at], **beside, "T": out.T}
-            p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
-            self._hold(self.formulation.tool_cap(cap), z, p)
-            if cap is ToolCap.ACCELERATION and leg.along is not None:
-                moves = (at > 0) & (at < N)  # at rest nothing is along a path
-                z = {"q": out.q[at[moves]], "v": out.qv[at[moves]], "a": out.qa[i[moves]], "T": out.T}
-                ramps = np.outer(margins.tool[at[moves], cap], leg.along)
-                self._hold(self.formulation.tool_along(), z, {"tcp": leg.X_FT[:3, 3], "ramps": ramps})
-        if np.isfinite(leg.v_tcp):
-            share = np.minimum(margins.tool[:-1, ToolCap.SPEED], margins.tool[1:, ToolCap.SPEED])
-            z = {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}
-            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)}
-            self._hold(self.formulation.tool_chord(), z, p)
-
-
-def _along(leg: Leg, ramps: tuple[float, float], share: Array) -> Array:
-    """Parameters (N+1, 2) of the tool's speeding up and slowing down along a path, of which a share may be used."""
-    half, middle = (ramps[0] + ramps[1]) / 2, (ramps[0] - ramps[1]) / 2
-    return np.column_stack([leg.chord / half / share, np.full(len(share), middle / half)])

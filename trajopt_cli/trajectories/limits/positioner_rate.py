@@ -9,7 +9,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.problem.problem import Leg
+from trajopt_cli.problem.problem import Leg, LegKind
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
@@ -18,6 +18,7 @@ class PositionerRate(Limit):
     Leg.table. Dense checks do not ask it: they follow the share exactly, and so does the margin."""
 
     name = "positioner"
+    apart = True
 
     @property
     def orders(self) -> Array:
@@ -46,7 +47,7 @@ class PositionerRate(Limit):
 
     def node_kind(self, leg: Leg) -> Hashable:
         """See Limit."""
-        return True if leg.units else None
+        return True if leg.units and leg.kind is LegKind.LINE else None
 
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         """See Limit."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.problem.problem import Leg
+from trajopt_cli.problem.problem import Leg, LegKind
 from trajopt_cli.settings import STILL_NODE, STILL_TOOL, TOOL_DIRECTIONS
 from trajopt_cli.trajectories.limits.limit import (
     INF,
@@ -101,6 +101,8 @@ class TcpMotion(Limit):
 
     def node_kind(self, leg: Leg) -> Hashable:
         """See Limit."""
+        if leg.kind is LegKind.DWELL:
+            return None
         caps = tuple(cap for cap, x in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True) if np.isfinite(x))
         return ToolKind(caps, leg.along is not None) if caps else None
 
