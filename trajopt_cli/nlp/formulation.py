@@ -65,6 +65,8 @@ class Formulation:
         self.couplings = axes.couplings
         ranges = self.lower, self.upper, *((axes.couplings,) if axes.couplings else ())
         self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, *ranges))
+        self._shared = [limit for limit in axes.limits if not limit.apart]
+        self._identity += f" {[limit.name for limit in self._shared]}"
         self._cache: dict[tuple[object, ...], Relation] = {}
         self.smooth = axes.jerk is not None
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
@@ -134,15 +136,14 @@ class Formulation:
             tied: jerk is limited and the rail is in proportion to the share, d = d_0 + s way.
         """
         z, p = self._at(place, sides, tied)
-        shared = [limit for limit in self.axes.limits if not limit.apart]
-        for limit in shared:
+        for limit in self._shared:
             p |= limit.node_shapes(True, place != JOINTS)
         if weighed:
             z, p = {**z, "e": ()}, {**p, **self._weight(sides)}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             node, walls = self._motion(place, sides, tied, z, p)
-            out = [*walls, *(row for limit in shared for row in limit.node_rows(True, node, p))]
+            out = [*walls, *(row for limit in self._shared for row in limit.node_rows(True, node, p))]
             return out + (self._effort(node, z, p) if weighed else [])
 
         return self._relation(("node", place, len(sides), weighed, tied), z, p, rows)
@@ -157,9 +158,7 @@ class Formulation:
 
         return self._relation((limit.name, kind, place, len(sides), tied), z, p, rows)
 
-    def _at(
-        self, place: Place, sides: str, tied: bool
-    ) -> tuple[dict[str, tuple[int, ...]], dict[str, tuple[int, ...]]]:
+    def _at(self, place: Place, sides: str, tied: bool) -> tuple[OwnShapes, OwnShapes]:
         """Variables and parameters of the motion at a node."""
         if place == JOINTS:
             return {"q": self._all, "v": self._all, **self._driving(sides, a=self._all), "T": ()}, {}

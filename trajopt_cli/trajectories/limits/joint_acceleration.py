@@ -18,13 +18,9 @@ class JointAcceleration(Limit):
     """|qdd| <= A."""
 
     name = "acceleration"
+    order = 2.0
     safe_on_grid = INF
     start_on_grid = EXACT
-
-    @property
-    def orders(self) -> Array:
-        """See Limit."""
-        return np.full(self.axes.n, 2.0)
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

@@ -18,14 +18,10 @@ class JointJerk(Limit):
     """|qddd| <= J."""
 
     name = "jerk"
+    order = 3.0
     safe = SAFE_JERK
     safe_on_grid = INF
     start = start_on_grid = START_JERK
-
-    @property
-    def orders(self) -> Array:
-        """See Limit."""
-        return np.full(self.axes.n, 3.0)
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

@@ -18,13 +18,9 @@ class JointRange(Limit):
     """lower <= q <= upper, as the distance from the middle by half the range. The margin is a fraction of that half."""
 
     name = "position"
+    order = 0.0
     safe = 1.0 + RANGE_ROUNDING
     start = start_on_grid = 1.0
-
-    @property
-    def orders(self) -> Array:
-        """See Limit."""
-        return np.zeros(self.axes.n)
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

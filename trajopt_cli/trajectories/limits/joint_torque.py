@@ -106,12 +106,8 @@ class JointTorque(Limit):
     """|tau| <= limit, as what it has beyond gravity by what gravity leaves."""
 
     name = "torque"
+    order = 2.0
     apart = True
-
-    @property
-    def orders(self) -> Array:
-        """See Limit."""
-        return np.full(self.axes.n, 2.0)
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

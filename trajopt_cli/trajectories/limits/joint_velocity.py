@@ -21,11 +21,6 @@ class JointVelocity(Limit):
     safe_on_grid = 1.0
     start_on_grid = EXACT
 
-    @property
-    def orders(self) -> Array:
-        """See Limit."""
-        return np.ones(self.axes.n)
-
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""
         capped = self.axes.velocity_on(leg) < self.axes.velocity

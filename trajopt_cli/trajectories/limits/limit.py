@@ -131,6 +131,8 @@ class Limit(ABC):
 
     name: str
     """In Ratios and Margins."""
+    order = 1.0
+    """How a ratio falls with time: driven k times as slowly it is 1 / k^order as large."""
     apart = False
     """Whether its rows at nodes are evaluated in a block of their own, because their expressions are large or differ
     from leg to leg."""
@@ -147,9 +149,9 @@ class Limit(ABC):
         self.axes = axes
 
     @property
-    @abstractmethod
     def orders(self) -> Array:
-        """How a ratio of each column (w,) falls with time: driven k times as slowly it is 1 / k^order as large."""
+        """The order of each column (w,)."""
+        return np.full(self.axes.n, self.order)
 
     @abstractmethod
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
