@@ -18,7 +18,7 @@ from trajopt_cli.graph_search.ik_tables import check_reach
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.job import read_job
 from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
-from trajopt_cli.plan.rail_refinement import refined
+from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Target
@@ -80,7 +80,7 @@ def measure(points: int, rail: bool, folder: Path) -> None:
     chain = search(axes, problem)
     assert chain is not None
     at = until("search", at)
-    chain = refined(axes, problem, chain)
+    chain = refine_rail(axes, problem, chain)
     at = until("rail", at)
     draft = timed(axes, problem, chain)
     until("timing", at)

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import pytest
 
 from trajopt_cli.collision.merge_via_points import joined
-from trajopt_cli.plan.initial_plan import Legal
+from trajopt_cli.plan.initial_plan import InitialPlan
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
@@ -16,7 +16,7 @@ from trajopt_cli.trajectories.iterate import Iterate
 IMPROVED = "trajopt_cli.plan.solve.refine"
 
 
-def as_it_comes(axes: Axes, legal: Legal, *_: object) -> tuple[Problem, Iterate, tuple[str, ...]]:
+def as_it_comes(axes: Axes, legal: InitialPlan, *_: object) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """In place of IMPROVED: the legal motion that the search ends with."""
     return *joined(axes, legal.problem, legal.draft, legal.detours), ()
 

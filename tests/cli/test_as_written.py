@@ -15,7 +15,7 @@ from trajopt_cli.job import read_job
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import changes_of
-from trajopt_cli.plan import Memory, initial_plan, optimize, search_estimate
+from trajopt_cli.plan import PlanCache, initial_plan, optimize, search_estimate
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
@@ -105,7 +105,7 @@ def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path, monke
     )
     job = read_job(tmp_path / "m.mod")
     changes = changes_of(job, Target.RAPID)
-    memory, checked, check = Memory(), list[Problem](), initial_plan.check_reach
+    memory, checked, check = PlanCache(), list[Problem](), initial_plan.check_reach
 
     def counted(axes: Axes, problem: Problem) -> Infeasible | None:
         checked.append(problem)

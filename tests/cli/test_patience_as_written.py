@@ -10,7 +10,7 @@ from trajopt_cli.cli.tables import saving_line
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline.optimize import Optimised, optimise
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
-from trajopt_cli.plan import Memory
+from trajopt_cli.plan import PlanCache
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
@@ -38,7 +38,7 @@ def job(tmp_path: Path, request: pytest.FixtureRequest) -> Job:
 
 
 def timed(job: Job, patience: Patience) -> Plan | str:
-    return as_written(job, changes_of(job, Target.RAPID), Clock(), Memory(), patience=patience)
+    return as_written(job, changes_of(job, Target.RAPID), Clock(), PlanCache(), patience=patience)
 
 
 def test_ctrl_c_ends_the_timing_of_the_program_as_written(job: Job) -> None:

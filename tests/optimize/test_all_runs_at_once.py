@@ -23,7 +23,7 @@ from trajopt_cli.path_timing.path_timing import (
     time_paths,
 )
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_paths
-from trajopt_cli.plan.rail_refinement import polished, refined
+from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Coupling, Problem
 from trajopt_cli.trajectories import dense_check
@@ -151,7 +151,7 @@ def test_shifts_at_corners_gain() -> None:
     def time(q: Array) -> float:
         return float(about(axes, problem, problem.runs, [q] * len(problem.runs), cfx).sum())
 
-    found = polished(axes, problem, chain)
+    found = refine_corner_rail(axes, problem, chain)
     assert time(found.q) < time(chain.q) * (1 - 1e-3)
     assert duration(timed(axes, problem, found)) < duration(timed(axes, problem, chain))
 
@@ -162,9 +162,9 @@ def test_points_that_are_carried_along_are_not_shifted() -> None:
     around = [f"MoveL Offs(p_low,{x},{y},40), v200, z5, tool0;" for x, y in ((60, -80), (-60, -160), (0, -240))]
     begin, end = "MoveJ p_low, v1000, fine, tool0;", "MoveL p_low, v200, fine, tool0;"
     axes, problem, chain = chain_of("\n".join([begin, *ways, end]))
-    assert np.array_equal(polished(axes, problem, chain).q, chain.q)
+    assert np.array_equal(refine_corner_rail(axes, problem, chain).q, chain.q)
     axes, problem, chain = chain_of("\n".join([begin, *around, *ways[:3], end]))
-    moved = np.abs(polished(axes, problem, chain).q - chain.q).max(axis=1) > 0
+    moved = np.abs(refine_corner_rail(axes, problem, chain).q - chain.q).max(axis=1) > 0
     assert moved[:6].any()
     assert not moved[6]
 
@@ -172,8 +172,8 @@ def test_points_that_are_carried_along_are_not_shifted() -> None:
 def test_what_was_timed_for_one_coupling_is_known_to_the_other() -> None:
     axes, problem, chain = chain_of(BODY.replace("z_t", "fine"))
     free, known = replace(problem, coupling=Coupling.FREE), Times()
-    refined(axes, problem, chain, known)
+    refine_rail(axes, problem, chain, known)
     before = len(known.found)
-    after = refined(axes, free, chain, known)
+    after = refine_rail(axes, free, chain, known)
     assert before < len(known.found) < 2 * before
-    np.testing.assert_array_equal(after.q, refined(axes, free, chain).q)
+    np.testing.assert_array_equal(after.q, refine_rail(axes, free, chain).q)

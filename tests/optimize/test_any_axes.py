@@ -14,7 +14,7 @@ from trajopt_cli.bound.lower_bound import lower_bound
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.nlp.block_cache import Maps, library
-from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.plan.solve import _rows
 from trajopt_cli.problem.plan import Target
@@ -103,8 +103,8 @@ def rail_last(problem: Problem) -> Problem:
 def planned(axes: Axes, problem: Problem) -> Trajectory:
     """What optimize makes of a problem."""
     seconds: dict[str, float] = {}
-    found = legal_of(axes, [problem], Patience(), lambda _: None, seconds)
-    assert isinstance(found, Legal)
+    found = initial_plan_of(axes, [problem], Patience(), lambda _: None, seconds)
+    assert isinstance(found, InitialPlan)
     draft = found.draft
     if not problem.coordinated:
         _, draft, _ = refine(axes, found, Patience(), lambda _: None, seconds)

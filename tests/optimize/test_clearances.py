@@ -19,7 +19,7 @@ from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.proximity.pair import Pair
@@ -46,10 +46,10 @@ def beside_box(x: float, y: float, z: float, clearance: float = 0.01) -> Plant:
 
 
 @cache
-def legal() -> Legal:
+def legal() -> InitialPlan:
     """A motion that is free of all cubes here."""
-    found = legal_of(AXES, [problem_of(PROGRAM, ROOMY)], Patience(), lambda _: None, {})
-    assert isinstance(found, Legal)
+    found = initial_plan_of(AXES, [problem_of(PROGRAM, ROOMY)], Patience(), lambda _: None, {})
+    assert isinstance(found, InitialPlan)
     return found
 
 

@@ -14,7 +14,7 @@ from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.graph_search import search as searching
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
-from trajopt_cli.plan.rail_refinement import refined
+from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Problem
@@ -87,7 +87,7 @@ def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypat
     coarse_search(monkeypatch)
     chain = search(axes, replace(problem, coupling=Coupling.COORDINATED))
     assert chain is not None
-    legal = duration(timed(axes, problem, refined(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
+    legal = duration(timed(axes, problem, refine_rail(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
     whole = lower_bound.lower_bound(axes, problem, legal)
     monkeypatch.setattr(lower_bound, "BOUND_HOPS", 8)
     monkeypatch.setattr(lower_bound, "BOUND_WINDOW", 4)

@@ -10,7 +10,7 @@ from trajopt_cli.collision.merge_via_points import driven_by, joined
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import pose
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.plan.initial_plan import Legal, Memory, Question, legal_motion
+from trajopt_cli.plan.initial_plan import InitialPlan, PlanCache, PlanRequest, find_initial_plan
 from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.plan.solve import optimize
 from trajopt_cli.problem.decision_scope import EVERYTHING
@@ -31,14 +31,14 @@ AXES = Axes.of(PLANT)
 
 
 @pytest.fixture(scope="module")
-def legal() -> Legal:
-    question = Question(PROGRAM, PLANT, Target.STREAM, EVERYTHING)
-    found = legal_motion(AXES, question, Memory(), Patience(), lambda _: None, {})
-    assert isinstance(found, Legal)
+def legal() -> InitialPlan:
+    question = PlanRequest(PROGRAM, PLANT, Target.STREAM, EVERYTHING)
+    found = find_initial_plan(AXES, question, PlanCache(), Patience(), lambda _: None, {})
+    assert isinstance(found, InitialPlan)
     return found
 
 
-def test_one_leg_in_place_of_several_is_the_same_motion(legal: Legal) -> None:
+def test_one_leg_in_place_of_several_is_the_same_motion(legal: InitialPlan) -> None:
     (detour,) = legal.detours
     problem, draft = joined(AXES, legal.problem, legal.draft, legal.detours)
     points = len(detour.points)
@@ -59,7 +59,7 @@ def test_one_leg_in_place_of_several_is_the_same_motion(legal: Legal) -> None:
     assert np.array_equal(draft.q[1:3], legal.draft.q[[1, points + 2]])
 
 
-def test_a_problem_without_points_is_itself(legal: Legal) -> None:
+def test_a_problem_without_points_is_itself(legal: InitialPlan) -> None:
     problem, draft = joined(AXES, legal.problem, legal.draft, legal.detours)
     assert joined(AXES, problem, draft, legal.detours) == (problem, draft)
     assert driven_by(legal.problem, legal.detours) == legal.detours
@@ -70,14 +70,14 @@ def test_a_problem_without_points_is_itself(legal: Legal) -> None:
     assert problem.stations == own.stations
 
 
-def test_points_of_an_earlier_plan_are_the_programs_own(legal: Legal) -> None:
+def test_points_of_an_earlier_plan_are_the_programs_own(legal: InitialPlan) -> None:
     """As they are read from a text with the planner's mark."""
     marked = [motion for motion in legal.problem.program.motions if getattr(motion, "detour", ())]
     assert len(marked) == len(legal.detours[0].points)
     assert joined(AXES, legal.problem, legal.draft, ()) == (legal.problem, legal.draft)
 
 
-def test_free_axes_go_around_faster_than_by_points(legal: Legal) -> None:
+def test_free_axes_go_around_faster_than_by_points(legal: InitialPlan) -> None:
     problem, draft, _ = refine(AXES, legal, Patience(), lambda _: None, {})
     assert clear(AXES, problem, draft)
     assert duration(draft) < 0.97 * legal.duration

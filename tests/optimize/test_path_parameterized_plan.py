@@ -14,7 +14,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.path_timing.path_parameterized_plan import Runs, duration, timed
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.rail_refinement import refined
+from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
@@ -54,7 +54,7 @@ def test_refining_the_rail_is_never_slower(seed: int, target: Target) -> None:
     chain = search(axes, problem)
     assert chain is not None
     before = duration(timed(axes, problem, replace(chain, w=np.zeros_like(chain.w))))
-    after = duration(timed(axes, problem, refined(axes, problem, chain)))
+    after = duration(timed(axes, problem, refine_rail(axes, problem, chain)))
     assert after < before * (1 - 1e-3)
 
 
@@ -81,7 +81,7 @@ def test_the_rail_does_not_jitter_along_a_contour() -> None:
     axes = Axes.of(plant)
     chain = search(axes, problem)
     assert chain is not None
-    found = refined(axes, problem, chain)
+    found = refine_rail(axes, problem, chain)
     slopes = np.diff(axes.layout.place(found.q))[1:] / [leg.chord for leg in problem.legs[1:]]
     assert np.abs(np.diff(slopes[2:-2])).max() < 0.05
     fixed = replace(problem, waypoints=tuple(

@@ -20,7 +20,7 @@ from trajopt_cli.nlp.driver import Refiner, Stage, Stopped
 from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import subproblems
-from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
@@ -65,10 +65,10 @@ def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return Path("t.mod")
 
 
-def legal() -> Legal:
+def legal() -> InitialPlan:
     plant = plant_with_rail((-0.16, 0.8))
-    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], Patience(), lambda _: None, {})
-    assert isinstance(found, Legal)
+    found = initial_plan_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], Patience(), lambda _: None, {})
+    assert isinstance(found, InitialPlan)
     return found
 
 
@@ -84,8 +84,8 @@ def test_the_first_legal_motion_is_an_answer_that_an_end_leaves(stopped: bool, m
             patience.interrupt()
 
     plant = plant_with_rail((-0.16, 0.8))
-    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], patience, tell, {})
-    assert isinstance(found, Legal)
+    found = initial_plan_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], patience, tell, {})
+    assert isinstance(found, InitialPlan)
     assert len(told) == motions
     assert found.duration == min(time for time in told if time is not None)
 

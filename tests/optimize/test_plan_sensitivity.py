@@ -15,7 +15,7 @@ from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
 from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner
 from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.plan_sensitivity import Again, Answer, _Laws, _Program
+from trajopt_cli.plan.plan_sensitivity import Effect, PlanSensitivity, _SolvedWindow, _TimedRuns
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -64,31 +64,31 @@ def planned(program: Program, plant: Plant, target: Target) -> Plan:
 
 
 @cache
-def station(target: Target) -> tuple[Program, Plant, Plan, Again]:
+def station(target: Target) -> tuple[Program, Plant, Plan, PlanSensitivity]:
     """One station beside a rail."""
     # places and a rail for which the search ends in one optimum whatever the processor rounds
     program, plant = rapid(STATION), plant_with_rail((-0.19, 0.8))
     plan = planned(program, plant, target)
-    return program, plant, plan, Again(program, plant, plan, everything(program, plant))
+    return program, plant, plan, PlanSensitivity(program, plant, plan, everything(program, plant))
 
 
 def test_a_plan_solved_again_is_no_worse_than_the_plan(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the coarse grid leads to an optimum 0.5 % later, it is solved once more from the plan's own grid."""
     program, plant, plan, _ = station(Target.STREAM)
-    of, found = _Program.of, []
+    of, found = _SolvedWindow.of, []
 
-    def later(*args: object) -> _Program | None:
+    def later(*args: object) -> _SolvedWindow | None:
         found.append(of(*args))  # type: ignore[arg-type]
         return replace(found[0], duration=1.005 * found[0].duration) if len(found) == 1 else found[-1]
 
-    monkeypatch.setattr(_Program, "of", later)
-    again = Again(program, plant, plan, everything(program, plant))
+    monkeypatch.setattr(_SolvedWindow, "of", later)
+    again = PlanSensitivity(program, plant, plan, everything(program, plant))
     assert len(found) == 2
     assert plan.duration <= again.duration + 1e-4
     assert again.duration <= plan.duration * 1.001
 
 
-def known(answer: Answer) -> float:
+def known(answer: Effect) -> float:
     assert answer.gain is not None, answer.why
     return answer.gain
 
@@ -97,11 +97,15 @@ def known(answer: Answer) -> float:
 
 
 @cache
-def turn(angle: float) -> tuple[Program, Plant, Again]:
+def turn(angle: float) -> tuple[Program, Plant, PlanSensitivity]:
     """Joint 1 alone, from rest to rest, far under the tool's caps."""
     program = rapid(TURN.format(angle=angle))
     plant = plant_without_rail(free_speed=True, tcp=TcpCaps(9.0, 90.0))
-    return program, plant, Again(program, plant, planned(program, plant, Target.STREAM), everything(program, plant))
+    return (
+        program,
+        plant,
+        PlanSensitivity(program, plant, planned(program, plant, Target.STREAM), everything(program, plant)),
+    )
 
 
 def law(angle: float, V: float, A: float) -> float:
@@ -122,7 +126,7 @@ def test_a_turn_of_one_joint_gains_what_its_closed_form_says(angle: float, colum
     h = 1e-6
     slope = {"velocity": law(angle, V * (1 + h), A), "acceleration": law(angle, V, A * (1 + h))}[column]
     assert answer.first_order == pytest.approx((law(angle, V, A) - slope) / h * 0.1, rel=0.06, abs=2e-5)
-    assert answer.felt == (wanted > 0)
+    assert answer.active == (wanted > 0)
 
 
 @pytest.mark.parametrize(("angle", "speed"), [(5.0, False), (60.0, True)])
@@ -130,7 +134,7 @@ def test_multipliers_are_the_closed_forms_derivatives(angle: float, speed: bool)
     """T ~ A^-1/2 where the acceleration binds: -T/2 per whole of it; D/V + V/A where the speed does, too."""
     program, plant, again = turn(angle)
     window, _ = again.motion.part((0, 1))
-    one = _Program.of(again.motion.axes, again._formulation, LONG, window)
+    one = _SolvedWindow.of(again.motion.axes, again._formulation, LONG, window)
     assert one is not None
     V, A, way = plant.limits.velocity[0], plant.limits.acceleration[0], np.radians(angle)
     T = law(angle, V, A)
@@ -175,7 +179,7 @@ def test_nothing_changed_is_the_plan_again(target: Target) -> None:
     program, plant, plan, again = station(target)
     assert again.duration == pytest.approx(plan.duration, rel=1e-3)
     answer = again.answer(lambda _: (program, plant), True)
-    assert (answer.gain, answer.first_order, answer.felt) == (0.0, 0.0, False)
+    assert (answer.gain, answer.first_order, answer.active) == (0.0, 0.0, False)
 
 
 @pytest.mark.parametrize(("target", "column", "axis"), [
@@ -198,7 +202,7 @@ def test_a_joint_move_that_the_tool_holds_back_is_the_nonlinear_programs_again()
         plant_without_rail(),
     )
     plan = planned(program, plant, Target.STREAM)
-    again = Again(program, plant, plan, everything(program, plant))
+    again = PlanSensitivity(program, plant, plan, everything(program, plant))
     together = planned(program, plant, Target.RAPID).duration
     assert plan.duration < 0.99 * together
     assert again.duration == pytest.approx(plan.duration, rel=3e-3)
@@ -206,7 +210,7 @@ def test_a_joint_move_that_the_tool_holds_back_is_the_nonlinear_programs_again()
 
 def test_the_stream_has_multipliers_and_the_controllers_runs_have_laws() -> None:
     kinds = {one: {type(part) for part in station(one)[3]._parts} for one in Target}
-    assert kinds == {Target.STREAM: {_Program}, Target.RAPID: {_Laws}}
+    assert kinds == {Target.STREAM: {_SolvedWindow}, Target.RAPID: {_TimedRuns}}
 
 
 @pytest.mark.parametrize("target", Target)
@@ -220,9 +224,9 @@ def test_a_limit_that_nothing_meets_gains_exactly_nothing_and_nothing_is_solved(
         raise AssertionError("solved")
 
     monkeypatch.setattr(Refiner, "again", solve)
-    monkeypatch.setattr(_Laws, "again", solve)
+    monkeypatch.setattr(_TimedRuns, "again", solve)
     answer = again.answer(limit(program, plant, column, axis), True)
-    assert (answer.gain, answer.felt, answer.why) == (0.0, False, "")
+    assert (answer.gain, answer.active, answer.why) == (0.0, False, "")
     assert answer.first_order == pytest.approx(0.0, abs=1e-6)
 
 
@@ -280,7 +284,7 @@ def test_a_solve_that_fails_is_told_and_a_worse_one_loses_nothing(monkeypatch: p
     assert answer.first_order is not None
     assert answer.why == "the nonlinear program did not converge: as it happens"
 
-    monkeypatch.setattr(_Program, "again", lambda self, *_: self.duration + 0.1)
+    monkeypatch.setattr(_SolvedWindow, "again", lambda self, *_: self.duration + 0.1)
     assert again.answer(change, True).gain == 0.0
     assert known(again.answer(change, False)) == pytest.approx(-0.1)
 

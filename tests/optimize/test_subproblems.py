@@ -17,7 +17,7 @@ from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, Stage, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import local_refinement, subproblems
-from trajopt_cli.plan.initial_plan import Legal, legal_of
+from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, refine
 from trajopt_cli.plan.subproblems import Span, Window, pieces, red_black
 from trajopt_cli.problem.problem import Problem
@@ -42,12 +42,12 @@ AXES = Axes.of(plant_with_rail((-0.16, 0.8)))
 
 
 @cache
-def base(*places: float, home: str = "") -> Legal:
+def base(*places: float, home: str = "") -> InitialPlan:
     problem = problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))
     with pytest.MonkeyPatch.context() as patch:
         coarse_search(patch)
-        found = legal_of(AXES, [problem], Patience(), lambda _: None, {})
-    assert isinstance(found, Legal)
+        found = initial_plan_of(AXES, [problem], Patience(), lambda _: None, {})
+    assert isinstance(found, InitialPlan)
     return found
 
 
@@ -79,7 +79,7 @@ def quicker(problem: Problem, draft: Iterate) -> Iterate:
     return replace(draft, legs=tuple(legs))
 
 
-def swept(legal: Legal, tally: SweepReport | None = None) -> Iterate:
+def swept(legal: InitialPlan, tally: SweepReport | None = None) -> Iterate:
     return WindowSweeps(AXES, LONG, Patience(), {}).run(
         legal.problem, legal.draft, tally or SweepReport(), lambda _: None
     )

@@ -101,18 +101,18 @@ def to(q: np.ndarray, tool: str = "tool0", data: str = "") -> Program:
 def test_a_swing_about_the_vertical_is_inertia_times_acceleration_and_a_folding_arm_is_faster() -> None:
     """RAPID drives the first axis alone: a bang-bang of torque over inertia. A stream may fold the arm on the way."""
     plant = heavy(times=np.array([0.35, 3, 3, 1, 1, 1]), free_speed=True)
-    stretched = np.array([0, 0.9, -0.6, 0, 0.5, 0])
-    plant = replace(plant, start=stretched)
+    slowed_to = np.array([0, 0.9, -0.6, 0, 0.5, 0])
+    plant = replace(plant, start=slowed_to)
     way = 0.5
-    program = to(stretched + np.eye(6)[0] * way)
-    a = plant.limits.torque[0] / first_axis_inertia(plant, stretched)
+    program = to(slowed_to + np.eye(6)[0] * way)
+    a = plant.limits.torque[0] / first_axis_inertia(plant, slowed_to)
     assert 2 * sqrt(way / a) * a / 2 < plant.limits.velocity[0]
     asked = replace(plant, tcp=TcpCaps(np.inf, np.inf))  # nothing of the tool: the judge's caps are too high to bind
     rapid_plan, stream = (planned(program, asked, target) for target in (Target.RAPID, Target.STREAM))
     assert rapid_plan.duration == pytest.approx(2 * sqrt(way / a), rel=2e-4)
-    assert np.abs(rapid_plan.trajectory.q[:, 1:] - stretched[1:]).max() < 1e-6
+    assert np.abs(rapid_plan.trajectory.q[:, 1:] - slowed_to[1:]).max() < 1e-6
     assert stream.duration < 0.99 * rapid_plan.duration
-    assert np.abs(stream.trajectory.q[:, 2] - stretched[2]).max() > 0.1
+    assert np.abs(stream.trajectory.q[:, 2] - slowed_to[2]).max() > 0.1
     assert verify(program, plant, stream.trajectory, advice=False).legal
 
 

@@ -12,7 +12,7 @@ from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.plan_sensitivity import Again
+from trajopt_cli.plan.plan_sensitivity import PlanSensitivity
 from trajopt_cli.problem.detours import Detour, Numbering, Via, folded, radii, unfolded, why_unsaid, with_detours
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.plan import Plan, Target
@@ -167,7 +167,7 @@ def test_the_planner_finds_the_points_pinned(plan: Plan) -> None:
 def test_a_plan_with_points_can_be_solved_again(plan: Plan) -> None:
     own = folded(plan, program(), detours())
     there, numbering = with_detours(program(), PLANT, own.detours), Numbering(4, own.detours)
-    again = Again(there, PLANT, unfolded(own), numbering.changes(everything(program(), PLANT)))
+    again = PlanSensitivity(there, PLANT, unfolded(own), numbering.changes(everything(program(), PLANT)))
     assert again.duration == pytest.approx(plan.duration, rel=1e-6)
 
 

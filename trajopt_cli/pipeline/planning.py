@@ -25,7 +25,7 @@ from trajopt_cli.workers import Worker, give_back
 
 if TYPE_CHECKING:
     from trajopt_cli import findings
-    from trajopt_cli.plan import Memory
+    from trajopt_cli.plan import PlanCache
     from trajopt_cli.problem.plant import Plant
 
 _WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
@@ -121,7 +121,7 @@ def plan_all(
         The answers by target, a stream that cannot be done alone; the program as written, or why it cannot be driven;
         what the chain takes [s] that the rapid plan began with.
     """
-    from trajopt_cli.plan import Memory, first_legal, out_of_order
+    from trajopt_cli.plan import PlanCache, first_legal, out_of_order
 
     stream, rapid = Target.STREAM, Target.RAPID
 
@@ -141,7 +141,7 @@ def plan_all(
     def plan_rapid(
         tell: Report,
     ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, float | None, dict[str, float]]:
-        own, memory = Clock(), Memory()
+        own, memory = Clock(), PlanCache()
         found = solve(
             job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, kept[rapid], memory,
             objective=asked[rapid],
@@ -199,7 +199,7 @@ def solve(
     clock: Clock,
     patience: Patience,
     kept: RowsFile,
-    memory: Memory | None = None,
+    memory: PlanCache | None = None,
     max_workers: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
 ) -> Answer:
@@ -287,7 +287,7 @@ class _Interrupted(Exception):
 
 
 def as_written(
-    job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None,
+    job: Job, changes: Changes, clock: Clock, memory: PlanCache, kept: RowsFile | None = None,
     patience: Patience | None = None, rapid: Judged | None = None,
 ) -> Plan | str:  # fmt: skip
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line;

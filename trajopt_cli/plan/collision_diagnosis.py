@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, station_table
 from trajopt_cli.motion import Move, motion_name
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs
-from trajopt_cli.plan.detour_planner import NoClearWay, coordinated, driven_clear
+from trajopt_cli.plan.detour_planner import NoClearPath, coordinated, timed_clear
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.detours import radii, zone_of
 from trajopt_cli.problem.plan import Infeasible
@@ -42,35 +42,37 @@ def _blocked_station(axes: Axes, problem: Problem, around: CollisionScene, first
     if first == last and problem.waypoints[first].q is not None:
         return _blocked_joints(problem, around, first)
     d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
-    if _serves(station_table(axes, problem, first, last, d, around)):
+    if _serves_all(station_table(axes, problem, first, last, d, around)):
         return None
     free = station_table(axes, problem, first, last, d)
-    if not _serves(free):  # for another reason
+    if not _serves_all(free):  # for another reason
         return None
     for k in range(first, last + 1):
         if not station_table(axes, problem, k, k, d, around).labels if problem.waypoints[k].q is None else False:
-            q = _all(axes, d, free.waypoints[k - first])
-            return _about(axes, problem, around, max(problem.waypoints[k].motion, 0), _beside(problem, k), q, d)
+            q = _all_axes(axes, d, free.waypoints[k - first])
+            return _deepest_of_least(
+                axes, problem, around, max(problem.waypoints[k].motion, 0), _beside(problem, k), q, d
+            )
         leg = problem.legs[k] if k < last else None
         line = free.line(k - first) if leg is not None else None
         if leg is None or line is None:
             continue
-        q = _all(axes, d, line)
+        q = _all_axes(axes, d, line)
         clear = around.free(q, leg.motion).reshape(line.shape[:3]) | np.isnan(line[..., 0])
         had = ~np.isnan(line[..., 0]).any(axis=1)
         if not (clear.all(axis=1) & had).any():
             # from each rail position the worst of the line counts
-            return _about(axes, problem, around, leg.motion, [leg.motion], q, d, line.shape[1])
+            return _deepest_of_least(axes, problem, around, leg.motion, [leg.motion], q, d, line.shape[1])
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
     return Infeasible(index, motion.source, f"{motion_name(motion)} {_NOWHERE}")
 
 
-def _serves(table: IkTable) -> bool:
+def _serves_all(table: IkTable) -> bool:
     return bool(table.labels) and table.stands
 
 
-def _all(axes: Axes, d: Array, arm: Array) -> Array:
+def _all_axes(axes: Axes, d: Array, arm: Array) -> Array:
     """All axes (k, n) of joints (..., n rail positions, m)."""
     return axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
 
@@ -93,7 +95,7 @@ def _beside(problem: Problem, k: int) -> list[int]:
     return sorted({problem.legs[i].motion for i in (k - 1, k) if 0 <= i < len(problem.legs)})
 
 
-def _about(
+def _deepest_of_least(
     axes: Axes, problem: Problem, around: CollisionScene, index: int, during: Sequence[int], q: Array, d: Array,
     nodes: int = 1,
 ) -> Infeasible:  # fmt: skip
@@ -112,12 +114,12 @@ def _about(
         return Infeasible(index, problem.motion(index).source, f"{motion_name(problem.motion(index))} {_NOWHERE}")
     tried = ""
     if axes.layout.has_rail and len(d) > 1:
-        tried = f"; tried {_positions(d)}, least so at {float(axes.layout.place(best.q)) * 1e3:.0f} mm"
+        tried = f"; tried {_rail_positions(d)}, least so at {float(axes.layout.place(best.q)) * 1e3:.0f} mm"
     motion = problem.motion(index)
     return Infeasible(index, motion.source, f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}")
 
 
-def touches(axes: Axes, failure: NoClearWay, runs: Runs | None = None) -> Infeasible:
+def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None) -> Infeasible:
     """The answer no where every motion that was found touches something: what the best one does, where its end was
     tried, and which zones would do where it is in a corner."""
     assert failure.draft is not None
@@ -131,16 +133,16 @@ def touches(axes: Axes, failure: NoClearWay, runs: Runs | None = None) -> Infeas
         said += f"; {zones}"
     elif axes.layout.has_rail and len(d) > 1:
         no = "no way around was found" if leg.kind is LegKind.JOINT else "nothing clear was found"
-        said += f"; {no}, tried {_positions(d)}"
+        said += f"; {no}, tried {_rail_positions(d)}"
     return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
 
 
-def _positions(d: Array) -> str:
+def _rail_positions(d: Array) -> str:
     """Rail positions [m] that were tried."""
     return f"from rail {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations"
 
 
-def _zones_that_do(axes: Axes, failure: NoClearWay, runs: Runs | None) -> str:
+def _zones_that_do(axes: Axes, failure: NoClearPath, runs: Runs | None) -> str:
     """The largest standard zones, in words, with which the motion that touches something would not; none where its
     corners are not why."""
     problem, chain = failure.problem, failure.chain
@@ -160,7 +162,7 @@ def _zones_that_do(axes: Axes, failure: NoClearWay, runs: Runs | None) -> str:
         other = _with_zones(problem, smaller(size))
         try:
             both = {other.coupling: other, Coupling.COORDINATED: coordinated(other)}
-            ways = [driven_clear(axes, one, chain, runs) for one in both.values()]
+            ways = [timed_clear(axes, one, chain, runs) for one in both.values()]
         except NotDriven:
             return False
         return all(isinstance(way, Iterate) for way in ways)

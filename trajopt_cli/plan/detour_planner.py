@@ -31,7 +31,7 @@ Shifted = Callable[[Problem, Route], list[Route]]
 
 
 @dataclass(frozen=True, eq=False)
-class Clear:
+class ClearPlan:
     """A motion that touches nothing, its problem and chain, and the points of the program that it has."""
 
     problem: Problem
@@ -40,7 +40,7 @@ class Clear:
     detours: tuple[Detour, ...]
 
 
-class NoClearWay(Exception):
+class NoClearPath(Exception):
     """Every motion that was found touches something; legs: numbers of those of the best one that do, with the chain it
     was timed from. Without either, no chain was found that touches nothing, and legs are where it ends."""
 
@@ -54,17 +54,17 @@ class NoClearWay(Exception):
 def clear_motions(
     axes: Axes, bound: Problem, problem: Problem, straight: Mapping[int, str], groups: Sequence[Sequence[int]],
     detoured: Detoured, shifted: Shifted, runs: Runs | None,
-) -> Iterator[Clear]:  # fmt: skip
+) -> Iterator[ClearPlan]:  # fmt: skip
     """Motions that touch nothing, in no order; none where no chain does and nobody knows where that ends. bound: the
     problem with one progress for all axes. straight: why joint moves can have no points; groups: those that must have
-    the same. Raises NotDriven and NoClearWay."""
+    the same. Raises NotDriven and NoClearPath."""
     around = collision_scene_of(problem)
     assert around is not None
     avoid = EdgeCollision(axes, around, straight)
     chain = search(axes, bound, avoid)
     if chain is None:
         if avoid.stuck is not None:
-            raise NoClearWay(problem, tuple(k for k, leg in enumerate(problem.legs) if leg.motion == avoid.stuck))
+            raise NoClearPath(problem, tuple(k for k, leg in enumerate(problem.legs) if leg.motion == avoid.stuck))
         return
     points: dict[int, Array] = {}
     for k, leg in enumerate(bound.legs):
@@ -83,12 +83,12 @@ def clear_motions(
         ways = [(points[motion], names[motion]) for motion in group if motion in points]
         if ways:
             members = [(motion, ends[motion]) for motion in group if motion in ends]
-            way, name = next((one for one in ways if _serves(around, one[0], members)), ways[0])
+            way, name = next((one for one in ways if _serves_all(around, one[0], members)), ways[0])
             for motion, _ in members:
                 points[motion], names[motion] = way, name
     shared = {motion for group in groups if len(group) > 1 for motion in group}
     radii = dict.fromkeys(((motion, i) for motion, way in points.items() for i in range(len(way))), 0)
-    failure: NotDriven | NoClearWay | None = None
+    failure: NotDriven | NoClearPath | None = None
     found = False
 
     def made() -> tuple[Problem, Route, tuple[Detour, ...]]:
@@ -97,7 +97,7 @@ def clear_motions(
             for motion, way in sorted(points.items())
         )
         with_points = detoured(problem.dropped, detours) if detours else problem
-        return with_points, _through(axes, with_points, bound, chain, points), detours
+        return with_points, _route_with_points(axes, with_points, bound, chain, points), detours
 
     tuned = not points.keys() - shared
     for _ in range(len(ZONES) * max(len(radii), 1) + 1):
@@ -105,17 +105,17 @@ def clear_motions(
         smaller, clear = set[tuple[int, int]](), False
         for one in [through, *shifted(with_points, through)]:
             try:
-                driven = driven_clear(axes, with_points, one, runs)
+                driven = timed_clear(axes, with_points, one, runs)
             except NotDriven as said:
                 failure = failure or said
                 continue
             if isinstance(driven, Iterate):
                 found = clear = True
-                yield Clear(with_points, one, driven, detours)
+                yield ClearPlan(with_points, one, driven, detours)
             else:
                 failure = driven
                 if one is through:
-                    smaller = _corners(with_points, driven.legs, points)
+                    smaller = _points_beside(with_points, driven.legs, points)
         if clear and not tuned:
             tuned = True
             if _tune(axes, avoid, with_points, through, points, shared):
@@ -136,7 +136,9 @@ def _tune(
     random, q = np.random.default_rng(36), chain.q.copy()
     cfx = tuple(label.cfx for label in chain.labels)
     gained = False
-    places = [(k + 1, motion, number) for motion, number, k in _numbered(problem, points) if motion not in shared]
+    places = [
+        (k + 1, motion, number) for motion, number, k in _numbered_points(problem, points) if motion not in shared
+    ]
     for turn, step in enumerate(TUNE_STEPS):
         for k, motion, number in places:
             near = [run for run in problem.runs if run[0] <= k <= run[1]]
@@ -167,12 +169,12 @@ def _tune(
     return gained
 
 
-def _serves(around: CollisionScene, way: Array, members: Sequence[tuple[int, Array]]) -> bool:
+def _serves_all(around: CollisionScene, way: Array, members: Sequence[tuple[int, Array]]) -> bool:
     """Whether all of some joint moves, each with its ends (2, n), are clear by the same points."""
     return all(around.way_free(np.concatenate([ends[:1], way, ends[1:]]), motion) for motion, ends in members)
 
 
-def driven_clear(axes: Axes, problem: Problem, chain: Route, runs: Runs | None) -> Iterate | NoClearWay:
+def timed_clear(axes: Axes, problem: Problem, chain: Route, runs: Runs | None) -> Iterate | NoClearPath:
     """A chain as timed; runs in which free axes would touch something with one progress for all axes. Raises
     NotDriven."""
     draft = timed(axes, problem, chain, runs)
@@ -187,7 +189,7 @@ def driven_clear(axes: Axes, problem: Problem, chain: Route, runs: Runs | None) 
                 mixed[first:last] = together.legs[first:last]
         draft = replace(draft, legs=tuple(mixed))
         legs = touching(axes, problem, draft)
-    return NoClearWay(problem, legs, draft, chain) if legs else draft
+    return NoClearPath(problem, legs, draft, chain) if legs else draft
 
 
 def coordinated(problem: Problem) -> Problem:
@@ -195,7 +197,9 @@ def coordinated(problem: Problem) -> Problem:
     return problem if problem.coordinated else replace(problem, coupling=Coupling.COORDINATED)
 
 
-def _through(axes: Axes, with_points: Problem, problem: Problem, chain: Route, points: Mapping[int, Array]) -> Route:
+def _route_with_points(
+    axes: Axes, with_points: Problem, problem: Problem, chain: Route, points: Mapping[int, Array]
+) -> Route:
     """A chain of the problem as one of that with points before motions."""
     if with_points is problem or not points:
         return chain
@@ -204,12 +208,12 @@ def _through(axes: Axes, with_points: Problem, problem: Problem, chain: Route, p
         way = points.get(leg.motion, np.empty((0, axes.n))) if leg.kind is LegKind.JOINT else np.empty((0, axes.n))
         q += [way, chain.q[k + 1 : k + 2]]
         w += [np.zeros_like(way), chain.w[k + 1 : k + 2]]
-        labels += [*(_label(axes, point) for point in way), chain.labels[k + 1]]
+        labels += [*(_branch_at(axes, point) for point in way), chain.labels[k + 1]]
         times += [chain.times[k] / (len(way) + 1)] * (len(way) + 1)
     return Route(np.concatenate(q), np.concatenate(w), tuple(labels), np.array(times), chain.cost)
 
 
-def _label(axes: Axes, q: Array) -> IkBranch:
+def _branch_at(axes: Axes, q: Array) -> IkBranch:
     """The configuration of axes q (n,)."""
     arm = q[axes.layout.arm]
     branches = axes.inverse(axes.forward(q)[None], np.atleast_1d(axes.layout.place(q)))[0]
@@ -219,16 +223,16 @@ def _label(axes: Axes, q: Array) -> IkBranch:
     return IkBranch(cfx, turns[cfx])
 
 
-def _corners(problem: Problem, legs: Sequence[int], points: Mapping[int, Array]) -> set[tuple[int, int]]:
+def _points_beside(problem: Problem, legs: Sequence[int], points: Mapping[int, Array]) -> set[tuple[int, int]]:
     """The points beside legs, as motion of the program and number."""
     out = set()
-    for motion, number, k in _numbered(problem, points):
+    for motion, number, k in _numbered_points(problem, points):
         if k in legs or k + 1 in legs:
             out.add((motion, number))
     return out
 
 
-def _numbered(problem: Problem, points: Mapping[int, Array]) -> Iterator[tuple[int, int, int]]:
+def _numbered_points(problem: Problem, points: Mapping[int, Array]) -> Iterator[tuple[int, int, int]]:
     """Of every point its motion in the program without points, its number there, and the leg that ends at it."""
     before, at = 0, {}
     for motion, way in sorted(points.items()):

@@ -31,7 +31,7 @@ _WITHIN = 1 - 1e-5  # of every limit
 State = tuple[Array, int]  # axes (k,), branch
 
 
-def plain_motion(axes: Axes, problem: Problem) -> Iterate | None:
+def fallback_motion(axes: Axes, problem: Problem) -> Iterate | None:
     """A legal motion at rest at every point; None where none was found, and where jerk is limited, which parabolas do
     not keep."""
     if axes.jerk is not None:
@@ -42,7 +42,7 @@ def plain_motion(axes: Axes, problem: Problem) -> Iterate | None:
         return None
     states: list[State] = [(start, -1)]
     legs: list[LegMotion] = []
-    open_: list[Iterator[State]] = [_next(axes, problem, states, 1)]
+    open_: list[Iterator[State]] = [_candidate_states(axes, problem, states, 1)]
     for _ in range(_MOST):
         if len(legs) == len(problem.legs):
             break
@@ -54,11 +54,11 @@ def plain_motion(axes: Axes, problem: Problem) -> Iterate | None:
             states.pop()
             legs.pop()
             continue
-        motion = _driven(axes, problem, len(legs), states[-1], state)
+        motion = _leg_motion(axes, problem, len(legs), states[-1], state)
         if motion is not None:
             states.append(state)
             legs.append(motion)
-            open_.append(_next(axes, problem, states, len(states)))
+            open_.append(_candidate_states(axes, problem, states, len(states)))
     if len(legs) < len(problem.legs):
         return None
     q = np.array([own for own, _ in states])
@@ -66,7 +66,7 @@ def plain_motion(axes: Axes, problem: Problem) -> Iterate | None:
     return draft if clear(axes, problem, draft) else None
 
 
-def _next(axes: Axes, problem: Problem, states: list[State], k: int) -> Iterator[State]:
+def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int) -> Iterator[State]:
     """Axes and branches that waypoint k may have, the nearest to those before first."""
     if k >= len(problem.waypoints):
         return
@@ -93,7 +93,7 @@ def _next(axes: Axes, problem: Problem, states: list[State], k: int) -> Iterator
                 yield q, cfx
 
 
-def _driven(axes: Axes, problem: Problem, k: int, state: State, then: State) -> LegMotion | None:
+def _leg_motion(axes: Axes, problem: Problem, k: int, state: State, then: State) -> LegMotion | None:
     """Leg k from rest to rest within all limits; None where there is no such parabola, whatever its time."""
     leg, (q_0, cfx_0), (q_1, cfx_1) = problem.legs[k], state, then
     still = np.abs(q_1 - q_0).max() < _SAME and leg.segment is None

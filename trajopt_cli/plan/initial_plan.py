@@ -19,9 +19,9 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
-from trajopt_cli.plan.collision_diagnosis import blocked_place, touches
-from trajopt_cli.plan.detour_planner import NoClearWay, clear_motions, coordinated, driven_clear
-from trajopt_cli.plan.rail_refinement import polished, refined
+from trajopt_cli.plan.collision_diagnosis import blocked_place, collision_answer
+from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated, timed_clear
+from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.editable import Changes, everything
@@ -42,7 +42,7 @@ class NoCleanPlan(Exception):
 
 
 @dataclass(frozen=True, eq=False)
-class Legal:
+class InitialPlan:
     """A motion at rest at every stop that keeps every limit, and the chain it was timed from. detours: the points that
     its problem's program has besides its own, so that it touches nothing."""
 
@@ -67,17 +67,17 @@ class Legal:
 
 
 @dataclass(frozen=True, eq=False)
-class Memory:
+class PlanCache:
     """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
     found for them take [s]; and the runs that were driven."""
 
-    answers: dict[tuple[Target, Freedom], Legal | Infeasible] = field(default_factory=dict)
+    answers: dict[tuple[Target, Freedom], InitialPlan | Infeasible] = field(default_factory=dict)
     estimates: dict[tuple[Target, Freedom], float] = field(default_factory=dict)
     runs: Runs = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
+class PlanRequest:
     """What is asked: a program on a plant and a target, what may change at all, and which motions may have it."""
 
     program: Program
@@ -114,48 +114,50 @@ class Question:
         assert isinstance(problem, Problem), problem  # without points it is one
         return problem
 
-    def lesser(self) -> Iterator[Question]:
+    def restricted(self) -> Iterator[PlanRequest]:
         """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
         if self.target is Target.RAPID or self.plant.limits.binding_jerk is not None:
-            yield from self.calmer()
+            yield from self.with_less_rail()
 
-    def calmer(self) -> Iterator[Question]:
+    def with_less_rail(self) -> Iterator[PlanRequest]:
         """The same with a rail that may move less; for a stream, too."""
         if self.freedom.rail is RailFreedom.PROGRAMMED:
             return
         fewer = [FIXED_RAIL, AS_WRITTEN]
         if self.plant.limits.binding_jerk is not None:  # in a wait a rail may need longer than with free jerk
             fewer.insert(0, Freedom(dwells=False))
-        lesser = (self.freedom.and_not_more_than(one) for one in fewer)
-        yield from (replace(self, freedom=one) for one in lesser if one != self.freedom)
+        restricted = (self.freedom.and_not_more_than(one) for one in fewer)
+        yield from (replace(self, freedom=one) for one in restricted if one != self.freedom)
 
 
-def legal_motion(
-    axes: Axes, question: Question, memory: Memory, patience: Patience, tell: Report, seconds: dict[str, float]
-) -> Legal | Infeasible:
+def find_initial_plan(
+    axes: Axes, question: PlanRequest, memory: PlanCache, patience: Patience, tell: Report, seconds: dict[str, float]
+) -> InitialPlan | Infeasible:
     """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
     other questions about the same program; what is found here is added. patience: ends the search for a stream once
     there is a motion. Raises NoCleanPlan."""
     start = perf_counter()
     tell(Progress("reach"))
     known = memory.answers.get((question.target, question.freedom))
-    problems = question.unchecked() if isinstance(known, Legal) else question.problems(axes)
+    problems = question.unchecked() if isinstance(known, InitialPlan) else question.problems(axes)
     open_ = [one for one in problems if isinstance(one, Problem)]
     add(seconds, "reach", perf_counter() - start)
     if not open_:
         assert isinstance(problems[0], Infeasible)
         return problems[0]
-    own: Legal | Infeasible | NoCleanPlan
+    own: InitialPlan | Infeasible | NoCleanPlan
     tell(Progress("search"))
     try:
-        own = known or _found(axes, question, open_, memory, patience, tell, seconds)
+        own = known or _search_and_time(axes, question, open_, memory, patience, tell, seconds)
     except NoCleanPlan as failure:
         own = failure
-    best = own if isinstance(own, Legal) else None
-    for less in question.lesser():
-        found = _of_lesser(axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan))
+    best = own if isinstance(own, InitialPlan) else None
+    for less in question.restricted():
+        found = _of_restricted(
+            axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan)
+        )
         if found is not None and (best is None or found.duration < best.duration):
-            near = [found, *_again(axes, found, memory.runs, seconds)]
+            near = [found, *_with_rail_freed(axes, found, memory.runs, seconds)]
             near = [one for one in near if clear(axes, one.problem, one.draft)]
             best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
     if best is None and isinstance(own, NoCleanPlan):
@@ -167,69 +169,69 @@ def legal_motion(
     return best
 
 
-def calmer_motions(
-    axes: Axes, question: Question, legal: Legal, memory: Memory, seconds: dict[str, float]
-) -> Iterator[Legal]:
+def plans_with_less_rail(
+    axes: Axes, question: PlanRequest, legal: InitialPlan, memory: PlanCache, seconds: dict[str, float]
+) -> Iterator[InitialPlan]:
     """Legal motions of the same problem whose rail moves less, and which may take longer."""
     own = [one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped]
-    for less in question.calmer():
-        found = _of_lesser(axes, question, less, own, memory, Patience(), lambda _: None, seconds)
+    for less in question.with_less_rail():
+        found = _of_restricted(axes, question, less, own, memory, Patience(), lambda _: None, seconds)
         if found is not None:
             yield found
 
 
-def _of_lesser(
-    axes: Axes, question: Question, less: Question, problems: Sequence[Problem], memory: Memory, patience: Patience,
-    tell: Report, seconds: dict[str, float], around: bool = False,
-) -> Legal | None:  # fmt: skip
+def _of_restricted(
+    axes: Axes, question: PlanRequest, less: PlanRequest, problems: Sequence[Problem], memory: PlanCache,
+    patience: Patience, tell: Report, seconds: dict[str, float], may_detour: bool = False,
+) -> InitialPlan | None:  # fmt: skip
     """The legal motion of a question with less freedom as one of these problems', which are of this one; None where
-    there is none, or where it asks for the same. around: points may be added to the program, which takes time."""
+    there is none, or where it asks for the same. may_detour: points may be added to the program, which takes time."""
     mine = {one.dropped: one for one in problems}
     asked = [one for one in less.unchecked() if isinstance(one, Problem) and one.dropped in mine]
-    if all(_says(one) == _says(mine[one.dropped]) for one in asked):
+    if all(_varies(one) == _varies(mine[one.dropped]) for one in asked):
         return None
     name = less.target, less.freedom
     if name not in memory.answers:
         try:
-            found = _found(axes, less, asked, memory, patience, tell, seconds, around)
+            found = _search_and_time(axes, less, asked, memory, patience, tell, seconds, may_detour)
         except NoCleanPlan:
             return None
-        if isinstance(found, Legal) or around:
+        if isinstance(found, InitialPlan) or may_detour:
             memory.answers[name] = found
     else:
         found = memory.answers[name]
-    if not isinstance(found, Legal):
+    if not isinstance(found, InitialPlan):
         return None
     if found.detours:
         return replace(found, problem=question.detoured(found.dropped, found.detours))
     return replace(found, problem=mine[found.problem.dropped])
 
 
-def _found(
-    axes: Axes, question: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
-    seconds: dict[str, float], around: bool = True,
-) -> Legal | Infeasible:  # fmt: skip
-    """legal_of of a question's problems; what its chain takes is kept. around: points may be added. Raises
+def _search_and_time(
+    axes: Axes, question: PlanRequest, problems: Sequence[Problem], memory: PlanCache, patience: Patience, tell: Report,
+    seconds: dict[str, float], may_detour: bool = True,
+) -> InitialPlan | Infeasible:  # fmt: skip
+    """initial_plan_of a question's problems; what its chain takes is kept. may_detour: points may be added. Raises
     NoCleanPlan."""
     name = question.target, question.freedom
 
     def keep(cost: float) -> None:
         memory.estimates.setdefault(name, cost)
 
-    return legal_of(axes, problems, patience, tell, seconds, memory.runs, keep, question if around else None)
+    return initial_plan_of(axes, problems, patience, tell, seconds, memory.runs, keep, question if may_detour else None)
 
 
-def _says(problem: Problem) -> tuple[object, ...]:
+def _varies(problem: Problem) -> tuple[object, ...]:
     """What differs between problems of one program and target with different freedoms."""
     free = any(point.rail[0] < point.rail[1] for point in problem.waypoints)
     points = tuple((point.rail, point.conf, point.rest) for point in problem.waypoints)
     return points, tuple(leg.rail_moves for leg in problem.legs), free and problem.freedom.rail is RailFreedom.STATION
 
 
-def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> Iterator[Legal]:
+def _with_rail_freed(axes: Axes, found: InitialPlan, runs: Runs, seconds: dict[str, float]) -> Iterator[InitialPlan]:
     """The motion of a lesser freedom with its rail refined in the freedom at hand."""
     start = perf_counter()
-    for chain in _shifted(axes, found.problem, found.chain, Times()):
+    for chain in _with_rail_refined(axes, found.problem, found.chain, Times()):
         try:
             yield replace(found, chain=chain, draft=timed(axes, found.problem, chain, runs))
         except NotDriven:
@@ -237,17 +239,17 @@ def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> I
     add(seconds, "timing", perf_counter() - start)
 
 
-def legal_of(
+def initial_plan_of(
     axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
-    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: Question | None = None,
-) -> Legal | Infeasible:  # fmt: skip
+    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: PlanRequest | None = None,
+) -> InitialPlan | Infeasible:  # fmt: skip
     """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
     with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
     timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
     problems they are, to add points to its program. Raises NoCleanPlan."""
     failure: tuple[Problem, NotDriven] | None = None
-    touched: NoClearWay | None = None
+    touched: NoClearPath | None = None
     for room in ROOMS:
         start = perf_counter()
         narrow, known = axes.narrowed(room), Times()
@@ -255,34 +257,34 @@ def legal_of(
         if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
             searched(min(costs))
         found = [
-            (_shifted(narrow, bound, chain, known), chain, bound, problem)
+            (_with_rail_refined(narrow, bound, chain, known), chain, bound, problem)
             for chain, bound, problem in chains
             if chain is not None
         ]
         add(seconds, "search", perf_counter() - start)
         hopeless = bool(found)  # with less room it takes no less
         for tried, chain, bound, problem in sorted(found, key=lambda one: one[0][0].cost):
-            drafts: list[Legal] = []
+            drafts: list[InitialPlan] = []
             for coupled in dict.fromkeys((bound, problem)):
                 if coupled is not bound:  # a rail that suits free axes; but that for one progress may be the better one
                     if drafts and patience.over:
                         break
                     start = perf_counter()
-                    tried = _shifted(narrow, coupled, chain, known)
+                    tried = _with_rail_refined(narrow, coupled, chain, known)
                     add(seconds, "search", perf_counter() - start)
                 start = perf_counter()
                 for one in tried:
                     try:
-                        draft = driven_clear(axes, problem, one, runs)
+                        draft = timed_clear(axes, problem, one, runs)
                     except NotDriven as said:
                         failure = failure or (problem, said)
                         wanted = problem.legs[said.run[0]].duration
                         hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
                         continue
-                    if isinstance(draft, NoClearWay):
+                    if isinstance(draft, NoClearPath):
                         touched = touched or draft
                         continue
-                    drafts.append(Legal(problem, one, draft))
+                    drafts.append(InitialPlan(problem, one, draft))
                     if not problem.coordinated:
                         patience.answer()
                     tell(Progress("timing", drafts[-1].duration))
@@ -295,65 +297,67 @@ def legal_of(
             if None not in blocked:
                 assert blocked[0] is not None
                 return blocked[0]
-            around = _around(narrow, question, problems, known, runs)
+            detoured = _with_detours(narrow, question, problems, known, runs)
             add(seconds, "ways around", perf_counter() - start)
-            if isinstance(around, Legal):
-                tell(Progress("timing", around.duration))
-                return around
-            touched = _blamed(touched, around)
+            if isinstance(detoured, InitialPlan):
+                tell(Progress("timing", detoured.duration))
+                return detoured
+            touched = _better_diagnosis(touched, detoured)
             if failure is None:  # with less room there is no more
                 break
         if failure is None and touched is None:
-            return _disconnected(problems[0].program, any(problem.ties for problem in problems))
+            return _no_route(problems[0].program, any(problem.ties for problem in problems))
         if hopeless:
             break
     if touched is not None:
-        return touches(axes, touched, runs)
+        return collision_answer(axes, touched, runs)
     assert failure is not None
     return _not_driven(axes, *failure)
 
 
-def _around(
-    axes: Axes, question: Question, problems: Sequence[Problem], known: Times, runs: Runs | None
-) -> Legal | NoClearWay | None:
+def _with_detours(
+    axes: Axes, question: PlanRequest, problems: Sequence[Problem], known: Times, runs: Runs | None
+) -> InitialPlan | NoClearPath | None:
     """The fastest motion found that touches nothing; or what the best one touches."""
     changes = question.changes or everything(question.program, question.plant)
-    found: list[Legal] = []
-    failure: NoClearWay | None = None
+    found: list[InitialPlan] = []
+    failure: NoClearPath | None = None
 
     def shifted(problem: Problem, chain: Route) -> list[Route]:
-        near = refined(axes, problem, chain, known, collision_scene_of(problem))
+        near = refine_rail(axes, problem, chain, known, collision_scene_of(problem))
         polish = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
-        return [near, polished(axes, problem, near)] if polish else [near]
+        return [near, refine_corner_rail(axes, problem, near)] if polish else [near]
 
     for problem in problems:
         try:
             for one in clear_motions(
                 axes, coordinated(problem), problem, changes.straight, changes.detours, question.detoured, shifted, runs
             ):
-                found.append(Legal(one.problem, one.chain, one.draft, one.detours))
-        except NoClearWay as said:
+                found.append(InitialPlan(one.problem, one.chain, one.draft, one.detours))
+        except NoClearPath as said:
             failure = said
         except NotDriven:
             continue
     return min(found, key=lambda one: one.duration, default=failure)
 
 
-def _blamed(touched: NoClearWay, around: NoClearWay | None) -> NoClearWay:
+def _better_diagnosis(touched: NoClearPath, detoured: NoClearPath | None) -> NoClearPath:
     """What tells best why there is no plan: the motion by points that touches something; else the one without, at the
     leg where chains end that touch nothing."""
-    if around is None or around.draft is not None:
-        return around or touched
-    legs = tuple(k for k in around.legs if k in touched.legs) if around.problem is touched.problem else ()
-    return NoClearWay(touched.problem, legs, touched.draft, touched.chain) if legs else touched
+    if detoured is None or detoured.draft is not None:
+        return detoured or touched
+    legs = tuple(k for k in detoured.legs if k in touched.legs) if detoured.problem is touched.problem else ()
+    return NoClearPath(touched.problem, legs, touched.draft, touched.chain) if legs else touched
 
 
-def _shifted(axes: Axes, problem: Problem, chain: Route, known: Times) -> list[Route]:
+def _with_rail_refined(axes: Axes, problem: Problem, chain: Route, known: Times) -> list[Route]:
     """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
     are nearly that, and a leg alone does not see how the rail bends in them. known: as in leg_times."""
-    out = [refined(axes, problem, chain, known)]
+    out = [refine_rail(axes, problem, chain, known)]
     if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
-        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain, known))]
+        out = [
+            refine_corner_rail(axes, problem, one) for one in (*out, refine_rail(axes, stopped(problem), chain, known))
+        ]
     return out
 
 
@@ -399,7 +403,7 @@ def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None
     return None
 
 
-def _disconnected(program: Program, tied: bool) -> Infeasible:
+def _no_route(program: Program, tied: bool) -> Infeasible:
     index = len(program.motions) - 1
     source = program.motions[index].source
     why = "no chain of configurations connects the start with the program's end"

@@ -21,7 +21,7 @@ from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, Stage, Stopped,
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
-from trajopt_cli.plan.initial_plan import Legal, add
+from trajopt_cli.plan.initial_plan import InitialPlan, add
 from trajopt_cli.plan.subproblems import Span, Window, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -40,7 +40,7 @@ Tell = Callable[[float], None]
 
 def refine(
     axes: Axes,
-    legal: Legal,
+    legal: InitialPlan,
     patience: Patience,
     tell: Report,
     seconds: dict[str, float],
@@ -85,7 +85,7 @@ def refine(
 
 def refine_laws(
     axes: Axes,
-    legal: Legal,
+    legal: InitialPlan,
     patience: Patience,
     seconds: dict[str, float],
     max_workers: Callable[[], int] = lambda: 1,

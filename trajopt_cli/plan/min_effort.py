@@ -21,9 +21,9 @@ from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
 from trajopt_cli.path_timing.path_timing import PathMargins, Unresolved, time_path
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
-from trajopt_cli.plan.initial_plan import Legal, add
+from trajopt_cli.plan.initial_plan import InitialPlan, add
 from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, with_fixed_runs
-from trajopt_cli.plan.min_effort_law import gentle_law
+from trajopt_cli.plan.min_effort_law import min_effort_law
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
@@ -65,7 +65,7 @@ def spread(times: Array, efforts: Array, least: Array, total: float) -> Array:
     return np.maximum(least, k * wish)
 
 
-def stretched(axes: Axes, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
+def slowed_to(axes: Axes, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
     """The motion with what time is left given to the spans between rests that can be driven slower; it takes less than
     so many seconds where there is no such span. Waits keep their time."""
     spans = _spans(axes, problem, draft)
@@ -106,10 +106,12 @@ def _spans(axes: Axes, problem: Problem, draft: Iterate) -> list[_Span]:
     return out
 
 
-def eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
+def with_min_effort_laws(
+    axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, seconds: float
+) -> Iterate:
     """The motion of runs that share one progress, in so many seconds, with laws of least effort where they were found.
     Never more effort than time alone gives it."""
-    best = stretched(axes, problem, draft, seconds)
+    best = slowed_to(axes, problem, draft, seconds)
     for _ in range(EASE_ROUNDS):
         legs, known = list(best.legs), dict[bytes, dict[int, LegMotion]]()
         for span in _spans(axes, problem, best):
@@ -117,11 +119,11 @@ def eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate
                 continue
             key = run_name(problem, (span.first, span.last), best.q, best.cfx) + repr(span.time).encode()
             if key not in known:  # equal runs are driven alike
-                found = _eased(axes, formulation, problem, best, span)
+                found = _min_effort_motions(axes, formulation, problem, best, span)
                 known[key] = {k - span.first: motion for k, motion in found.items()}
             for k, motion in known[key].items():
                 legs[span.first + k] = motion
-        now = stretched(axes, problem, replace(best, legs=tuple(legs)), seconds)
+        now = slowed_to(axes, problem, replace(best, legs=tuple(legs)), seconds)
         gained = float(efforts(axes, best.legs).sum() - efforts(axes, now.legs).sum())
         if gained <= 0:
             break
@@ -129,14 +131,16 @@ def eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate
     return best
 
 
-def _eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span) -> dict[int, LegMotion]:
+def _min_effort_motions(
+    axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span
+) -> dict[int, LegMotion]:
     """A span's motions by the law of least effort; none where no gentler one is found."""
     path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, EASE_NODES)
     if path is None:
         return {}
 
     def make_law(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw | None:
-        return gentle_law(axes, formulation, problem, path, margins, span.time)
+        return min_effort_law(axes, formulation, problem, path, margins, span.time)
 
     try:
         found = time_path(axes, problem, path, make_law)
@@ -152,9 +156,9 @@ def _eased(axes: Axes, formulation: Formulation, problem: Problem, draft: Iterat
     return motions
 
 
-def gentlest(
+def least_effort_plan(
     axes: Axes,
-    legal: Sequence[Legal],
+    legal: Sequence[InitialPlan],
     solved: Problem,
     fast: Iterate,
     asked: LeastEffort,
@@ -170,20 +174,20 @@ def gentlest(
     formulation, bases = Formulation(axes), list[tuple[Problem, Iterate]]()
     for one in legal:
         if one.duration <= seconds:
-            base = stretched(axes, one.problem, one.draft, seconds)
+            base = slowed_to(axes, one.problem, one.draft, seconds)
             if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
-                base = eased(axes, formulation, one.problem, one.draft, seconds)
+                base = with_min_effort_laws(axes, formulation, one.problem, one.draft, seconds)
             own = with_fixed_runs(one.problem, one.chain)
             bases.append((own, base) if solved.coordinated else joined(axes, own, base, one.detours))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
     sweeps, tally = WindowSweeps(axes, Grids.of(solved), patience, spent, max_workers), SweepReport()
     if not solved.coordinated:
-        bases.append((solved, stretched(axes, solved, fast, seconds)))
+        bases.append((solved, slowed_to(axes, solved, fast, seconds)))
         bases = [(one, _swept(axes, sweeps, one, base, seconds, tally)) for one, base in bases]
     drafts = [draft for _, draft in bases]
     best = min(drafts, key=lambda draft: (duration(draft) < seconds * (1 - _SAME), efforts(axes, draft.legs).sum()))
-    return _ended(solved, best, asked.seconds)
+    return _with_rest_at_end(solved, best, asked.seconds)
 
 
 def _swept(
@@ -193,7 +197,7 @@ def _swept(
     asked = replace(problem, objective=LeastEffort(seconds))
     for _ in range(EASE_ROUNDS):
         draft = sweeps.run(asked, draft, tally, lambda _: None)
-        again = stretched(axes, problem, draft, seconds)
+        again = slowed_to(axes, problem, draft, seconds)
         before, after = (float(efforts(axes, one.legs).sum()) for one in (draft, again))
         if duration(draft) >= seconds * (1 - _SAME) and after >= before:
             return draft
@@ -203,7 +207,7 @@ def _swept(
     return draft
 
 
-def _ended(problem: Problem, draft: Iterate, seconds: float) -> tuple[Iterate, tuple[str, ...]]:
+def _with_rest_at_end(problem: Problem, draft: Iterate, seconds: float) -> tuple[Iterate, tuple[str, ...]]:
     """The motion with a rest where no leg of it could be given what time is left, and a word on it."""
     left = seconds - duration(draft)
     if left <= seconds * _SAME:

@@ -22,7 +22,7 @@ from trajopt_cli.trajectories.axes import Axes
 _SPARE = 1e-4  # share of a law's time that is left before a gentler one is looked for
 
 
-def gentle_law(
+def min_effort_law(
     axes: Axes, formulation: Formulation, problem: Problem, path: SampledPath, margins: PathMargins, seconds: float
 ) -> TimeLaw | None:
     """The law of a run's path that takes so many seconds with the least effort, from rest to rest; None where it

@@ -27,7 +27,7 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
-from trajopt_cli.plan.rail_refinement import refined
+from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.plan.subproblems import Span, Window, red_black
 from trajopt_cli.problem.corners import passed_in
 from trajopt_cli.problem.decision_scope import EVERYTHING
@@ -50,12 +50,12 @@ Changed = Callable[[float], tuple[Program, Plant]]
 _SAME = 1e-9  # m, rad: rounding of a position at the end of its range
 
 
-class NotAgain(Exception):
+class NotResolvable(Exception):
     """Why a plan cannot be solved again with a change, one line."""
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class Effect:
     """What a change makes of a plan's cycle time [s].
 
     gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
@@ -65,7 +65,7 @@ class Answer:
 
     gain: float | None
     first_order: float | None
-    felt: bool = True
+    active: bool = True
     why: str = ""
 
 
@@ -88,12 +88,12 @@ class _Motion:
         return Window.of(self.problem, self.draft, span), chain
 
 
-class Again:
+class PlanSensitivity:
     """A plan, to be solved again with changes. duration: its cycle time [s] solved again with nothing changed.
 
     changes: what could change in it when it was planned.
 
-    Raises NotAgain where the plan itself cannot be solved again.
+    Raises NotResolvable where the plan itself cannot be solved again.
     """
 
     def __init__(self, program: Program, plant: Plant, plan: Plan, changes: Changes):
@@ -102,10 +102,10 @@ class Again:
         self._program = program
         axes = Axes.of(plant)
         problem = self._problem(program, plant)
-        chain, qd, times = _chain(axes, problem, plan)
+        chain, qd, times = _route_of_plan(axes, problem, plan)
 
         def begun(N: int) -> Iterate:
-            legs = tuple(_leg(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
+            legs = tuple(_leg_motion(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
             return Iterate(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
 
         draft = begun(FIRST)
@@ -113,81 +113,83 @@ class Again:
             problem = with_fixed_runs(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)
         self._formulation = Formulation(axes)
-        self._parts: list[_Program | _Laws] = []
-        known: dict[bytes, _Program | None] = {}
+        self._parts: list[_SolvedWindow | _TimedRuns] = []
+        known: dict[bytes, _SolvedWindow | None] = {}
         whole = 0, len(problem.legs)
         for span in [whole] if problem.coordinated else red_black(problem)[0]:
             window, part = self.motion.part(span)
             nlp = None
-            if _free(axes, window):
+            if _refinable(axes, window):
                 key = window.key()
                 if key not in known:
                     grids = Grids.of(problem)
-                    found = _Program.of(axes, self._formulation, grids, window)
+                    found = _SolvedWindow.of(axes, self._formulation, grids, window)
                     if found is None or found.duration > (1 + LATER) * duration(window.draft):
                         # the coarse grid led away from the plan; one of its own does not
                         nearer = Window.of(problem, begun(grids.path), span)
-                        other = _Program.of(axes, self._formulation, grids, nearer)
+                        other = _SolvedWindow.of(axes, self._formulation, grids, nearer)
                         found = min(filter(None, (found, other)), key=lambda one: one.duration, default=None)
                     known[key] = found
                 nlp = known[key]
             if nlp is not None:
                 self._parts.append(replace(nlp, span=span))
-            elif _shifts(axes, window.problem):
-                self._parts.append(_Laws(axes, span, window.problem, part))
+            elif _rail_refined(axes, window.problem):
+                self._parts.append(_TimedRuns(axes, span, window.problem, part))
             else:
                 for run in window.problem.runs:
                     first, last = (span[0] + k for k in run)
                     inner, chain_of_run = self.motion.part((first, last))
-                    self._parts.append(_Laws(axes, (first, last), inner.problem, chain_of_run))
+                    self._parts.append(_TimedRuns(axes, (first, last), inner.problem, chain_of_run))
         try:
             self.duration = sum(part.duration for part in self._parts)
         except NotDriven as no:
             where = problem.motion(problem.legs[no.run[0]].motion).source
-            raise NotAgain(f"{where}: neither the nonlinear program nor one progress for all axes leads there") from no
+            raise NotResolvable(
+                f"{where}: neither the nonlinear program nor one progress for all axes leads there"
+            ) from no
 
-    def answer(self, changed: Changed, loosens: bool) -> Answer:
+    def answer(self, changed: Changed, loosens: bool) -> Effect:
         """What a change makes of the plan. loosens: whether every legal motion stays legal, so that nothing can be
         lost. What cannot be solved again is an answer, too."""
         try:
             whole, small = (self._changed(*changed(share)) for share in (1.0, SMALL))
-            felt = [part for part in self._parts if part.feels(self.motion, whole)]
-            slopes = [part.first_order(self.motion, small) for part in felt]
+            active = [part for part in self._parts if part.affected_by(self.motion, whole)]
+            slopes = [part.first_order(self.motion, small) for part in active]
             found: dict[bytes, float] = {}
             gain, why = 0.0, ""
-            for part, slope in zip(felt, slopes, strict=True):
-                if not part.shifts and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
+            for part, slope in zip(active, slopes, strict=True):
+                if not part.rail_refined and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
                     continue  # it stays optimal where no multiplier says otherwise, and a law on its course
                 try:
                     gain += part.duration - part.again(self.motion, whole, found)
                 except (NotConverged, NotDriven) as no:
                     why = why or part.why(no)
-            predicted = _foretold(slopes, SMALL)
+            predicted = _predicted_gain(slopes, SMALL)
             if predicted is not None and abs(predicted - gain) > JUMPED * max(abs(predicted), abs(gain)) and not why:
                 nearer = self._changed(*changed(SMALL / 2))  # a law may jump where a corner takes another size
-                predicted = _foretold([part.first_order(self.motion, nearer) for part in felt], SMALL / 2)
-        except NotAgain as no:
-            return Answer(None, None, why=str(no))
+                predicted = _predicted_gain([part.first_order(self.motion, nearer) for part in active], SMALL / 2)
+        except NotResolvable as no:
+            return Effect(None, None, why=str(no))
         if why and not (loosens and gain > 0):
-            return Answer(None, predicted, why=why)
+            return Effect(None, predicted, why=why)
         gain = max(gain, 0.0) if loosens else gain
-        slept = not felt or (predicted is not None and max(abs(predicted), abs(gain)) < LEAST_GAIN)
-        return Answer(0.0 if slept else gain, predicted, not slept, why)
+        slept = not active or (predicted is not None and max(abs(predicted), abs(gain)) < LEAST_GAIN)
+        return Effect(0.0 if slept else gain, predicted, not slept, why)
 
     def _problem(self, program: Program, plant: Plant) -> Problem:
-        """The problem with stops where the plan stops. Raises NotAgain."""
+        """The problem with stops where the plan stops. Raises NotResolvable."""
         problem = build_problem(program, plant, EVERYTHING, self._plan.target, self._changes, self._dropped)
         if isinstance(problem, Infeasible):
-            raise NotAgain(problem.message)
+            raise NotResolvable(problem.message)
         points = (one if one.motion in self._passed else replace(one, fly_by=None) for one in problem.waypoints)
         return replace(problem, waypoints=tuple(points))
 
     def _changed(self, program: Program, plant: Plant) -> _Motion:
-        """The plan's motion with a change: what has a pose stands and leads where the pose is now. Raises NotAgain."""
+        """The plan's motion with a change: what has a pose stands and leads where the pose is now. Raises NotResolvable."""
         before = self.motion
         axes, problem = Axes.of(plant), self._problem(program, plant)
         if len(problem.legs) != len(before.problem.legs):
-            raise NotAgain("a wait of the plan would be cut in other parts; plan it anew with the change")
+            raise NotResolvable("a wait of the plan would be cut in other parts; plan it anew with the change")
         legs = [  # a long wait is cut by what limits allow: by those of the plan, unless it is the wait that changes
             replace(new, duration=old.duration) if _waits_alike(self._program, program, new.motion) else new
             for old, new in zip(before.problem.legs, problem.legs, strict=True)
@@ -201,7 +203,7 @@ class Again:
         for shift in SHIFTS if moved and axes.layout.has_rail else SHIFTS[:1]:
             q, qd = _placed(axes, problem, before, moved, shift)
             legs_there = tuple(
-                None if motion is None else _carried(problem, k, motion, q)
+                None if motion is None else _leg_with_change(problem, k, motion, q)
                 for k, motion in enumerate(before.draft.legs)
             )
             ways = (motion.node_arm(axes) for motion in legs_there if isinstance(motion, PathLeg))
@@ -211,11 +213,11 @@ class Again:
                 if not problem.coordinated and self._passed:
                     problem = with_fixed_runs(problem, chain)
                 return _Motion(axes, problem, chain, Iterate(q, qd, before.draft.cfx, legs_there))
-        raise NotAgain("the arm does not reach there in the plan's configuration; --search plans anew")
+        raise NotResolvable("the arm does not reach there in the plan's configuration; --search plans anew")
 
 
 @dataclass(frozen=True, eq=False)
-class _Program:
+class _SolvedWindow:
     """A window of the plan solved by the nonlinear program: its clean draft, program, answer and multipliers."""
 
     formulation: Formulation
@@ -227,7 +229,7 @@ class _Program:
     answer: NlpResult
 
     @classmethod
-    def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _Program | None:
+    def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _SolvedWindow | None:
         """The window solved from the motion at hand; None where that does not converge."""
         refiner = Refiner(axes, formulation, window.problem, Patience(), grids, collision_scene_of(window.problem))
         try:
@@ -242,11 +244,11 @@ class _Program:
         return cls(formulation, grids, span, duration(draft), draft, program, result)
 
     @property
-    def shifts(self) -> bool:
+    def rail_refined(self) -> bool:
         """Whether first order says too little of it."""
         return False
 
-    def feels(self, before: _Motion, after: _Motion) -> bool:
+    def affected_by(self, before: _Motion, after: _Motion) -> bool:
         """Whether anything in the window is different."""
         return bool(_differs(before, after, self.span).any())
 
@@ -254,7 +256,7 @@ class _Program:
         """In words."""
         return f"the nonlinear program did not converge: {no}"
 
-    def _moved(self, after: _Motion) -> tuple[Problem, Iterate]:
+    def _with_rail_moved(self, after: _Motion) -> tuple[Problem, Iterate]:
         """The window's problem and clean motion with the change."""
         window, _ = after.part(self.span)
         q, qd = self.draft.q.copy(), self.draft.qd.copy()
@@ -262,7 +264,7 @@ class _Program:
             if point.q is not None:
                 q[k], qd[k] = point.q, window.draft.qd[k]
         legs = tuple(
-            None if motion is None else _carried(window.problem, k, motion, q)
+            None if motion is None else _leg_with_change(window.problem, k, motion, q)
             for k, motion in enumerate(self.draft.legs)
         )
         return window.problem, Iterate(q, qd, self.draft.cfx, legs)
@@ -270,7 +272,7 @@ class _Program:
     def first_order(self, before: _Motion, after: _Motion) -> float | None:
         """By how much the time changes [s] where the answer stays optimal: what the Lagrangian changes by at the
         answer, with its multipliers."""
-        problem, draft = self._moved(after)
+        problem, draft = self._with_rail_moved(after)
         other = Transcription(after.axes, self.formulation, problem, draft, self.program.margins, self.program.tangents)
         change = self.program.nlp.lagrangian_change(other.nlp, self.answer)
         if not np.isfinite(change):  # it leads where the arm does not reach
@@ -282,7 +284,7 @@ class _Program:
 
     def again(self, before: _Motion, after: _Motion, found: dict[bytes, float]) -> float:
         """The window's time [s] solved again. found: of windows that ask for the same. Raises NotConverged."""
-        problem, draft = self._moved(after)
+        problem, draft = self._with_rail_moved(after)
         key = replace(after.part(self.span)[0], draft=draft).key()
         if key not in found:
             refiner = Refiner(
@@ -297,7 +299,7 @@ class _Program:
 
 
 @dataclass(frozen=True, eq=False)
-class _Laws:
+class _TimedRuns:
     """Runs of the plan in which all axes have one progress: their chain."""
 
     axes: Axes
@@ -306,9 +308,9 @@ class _Laws:
     chain: Route
 
     @property
-    def shifts(self) -> bool:
+    def rail_refined(self) -> bool:
         """Whether its rail is shifted, which the same course says nothing of."""
-        return _shifts(self.axes, self.problem)
+        return _rail_refined(self.axes, self.problem)
 
     @cached_property
     def _timed(self) -> Iterate:
@@ -317,21 +319,21 @@ class _Laws:
     @cached_property
     def duration(self) -> float:
         """With the rail shifted as again does it [s]."""
-        return min(duration(self._timed), self._shifted(self.axes, self.problem, self.chain))
+        return min(duration(self._timed), self._with_rail_refined(self.axes, self.problem, self.chain))
 
     @cached_property
-    def _near(self) -> BoolArray:
+    def _candidates(self) -> BoolArray:
         """What each leg comes near to, in the columns of _caps."""
         ratios = check_legs(self.axes, self.problem.legs, [leg for leg in self._timed.legs if leg is not None])
-        return np.array([_near(one, self.axes) for one in ratios])
+        return np.array([_candidates(one, self.axes) for one in ratios])
 
-    def _felt(self, before: _Motion, after: _Motion) -> BoolArray:
+    def _active_legs(self, before: _Motion, after: _Motion) -> BoolArray:
         """The legs on which anything is different that is near its limit."""
-        return np.asarray((_differs(before, after, self.span) & self._near).any(axis=1))
+        return np.asarray((_differs(before, after, self.span) & self._candidates).any(axis=1))
 
-    def feels(self, before: _Motion, after: _Motion) -> bool:
+    def affected_by(self, before: _Motion, after: _Motion) -> bool:
         """Whether that is so anywhere."""
-        return bool(self._felt(before, after).any())
+        return bool(self._active_legs(before, after).any())
 
     def why(self, no: NotConverged | NotDriven) -> str:
         """In words."""
@@ -341,10 +343,10 @@ class _Laws:
 
     def _on_course(self, before: _Motion, after: _Motion) -> float:
         """The time on the same course [s]: of what feels the change, timed anew. Raises NotDriven."""
-        felt, total = self._felt(before, after), 0.0
+        active, total = self._active_legs(before, after), 0.0
         for first, last in self.problem.runs:
             at = slice(first, last)
-            if felt[at].any():
+            if active[at].any():
                 window, chain = after.part((self.span[0] + first, self.span[0] + last))
                 total += duration(timed(after.axes, window.problem, chain))
             else:
@@ -363,7 +365,7 @@ class _Laws:
         window, chain = after.part(self.span)
         key = window.key()
         if key not in found:
-            shifted = self._shifted(after.axes, window.problem, chain)
+            shifted = self._with_rail_refined(after.axes, window.problem, chain)
             try:
                 found[key] = min(shifted, self._on_course(before, after))
             except NotDriven:
@@ -372,23 +374,23 @@ class _Laws:
                 found[key] = shifted
         return found[key]
 
-    def _shifted(self, axes: Axes, problem: Problem, chain: Route) -> float:
+    def _with_rail_refined(self, axes: Axes, problem: Problem, chain: Route) -> float:
         """The time with the rail refined [s]; infinite where corners bind it, or where nothing is driven so."""
-        if not _shifts(axes, problem):
+        if not _rail_refined(axes, problem):
             return np.inf
         try:
-            return duration(timed(axes, problem, refined(axes, problem, chain)))
+            return duration(timed(axes, problem, refine_rail(axes, problem, chain)))
         except NotDriven:
             return np.inf
 
 
-def _foretold(slopes: Sequence[float | None], share: float) -> float | None:
+def _predicted_gain(slopes: Sequence[float | None], share: float) -> float | None:
     """What all parts save by first order [s], of what they change by with a share of the change."""
     known = [one for one in slopes if one is not None]
     return -sum(known) / share if len(known) == len(slopes) else None
 
 
-def _free(axes: Axes, window: Window) -> bool:
+def _refinable(axes: Axes, window: Window) -> bool:
     """Whether a window is one of the nonlinear program's: the search would try it, or its joint moves have nodes."""
     problem = window.problem
     if problem.coordinated or any(problem.passes(k) for k in range(len(problem.waypoints))):
@@ -397,7 +399,7 @@ def _free(axes: Axes, window: Window) -> bool:
     return nodes or may_gain(axes, problem, window.draft)
 
 
-def _shifts(axes: Axes, problem: Problem) -> bool:
+def _rail_refined(axes: Axes, problem: Problem) -> bool:
     """Whether a rail is shifted when runs are timed again: not where corners bind it."""
     free = any(point.q is None and point.rail[0] < point.rail[1] for point in problem.waypoints)
     return axes.layout.has_rail and free and not any(problem.passes(k) for k in range(len(problem.waypoints)))
@@ -426,7 +428,7 @@ def _differs(before: _Motion, after: _Motion, span: Span) -> BoolArray:
     return out[span[0] : span[1]]
 
 
-def _near(ratios: Ratios, axes: Axes) -> BoolArray:
+def _candidates(ratios: Ratios, axes: Axes) -> BoolArray:
     """What a leg comes near to, in the columns of _caps. Where it stays away from a limit it does so after a small
     shift of the rail, too."""
     reached = [one.max(axis=0) >= FELT for one in (ratios.velocity, ratios.acceleration, ratios.tool)]
@@ -454,7 +456,7 @@ def _waits_alike(before: Program, after: Program, index: int) -> bool:
 # ---------------------------------------------------------------------------------------------- from a plan to a draft
 
 
-def _chain(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array, Array]:
+def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array, Array]:
     """Axes and configurations of the plan at the waypoints, velocities (M, n) there, times (M-1,) of the legs."""
     motions = {motion.index: motion for motion in plan.motions}
     ends = np.empty(len(problem.legs))
@@ -486,7 +488,7 @@ def _chain(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array, Arra
     return Route(q, rail, tuple(labels), times, float(times.sum())), qd, times
 
 
-def _leg(
+def _leg_motion(
     axes: Axes, problem: Problem, plan: Plan, k: int, chain: Route, qd: Array, times: Array, paths: int
 ) -> LegMotion:
     """The plan's motion on a leg as the nonlinear program may begin with it, on so many intervals of a path."""
@@ -510,7 +512,7 @@ def _leg(
     segment = _segment(problem, k)
     s, v = np.zeros(N + 1), np.zeros(N + 1)
     if leg.kind is LegKind.LINE:
-        s, v = _shares(axes, segment, leg.X_FT, q, rate)
+        s, v = _path_parameters(axes, segment, leg.X_FT, q, rate)
     rail = axes.layout.rail
     w = rate[:, rail] * T
     cfx = max(chain.labels[k].cfx, chain.labels[k + 1].cfx)
@@ -526,7 +528,7 @@ def _segment(problem: Problem, k: int) -> Segment:
     return leg.segment or Line(X_WT, X_WT)
 
 
-def _shares(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> tuple[Array, Array]:
+def _path_parameters(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> tuple[Array, Array]:
     """Shares of a way (m,) and their rates where the axes (m, n) have the tool on it."""
     X_WT = axes.forward(q) @ X_FT
     s = np.linspace(0.0, 1.0, len(q))
@@ -546,7 +548,7 @@ def _shares(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> t
     return s, v
 
 
-def _carried(problem: Problem, k: int, motion: LegMotion, q: Array) -> LegMotion:
+def _leg_with_change(problem: Problem, k: int, motion: LegMotion, q: Array) -> LegMotion:
     """A leg's motion where its poses and its duration are the problem's now, between axes q (M, n)."""
     leg = problem.legs[k]
     if leg.kind is LegKind.DWELL and isinstance(motion, JointProfiles):

@@ -45,7 +45,7 @@ from trajopt_cli.trajectories.route import Route
 _SAME = 1e-9  # m between rail positions that are one
 
 
-def refined(
+def refine_rail(
     axes: Axes, problem: Problem, chain: Route, known: Times | None = None, around: CollisionScene | None = None
 ) -> Route:
     """The chain with the rail positions that the least time is found at, beside those it has. known: as in leg_times.
@@ -54,7 +54,7 @@ def refined(
     still = replace(chain, w=np.zeros_like(chain.w))
     if not free or not axes.layout.has_rail:
         return still
-    marks, best = _smoothed(axes, problem, still)
+    marks, best = _with_carried_points(axes, problem, still)
     index = {k: i for i, k in enumerate(marks.tolist())}
     ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
     reached, cost = np.inf, np.inf
@@ -65,9 +65,9 @@ def refined(
     known = Times() if known is None else known
     for _ in range(REFINE_ROUNDS):
         before = near
-        found = iter(_near(axes, problem, best, marks[changed], step, around))
+        found = iter(_candidates(axes, problem, best, marks[changed], step, around))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
-        edges = _edges(axes, problem, marks, near, best, before, edges, step, known, around)
+        edges = _edge_times(axes, problem, marks, near, best, before, edges, step, known, around)
         cost, path = best_chain(near, edges, ties)
         if not np.isfinite(cost):
             break
@@ -75,16 +75,16 @@ def refined(
         times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
         stays = np.abs(q - best.q[marks]).max(axis=1) < _SAME
         there = stays | (cost > reached * (1 - REFINE_GAIN))
-        best, reached = _through(axes, problem, best, marks, q, times), cost
+        best, reached = _route_through(axes, problem, best, marks, q, times), cost
         last = np.where(_carrying(marks), CARRY_LAST, REFINE_LAST)
         if np.all(there & (step[marks] <= last)):
             break
         shorter = np.where(there & (step[marks] > last), np.maximum(step[marks] / 2, last), step[marks])
         changed, step[marks] = ~stays | (shorter != step[marks]), shorter
-    return _rounded(axes, problem, best, marks)
+    return _on_spline(axes, problem, best, marks)
 
 
-def _rounded(axes: Axes, problem: Problem, chain: Route, marks: IndexArray) -> Route:
+def _on_spline(axes: Axes, problem: Problem, chain: Route, marks: IndexArray) -> Route:
     """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
     there is no room for the rail to change its speed. As it is where the arm cannot follow."""
     q = chain.q.copy()
@@ -110,7 +110,7 @@ def _carrying(marks: IndexArray) -> BoolArray:
     return np.r_[False, far] | np.r_[far, False]
 
 
-def _smoothed(axes: Axes, problem: Problem, chain: Route) -> tuple[IndexArray, Route]:
+def _with_carried_points(axes: Axes, problem: Problem, chain: Route) -> tuple[IndexArray, Route]:
     """The waypoints between which the rail is in proportion to the tool's way, and a chain in which it is: those that
     lie between short lines are carried along, but for one every CARRY of the way."""
     tied = {k for group in problem.ties for k in group}
@@ -162,7 +162,7 @@ def _along_rail(axes: Axes, problem: Problem, chain: Route, a: int, d: Array) ->
     return np.where(inside[..., None], q, np.nan)
 
 
-def _through(axes: Axes, problem: Problem, chain: Route, marks: IndexArray, q: Array, times: Array) -> Route:
+def _route_through(axes: Axes, problem: Problem, chain: Route, marks: IndexArray, q: Array, times: Array) -> Route:
     """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
     every, spent = chain.q.copy(), chain.times.copy()
     stays = np.abs(q - chain.q[marks]).max(axis=1) < _SAME
@@ -174,7 +174,7 @@ def _through(axes: Axes, problem: Problem, chain: Route, marks: IndexArray, q: A
     return replace(chain, q=every, times=spent, cost=float(times.sum()))
 
 
-def polished(axes: Axes, problem: Problem, chain: Route) -> Route:
+def refine_corner_rail(axes: Axes, problem: Problem, chain: Route) -> Route:
     """The chain with the rail shifted at the points of runs with corners, each and all of a run, until nothing is
     gained: there a leg alone does not say how fast it is passed. Points that are carried along are not shifted, nor
     any of a run that has more of these: what it takes is decided between short lines."""
@@ -197,7 +197,7 @@ def polished(axes: Axes, problem: Problem, chain: Route) -> Route:
             continue
         near = problem.runs[max(i - 1, 0) : i + 2]  # and those that end where it begins, or begin where it ends
         groups = [[k] for k in points] if len(points) < 2 else [points, *([k] for k in points)]
-        shifts = _Shifts(axes, problem, cfx, near)
+        shifts = _RailShifts(axes, problem, cfx, near)
         (known,) = shifts.times([q])
         step = POLISH_STEP
         while step >= POLISH_LAST and left > 0:
@@ -212,7 +212,7 @@ def polished(axes: Axes, problem: Problem, chain: Route) -> Route:
 
 
 @dataclass(frozen=True, eq=False)
-class _Shifts:
+class _RailShifts:
     """Shifts of the rail at some points that runs beside each other are timed with."""
 
     axes: Axes
@@ -228,7 +228,7 @@ class _Shifts:
     def best(self, q: Array, known: float, tries: Sequence[tuple[Sequence[int], float]]) -> tuple[Array, float] | None:
         """Axes with the shift of a group of points that gains most, or with what gains besides, if that is better
         still, and what the runs take then; None where none gains."""
-        moved = [_moved(self.axes, self.problem, q, self.cfx, group, way) for group, way in tries]
+        moved = [_with_rail_moved(self.axes, self.problem, q, self.cfx, group, way) for group, way in tries]
         can = [i for i, one in enumerate(moved) if one is not None]
         if not can:
             return None
@@ -249,7 +249,9 @@ class _Shifts:
         return (together, float(all_)) if all_ < T else (best, T)
 
 
-def _moved(axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Sequence[int], way: float) -> Array | None:
+def _with_rail_moved(
+    axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Sequence[int], way: float
+) -> Array | None:
     """Axes (M, n) with the rail elsewhere [m] at some points, on their branches; None where that cannot be."""
     out = q.copy()
     for k in at:
@@ -266,7 +268,7 @@ def _branch(chain: Route, k: int) -> int:
     return chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
 
 
-def _near(
+def _candidates(
     axes: Axes, problem: Problem, chain: Route, at: IndexArray, step: Array, around: CollisionScene | None
 ) -> list[Array]:
     """Axes (m, n) to try at each of some waypoints, those of the chain among them; step [m] at every waypoint."""
@@ -298,7 +300,7 @@ def _near(
     return out
 
 
-def _edges(
+def _edge_times(
     axes: Axes,
     problem: Problem,
     marks: IndexArray,
@@ -314,7 +316,7 @@ def _edges(
     fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
     before. known: as in leg_times."""
     timed, opens, out = [], [], []
-    same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    same = [None if a is b else _common_rows(a, b) for a, b in zip(near, before, strict=True)] if before else []
     for i, (first, last) in enumerate(pairwise(marks.tolist())):
         a, b = near[i], near[i + 1]
         if before and a is before[i] and b is before[i + 1]:
@@ -329,7 +331,7 @@ def _edges(
             found = edges[i][np.ix_(at_before, to_before)]
             edge[np.ix_(at, to)] = np.where(np.isfinite(found), found, np.nan)
         ia, ib = np.nonzero(np.isnan(edge))
-        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain, max(step[first], step[last]))
+        worth = _pairs_to_time(axes, problem, first, last, a[ia], b[ib], chain, max(step[first], step[last]))
         edge[ia, ib] = np.inf
         ia, ib = ia[worth], ib[worth]
         if around is not None and problem.legs[first].kind is LegKind.JOINT:
@@ -339,7 +341,7 @@ def _edges(
         can = np.isfinite(q).all(axis=(1, 2))
         q, cfx = q[can], _branch(chain, first)
         ia, ib = ia[can], ib[can]
-        looked_at = _looked_at(problem, first, last)
+        looked_at = _legs_to_time(problem, first, last)
         opens.append((edge, ia, ib, [*looked_at.values()]))
         timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], cfx) for k in looked_at]
         out.append(edge)
@@ -354,7 +356,7 @@ def _edges(
     return out
 
 
-def _looked_at(problem: Problem, first: int, last: int) -> dict[int, float]:
+def _legs_to_time(problem: Problem, first: int, last: int) -> dict[int, float]:
     """The legs between two marks that are timed, and how many times as long the ones around each take as itself."""
     groups = np.array_split(np.arange(first, last), min(last - first, CARRY_LOOKS))
     legs = {int(group[len(group) // 2]): group for group in groups}
@@ -365,13 +367,13 @@ def _looked_at(problem: Problem, first: int, last: int) -> dict[int, float]:
     }
 
 
-def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
+def _common_rows(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
     """Which rows of a (m, n) are rows of b, and which."""
     i, j = np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
     return i, j
 
 
-def _worth(
+def _pairs_to_time(
     axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Route, step: float
 ) -> BoolArray:
     """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, else both are shifted alike but

@@ -18,10 +18,17 @@ from trajopt_cli.nlp.assemble import rows_of
 from trajopt_cli.nlp.driver import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
-from trajopt_cli.plan.fallback_plan import plain_motion
-from trajopt_cli.plan.initial_plan import Legal, Memory, NoCleanPlan, Question, calmer_motions, legal_motion
+from trajopt_cli.plan.fallback_plan import fallback_motion
+from trajopt_cli.plan.initial_plan import (
+    InitialPlan,
+    NoCleanPlan,
+    PlanCache,
+    PlanRequest,
+    find_initial_plan,
+    plans_with_less_rail,
+)
 from trajopt_cli.plan.local_refinement import refine, refine_laws
-from trajopt_cli.plan.min_effort import gentlest
+from trajopt_cli.plan.min_effort import least_effort_plan
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
 from trajopt_cli.problem.editable import Changes
@@ -59,7 +66,7 @@ def check_feasible(
 
     changes: as in optimize. Motions that the user lets go are left out where that helps.
     """
-    problems = Question(program, plant, target, freedom, changes).problems(Axes.of(plant))
+    problems = PlanRequest(program, plant, target, freedom, changes).problems(Axes.of(plant))
     first = problems[0]
     if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
         return None
@@ -76,7 +83,7 @@ def optimize(
     progress: Report | None = None,
     bounded: bool = True,
     changes: Changes | None = None,
-    memory: Memory | None = None,
+    memory: PlanCache | None = None,
     patience: Patience | None = None,
     max_workers: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
@@ -96,9 +103,9 @@ def optimize(
     tell = never_worse(progress or (lambda _: None))
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
-    question = Question(program, plant, target, freedom, changes)
-    memory = memory or Memory()
-    legal = legal_motion(axes, question, memory, patience, tell, seconds)
+    question = PlanRequest(program, plant, target, freedom, changes)
+    memory = memory or PlanCache()
+    legal = find_initial_plan(axes, question, memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
@@ -110,8 +117,8 @@ def optimize(
     least, eased = duration(draft), None
     if isinstance(objective, LeastEffort):
         tell(Progress("ease", incumbent=least))
-        calmer = calmer_motions(axes, question, legal, memory, seconds)
-        found = gentlest(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
+        calmer = plans_with_less_rail(axes, question, legal, memory, seconds)
+        found = least_effort_plan(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
         if found is None:
             return _too_short(program, target, objective.seconds, least)
         gentle, more = found
@@ -142,11 +149,11 @@ def optimize(
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
     driven = driven_by(problem, legal.detours)
-    ways = _ways(program, legal.detours, driven)
+    ways = _detour_notes(program, legal.detours, driven)
     estimate = memory.estimates.get((target, freedom))
     plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
     plan = replace(plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate)
-    return _without_others(folded(plan, program, legal.detours), driven)
+    return _with_detours(folded(plan, program, legal.detours), driven)
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +166,7 @@ class _Rung:
     notes: tuple[str, ...] = ()
 
 
-def _slower(legal: Legal, problem: Problem, draft: Iterate, eased: Eased | None) -> Iterator[_Rung]:
+def _slower(legal: InitialPlan, problem: Problem, draft: Iterate, eased: Eased | None) -> Iterator[_Rung]:
     """The motion found; it a hair slower, as a limit may be passed between the places of the dense check; and the
     initial plan, slower and slower."""
     yield _Rung(problem, draft, eased)
@@ -181,9 +188,9 @@ def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes |
     """A slow plan that stops at every point, by none of the means of optimize: for where that has no legal one. why: in
     words, for its note. None where there is none either."""
     axes = Axes.of(plant)
-    problems = Question(program, plant, target, EVERYTHING, changes).problems(axes)
+    problems = PlanRequest(program, plant, target, EVERYTHING, changes).problems(axes)
     for problem in problems:
-        draft = plain_motion(axes, problem) if isinstance(problem, Problem) else None
+        draft = fallback_motion(axes, problem) if isinstance(problem, Problem) else None
         if isinstance(problem, Infeasible) or draft is None:
             continue
         _check_lengths(program, problem, draft)
@@ -209,7 +216,7 @@ def lower_bound_of(
     """The lower bound [s] of a plan that optimize found without one for the same question: for another process."""
     axes = Axes.of(plant)
     dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
-    problems = Question(program, plant, plan.target, freedom, changes).unchecked()
+    problems = PlanRequest(program, plant, plan.target, freedom, changes).unchecked()
     problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
     return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time)
 
@@ -242,7 +249,7 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
     answer. None where there is no chain."""
     axes = Axes.of(plant)
-    open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
+    open_ = [c for c in PlanRequest(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
     found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
     return min(found, default=None)
 
@@ -327,7 +334,7 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
     return ", ".join(parts) or "none, as all is in closed form"
 
 
-def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
+def _detour_notes(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
     """What a reader should know of ways around, a line each: one for all passes of a text that go around the same.
     driven: those that lead by their points."""
     lines = []
@@ -338,7 +345,7 @@ def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour])
     yield from dict.fromkeys(lines)
 
 
-def _without_others(plan: Plan, driven: tuple[Detour, ...]) -> Plan:
+def _with_detours(plan: Plan, driven: tuple[Detour, ...]) -> Plan:
     """The plan with the points alone that it is driven by."""
     by = {detour.motion for detour in driven}
     motions = tuple(one if one.index in by else replace(one, via=()) for one in plan.motions)

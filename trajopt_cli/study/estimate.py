@@ -88,9 +88,9 @@ class Estimate:
 
 def estimate(job: Job) -> Estimate | str:
     """The program as written, driven by the RAPID controller under the cell's limits; or why it cannot be, one line."""
-    from trajopt_cli.plan import Memory
+    from trajopt_cli.plan import PlanCache
 
-    plan = as_written(job, changes_of(job, Target.RAPID), Clock(), Memory())
+    plan = as_written(job, changes_of(job, Target.RAPID), Clock(), PlanCache())
     if isinstance(plan, str):
         return plan
     naive = {move.index: _naive(job, move) for move in analyse(job.program, job.plant).moves}

@@ -141,7 +141,7 @@ def order_of(
     with a joint move. Infeasible: no order is connected, or the motion that cannot be done in any.
     """
     from trajopt_cli.graph_search import sequence
-    from trajopt_cli.plan.initial_plan import Question
+    from trajopt_cli.plan.initial_plan import PlanRequest
     from trajopt_cli.problem.decision_scope import EVERYTHING
     from trajopt_cli.problem.problem import Problem
     from trajopt_cli.settings import EXACT_STATIONS
@@ -154,7 +154,7 @@ def order_of(
     changes = agreed.changes[target]
     listen("order", Progress("search"))
     axes = Axes.of(job.plant)
-    problem = Question(job.program, job.plant, target, EVERYTHING, changes).unchecked()[0]
+    problem = PlanRequest(job.program, job.plant, target, EVERYTHING, changes).unchecked()[0]
     if not isinstance(problem, Problem):
         return problem
     try:

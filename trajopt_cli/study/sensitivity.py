@@ -29,7 +29,7 @@ from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
 from trajopt_cli.workers import cores, in_turns
 
 if TYPE_CHECKING:
-    from trajopt_cli.plan.plan_sensitivity import Again, Answer
+    from trajopt_cli.plan.plan_sensitivity import Effect, PlanSensitivity
 
 APART = 0.3
 """Share by which first order and the plan solved again may differ before that is reported."""
@@ -149,18 +149,18 @@ def asked(
     search: bool,
 ) -> Sensitivity:
     """Every lever on plans at hand."""
-    from trajopt_cli.plan.plan_sensitivity import Again, NotAgain
+    from trajopt_cli.plan.plan_sensitivity import NotResolvable, PlanSensitivity
 
     every = levers(job.program, job.plant)
-    at_hand: dict[Target, Again] = {}
+    at_hand: dict[Target, PlanSensitivity] = {}
     failed: dict[Target, str] = {}
     for target, plan in plans.items():
         listen(target.value, Progress("solve again", plan.duration))
         try:
             numbering = Numbering(len(job.program.motions), plan.detours)
             there = with_detours(job.program, job.plant, plan.detours)
-            at_hand[target] = Again(there, job.plant, unfolded(plan), numbering.changes(changes[target]))
-        except NotAgain as no:
+            at_hand[target] = PlanSensitivity(there, job.plant, unfolded(plan), numbering.changes(changes[target]))
+        except NotResolvable as no:
             failed[target] = f"the plan cannot be solved again: {no}"
     tasks = {
         (one, i): partial(_row, again, lever, plans[one].detours)
@@ -178,7 +178,7 @@ def asked(
     for (target, i), answer in in_turns(
         {name: partial(_told, name[0], task) for name, task in tasks.items()}, hear, workers
     ).items():
-        rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.felt, answer.why))
+        rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.active, answer.why))
     if search:
         for target, found in rows.items():
             rows[target] = _searched(job, changes[target], plans[target], found, listen, workers)
@@ -189,13 +189,13 @@ def asked(
     return Sensitivity(job, plans, ordered, again, not_asked(job.program, job.plant))
 
 
-def _told(target: Target, task: Callable[[], Answer], tell: Callable[[Target], None]) -> Answer:
+def _told(target: Target, task: Callable[[], Effect], tell: Callable[[Target], None]) -> Effect:
     answer = task()
     tell(target)
     return answer
 
 
-def _row(again: Again, lever: Lever, detours: Sequence[Detour]) -> Answer:
+def _row(again: PlanSensitivity, lever: Lever, detours: Sequence[Detour]) -> Effect:
     def change(share: float) -> tuple[Program, Plant]:
         program, plant = lever.change(share)
         return with_detours(program, plant, detours), plant
