@@ -87,13 +87,13 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
         def failing(axes, draft, end):  # type: ignore[no-untyped-def]
             return right(axes, draft, end) if plainly else None
 
-        motion = fallback_plan.plain_motion
+        motion = fallback_plan.fallback_motion
 
         def then(*arguments):  # type: ignore[no-untyped-def]
             plainly.append(True)
             return motion(*arguments)
 
-        monkeypatch.setattr("trajopt_cli.plan.solve.plain_motion", then)
+        monkeypatch.setattr("trajopt_cli.plan.solve.fallback_motion", then)
     monkeypatch.setattr(place, failing)
     coarse_search(monkeypatch)
     assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0

@@ -60,7 +60,7 @@ class Effect:
 
     gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
     where it does besides. first_order: the same by multipliers, or, of runs with one progress for all axes, by timing
-    the same course; None where there is none. felt: whether the change meets anything that binds.
+    the same course; None where there is none. active: whether the change meets anything that binds.
     """
 
     gain: float | None
@@ -185,7 +185,10 @@ class PlanSensitivity:
         return replace(problem, waypoints=tuple(points))
 
     def _changed(self, program: Program, plant: Plant) -> _Motion:
-        """The plan's motion with a change: what has a pose stands and leads where the pose is now. Raises NotResolvable."""
+        """The plan's motion with a change: what has a pose stands and leads where the pose is now.
+
+        Raises NotResolvable.
+        """
         before = self.motion
         axes, problem = Axes.of(plant), self._problem(program, plant)
         if len(problem.legs) != len(before.problem.legs):
