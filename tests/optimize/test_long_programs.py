@@ -55,30 +55,6 @@ def test_windows_find_what_the_whole_search_finds(monkeypatch: pytest.MonkeyPatc
     timed(axes, problem, replace(parts, w=np.zeros_like(parts.w)))
 
 
-def test_equal_passes_are_searched_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Forty times the same three places in windows of four passes: all windows but few are known already."""
-    monkeypatch.setattr(searching, "SEARCH_LEGS", 36)
-    monkeypatch.setattr(searching, "SEARCH_AHEAD", 9)
-    seen = []
-    plain = searching._search
-
-    def counted(axes: Axes, problem: Problem, avoid: object) -> object:
-        seen.append(problem)
-        return plain(axes, problem, avoid)
-
-    monkeypatch.setattr(searching, "_search", counted)
-    problem = places([0.3, 1.2, 1.7] * 14, plant_with_rail())
-    data = places([0.3, 1.2, 1.7], plant_with_rail())
-    points = [problem.waypoints[0], *data.waypoints[1:10] * 14, problem.waypoints[-1]]
-    names = [replace(a, motion=b.motion) for a, b in zip(points, problem.waypoints, strict=True)]
-    segments = [data.legs[i % 9].segment for i in range(126)]
-    legs = [replace(a, segment=b) for a, b in zip(problem.legs, [*segments, problem.legs[-1].segment], strict=True)]
-    chain = search(Axes.of(problem.plant), replace(problem, waypoints=tuple(names), legs=tuple(legs)))
-    assert chain is not None
-    assert len(chain.times) == 127
-    assert len(seen) <= 3
-
-
 @pytest.mark.parametrize("target", Target)
 def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypatch: pytest.MonkeyPatch) -> None:
     """Against a legal motion, whatever is aimed at, and against the bound over all cells at once."""

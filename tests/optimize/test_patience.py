@@ -107,6 +107,7 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
     monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", solve)
+    monkeypatch.setattr("trajopt_cli.plan.local_refinement.search", lambda *_: None)
     base = legal()
     _, draft, notes = refine(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
     assert duration(draft) < base.duration

@@ -410,45 +410,24 @@ def _best_clear(
 
 def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], list[IndexArray]]:
     """The least cost from the start to every state, and the states before them, where no tie is kept."""
-    # costs above the least one come again where legs do
-    known: dict[tuple[int, bytes], tuple[IndexArray, Array, float]] = {}
     forward, back = [np.zeros(len(layers[0].q))], list[IndexArray]()
-    above, base = forward[0], 0.0
     for edge in edges:
-        name = id(edge), above.tobytes()
-        if name not in known:
-            source, cost = edge.into(above)
-            known[name] = source, *_above(cost)
-        source, above, least = known[name]
-        base += least
+        source, cost = edge.into(forward[-1])
         back.append(source)
-        forward.append(above + base)
+        forward.append(cost)
     return forward, back
 
 
 def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Array], limit: float) -> list[Array]:
     """The least cost from every state to the end; infinite where the best chain through it costs more than limit, that
     from the start being forward."""
-    known: dict[tuple[int, bytes, bytes], tuple[Array, float]] = {}
     backward = [np.zeros(len(layers[-1].q))]
-    above, base = backward[0], 0.0
     for edge, spent in zip(reversed(edges), reversed(forward[:-1]), strict=True):
-        most, open_ = np.full(len(spent), -np.inf), np.isfinite(spent)
-        most[open_] = np.ceil((limit - base - spent[open_]) * 1e6) * 1e-6  # the same where legs come again
-        name = id(edge), above.tobytes(), most.tobytes()
-        if name not in known:
-            cost = edge.out(above, most)
-            known[name] = _above(np.where(cost <= most, cost, np.inf))
-        above, least = known[name]
-        base += least
-        backward.append(above + base)
+        most, reached = np.full(len(spent), -np.inf), np.isfinite(spent)
+        most[reached] = limit - spent[reached]
+        cost = edge.out(backward[-1], most)
+        backward.append(np.where(cost <= most, cost, np.inf))
     return backward[::-1]
-
-
-def _above(cost: Array) -> tuple[Array, float]:
-    """Costs above the least of them, and that; as they are where all are infinite."""
-    least = float(np.min(cost, initial=np.inf))
-    return (cost - least, least) if np.isfinite(least) else (cost, 0.0)
 
 
 def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, list[int]]:
@@ -462,7 +441,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
     """The best chain found, or None when no chain of waypoints is connected on the grid. avoid: what must not be
     touched; then joint moves of the chain lead around it by the points that avoid knows.
 
-    Long programs are searched in windows, each from where the one before it is certain enough; equal ones once.
+    Long programs are searched in windows, each from where the one before it is certain enough.
     """
     ties = np.zeros(len(problem.waypoints) + 1, dtype=np.intp)  # how many of them begin or end
     for group in problem.ties:
@@ -470,17 +449,12 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
         ties[group[-1]] -= 1
     within = np.cumsum(ties)
     ends = [last for _, last in problem.stations if not within[last]]
-    known: dict[bytes, Route | None] = {}
     parts: list[Route] = []
     begin, final = 0, len(problem.waypoints) - 1
     while True:
         end = next((k for k in ends if k - begin >= SEARCH_LEGS), final)
         sure = max((k for k in ends if begin < k <= end - SEARCH_AHEAD), default=end) if end < final else final
-        window = _window(problem, begin, end, parts[-1].q[-1] if parts else None)
-        name = _name(window) + (b"" if avoid is None else avoid.scenes(window, 0, len(window.legs)))
-        if name not in known:
-            known[name] = _search(axes, window, avoid)
-        chain = known[name]
+        chain = _search(axes, _window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
         if chain is None:
             return None
         parts.append(_cut(chain, sure - begin))
@@ -501,12 +475,6 @@ def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem
     legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
     ties = tuple(tuple(k - first for k in group) for group in problem.ties if first <= group[0] and group[-1] <= last)
     return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
-
-
-def _name(problem: Problem) -> bytes:
-    """Equal for problems that have one answer."""
-    asked = repr((problem.stations, problem.ties)).encode()
-    return stretch_name(problem, 0, len(problem.waypoints) - 1) + asked
 
 
 def _cut(chain: Route, n: int) -> Route:

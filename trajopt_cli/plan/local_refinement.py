@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import joined
 from trajopt_cli.collision.motion_collision import clear
+from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.edge_times import least_time
@@ -48,7 +50,8 @@ def refine(
 ) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """The initial plan made faster by the nonlinear program.
 
-    Runs with corners stay as they are, and so do their ends; but where joint moves meet at a fly-by, a stop there is
+    Where the rail may be in motion at the stops, the chain of a search with such a rail is a start, too. Runs with
+    corners stay as they are, and so do their ends; but where joint moves meet at a fly-by, a stop there is
     tried, too. Joint moves by points that were added are one leg each, without the points.
 
     Args:
@@ -71,13 +74,17 @@ def refine(
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
-    bases = [(problem, merged)]
+    bases, chain = [(problem, merged)], None
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
         bases = [joined(axes, *one, legal.detours) for one in _with_stops(axes, legal.problem, legal.chain)]
+    elif axes.layout.has_rail and problem.freedom.through_stops:
+        start = perf_counter()
+        chain = search(axes, problem)
+        add(seconds, "search", perf_counter() - start)
     sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
     solved, best = problem, merged
     for one, base in bases:
-        found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)))
+        found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)), chain)
         if duration(found) < duration(best) - LEAST_GAIN:
             solved, best = one, found
     return solved, best, tuple(report.notes(best is not merged, patience))
@@ -171,9 +178,11 @@ class WindowSweeps:
         self._axes, self._patience, self._seconds, self._formulation = axes, patience, seconds, Formulation(axes)
         self._cache: dict[bytes, _Outcome] = {}
 
-    def run(self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell) -> Iterate:
+    def run(
+        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, chain: Route | None = None
+    ) -> Iterate:
         """The legal motion base, faster where a window found something. tell: is told the cycle time [s] after every
-        window."""
+        window. chain: another start."""
         if not self._axes.robot.closed_form:
             return base
         draft, (red, black) = base, red_black(problem)
@@ -183,7 +192,7 @@ class WindowSweeps:
                 break
             for spans, others in ((red, black), (black, red)):
                 due = [span for span in spans if gained[span] > SWEEP_GAIN]
-                before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell)
+                before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell, chain)
                 for first, last in due:
                     gained[first, last] = 0.0
                     was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, draft))
@@ -192,8 +201,9 @@ class WindowSweeps:
         return draft
 
     def _side_by_side(
-        self, problem: Problem, base: Iterate, draft: Iterate, spans: Sequence[Span], report: SweepReport, tell: Tell
-    ) -> Iterate:
+        self, problem: Problem, base: Iterate, draft: Iterate, spans: Sequence[Span], report: SweepReport, tell: Tell,
+        chain: Route | None,
+    ) -> Iterate:  # fmt: skip
         """The motion after windows that share no leg, equal ones solved once."""
         few = len(problem.legs) <= FEW_LEGS
         windows: list[tuple[Window, bytes]] = []
@@ -206,7 +216,8 @@ class WindowSweeps:
             key = window.key()
             windows.append((window, key))
             if key not in self._cache:
-                tasks.setdefault(key, partial(self._solve, window, initial, few, key))
+                starts = [_searched_start(self._axes, problem, window, chain, self._grids)] if chain and initial else []
+                tasks.setdefault(key, partial(self._solve, window, starts, initial, few, key))
         saved = dict.fromkeys(tasks, 0.0)
 
         def hear(told: tuple[bytes, float]) -> None:
@@ -236,12 +247,14 @@ class WindowSweeps:
         return draft
 
     def _solve(
-        self, window: Window, initial: bool, few: bool, key: bytes, tell: Callable[[tuple[bytes, float]], None]
-    ) -> _Outcome:
+        self, window: Window, searched: Sequence[Iterate], initial: bool, few: bool, key: bytes,
+        tell: Callable[[tuple[bytes, float]], None],
+    ) -> _Outcome:  # fmt: skip
         """The window from the start with the best first answer, or from the next one where that gains nothing.
 
         Args:
             window: what is asked.
+            searched: starts of the search.
             initial: whether its motion is that of the initial plan: then parabolas between its ends are a start, too.
             few: whether the problem has few legs: then first answers are compared on a rough grid.
             key: of the window.
@@ -255,7 +268,7 @@ class WindowSweeps:
             starts: list[Iterate | Stage] = [near, coarse]
             if initial:
                 rough = [on_grid(self._axes, problem, own, self._grids.rough)] if few else []
-                starts = [*self._first_answers(problem, [coarse, *rough], few, seconds), near]
+                starts = [*self._first_answers(problem, [*searched, coarse, *rough], few, seconds), near]
             for start in starts:
                 with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                     found = refiner.run(start) if isinstance(start, Iterate) else refiner.finished(start)
@@ -292,6 +305,30 @@ class WindowSweeps:
         finally:
             for phase, spent in refiner.seconds.items():
                 add(seconds, phase, spent)
+
+
+def _searched_start(axes: Axes, problem: Problem, window: Window, chain: Route, grids: Grids) -> Iterate:
+    """The search's chain between the window's ends; stations at an end in another configuration there stay as they
+    are."""
+    at, own = slice(window.first, window.last + 1), window.draft
+    q, qd, times = chain.q[at].copy(), chain.w[at].copy(), chain.times[window.first : window.last].copy()
+    cfx = [label.cfx for label in chain.labels[at]]
+    kept: set[int] = set()
+    for end, point in ((0, window.problem.waypoints[0]), (len(cfx) - 1, window.problem.waypoints[-1])):
+        if point.q is None:
+            continue
+        kept.add(end)
+        if cfx[end] != own.cfx[end] or np.abs(q[end] - own.q[end])[axes.layout.arm].max() > np.pi:
+            first, last = next(one for one in problem.stations if one[0] <= window.first + end <= one[1])
+            kept |= {k for k in range(len(cfx)) if first <= window.first + k <= last}
+    for k in kept:
+        q[k], qd[k], cfx[k] = own.q[k], own.qd[k], own.cfx[k]
+    for k, motion in enumerate(own.legs):
+        if motion is not None and motion.T == 0.0:  # what is asked for where the motion is already
+            times[k] = 0.0
+        elif motion is not None and (k in kept or k + 1 in kept):
+            times[k] = max(times[k], motion.T)
+    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
 
 
 def _capped(draft: Iterate) -> frozenset[int]:
