@@ -1,4 +1,4 @@
-"""Meshes: read from a file, whether they are convex, and what lies inside them."""
+"""Meshes and coal: read from a file, whether they are convex, what lies inside them, and what coal makes of shapes."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.shapes import Mesh, MeshFile
+from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape
 
 MOST_BYTES = 200_000_000  # four million triangles
 _REASON = 100  # characters of why a file cannot be read; an OBJ or STL may be quoted in it whole
+_NO_DIRECTION = 1e-12  # m: a shorter segment has none
 _ROUNDING = 1e-6  # of a mesh's size: what files with seven digits leave open
 
 
@@ -112,3 +113,36 @@ def inside(mesh: Mesh, points: Array) -> BoolArray:
         turn = 2 * float(np.arctan2(volume, spread).sum()) / (4 * np.pi)
         within[i] = abs(turn) > 0.5
     return np.asarray(within)
+
+
+@lru_cache(maxsize=64)
+def coal_geometry(shape: Shape) -> tuple[Any, Array]:
+    """coal's geometry and its pose in the frame the shape is given in; a mesh's tree is worth building once."""
+    match shape:
+        case Box():
+            return coal.Box(*(float(length) for length in shape.size)), np.asarray(shape.X)
+        case Capsule():
+            along = shape.b - shape.a
+            length = float(np.linalg.norm(along))
+            X = np.eye(4)
+            X[:3, 3] = (shape.a + shape.b) / 2
+            if length < _NO_DIRECTION:
+                return coal.Sphere(shape.radius), X
+            X[:3, :3] = with_z(along / length)
+            return coal.Capsule(shape.radius, length), X  # its length is the segment's, without the caps
+        case Mesh() if (body := convex(shape)) is not None:
+            return body, np.asarray(shape.X)
+        case Mesh():
+            model = coal.BVHModelOBBRSS()
+            model.beginModel(len(shape.triangles), len(shape.vertices))
+            model.addVertices(np.array(shape.vertices))
+            model.addTriangles(np.array(shape.triangles))
+            model.endModel()
+            return model, np.asarray(shape.X)
+
+
+def with_z(z: Array) -> Array:
+    """A rotation (3, 3) whose third column is the unit vector z."""
+    x = np.cross(np.eye(3)[int(np.argmin(np.abs(z)))], z)
+    x /= np.linalg.norm(x)
+    return np.column_stack([x, np.cross(z, x), z])

@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import coal  # type: ignore[import-untyped]
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
-from trajopt_cli.proximity.meshes import convex, inside
+from trajopt_cli.proximity.meshes import coal_geometry, convex, inside, with_z
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, outline
 
 _NONE = 1e-12  # m: a length that has no direction
@@ -162,7 +161,7 @@ def rounded_box(shape: Shape) -> tuple[Array, Array, float]:
     if isinstance(shape, Capsule):
         along = shape.b - shape.a
         length = float(np.linalg.norm(along))
-        X[:3, :3] = _with_z(along / length if length > _NONE else np.array([0.0, 0.0, 1.0]))
+        X[:3, :3] = with_z(along / length if length > _NONE else np.array([0.0, 0.0, 1.0]))
         X[:3, 3] = (shape.a + shape.b) / 2
         half, radius = np.array([0.0, 0.0, length / 2]), shape.radius
     else:
@@ -175,14 +174,6 @@ def rounded_box(shape: Shape) -> tuple[Array, Array, float]:
     inverse[:3, :3] = X[:3, :3].T
     inverse[:3, 3] = -X[:3, :3].T @ X[:3, 3]
     return inverse, half, radius
-
-
-def _with_z(z: Array) -> Array:
-    """A rotation (3, 3) whose third column is the unit vector z."""
-    other = np.eye(3)[int(np.argmin(np.abs(z)))]
-    x = np.cross(other, z)
-    x /= np.linalg.norm(x)
-    return np.stack([x, np.cross(z, x), z], axis=1)
 
 
 def _unit(v: Array, instead: Array) -> Array:
@@ -257,7 +248,7 @@ class _Coal:
 
     def __init__(self, a: Shape, b: Shape):
         self._a, self._b = a, b
-        (self._geometry_a, self._X_a), (self._geometry_b, X_b) = _geometry(a), _geometry(b)
+        (self._geometry_a, self._X_a), (self._geometry_b, X_b) = coal_geometry(a), coal_geometry(b)
         # ComputeDistance holds bare pointers to both geometries
         self._compute = coal.ComputeDistance(self._geometry_a, self._geometry_b)
         self._request = coal.DistanceRequest(True, 0.0, 0.0)
@@ -285,21 +276,3 @@ class _Coal:
             distance[held] *= -1
             normal[held] *= -1
         return Nearest(distance, on_a, on_b, normal)
-
-
-def _geometry(shape: Shape) -> tuple[Any, Array]:
-    """coal's geometry and its pose in the frame the shape is given in."""
-    if isinstance(shape, Box):
-        return coal.Box(*map(float, shape.size)), np.asarray(shape.X)
-    if isinstance(shape, Capsule):
-        X_SB, half, radius = rounded_box(shape)
-        return coal.Capsule(radius, float(2 * half[2])), inverse_pose(X_SB)
-    body = convex(shape)
-    if body is not None:
-        return body, np.asarray(shape.X)
-    model = coal.BVHModelOBBRSS()
-    model.beginModel(len(shape.triangles), len(shape.vertices))
-    model.addVertices(np.array(shape.vertices))
-    model.addTriangles(np.array(shape.triangles))
-    model.endModel()
-    return model, np.asarray(shape.X)

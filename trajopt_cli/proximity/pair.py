@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-from typing import Any
-
 import coal  # type: ignore[import-untyped]
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.proximity.meshes import convex, inside
+from trajopt_cli.proximity.meshes import coal_geometry, convex, inside
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape
-
-_ALONG = 1e-12  # m: a segment shorter than this has no direction
 
 
 class Pair:
@@ -24,7 +19,7 @@ class Pair:
     def __init__(self, a: Shape, b: Shape):
         self.a, self.b = a, b
         # Kept here too: coal.ComputeDistance holds bare pointers to both.
-        (self._geometry_a, self._X_a), (self._geometry_b, self._X_b) = _geometry(a), _geometry(b)
+        (self._geometry_a, self._X_a), (self._geometry_b, self._X_b) = coal_geometry(a), coal_geometry(b)
         self._compute = coal.ComputeDistance(self._geometry_a, self._geometry_b)
         self._request = coal.DistanceRequest(False, 0.0, 0.0)
         # A request built from arguments measures overlaps without depth (0 instead of -0.3 m) unless told so.
@@ -71,39 +66,6 @@ class Pair:
                 apart = np.flatnonzero(out > 0)
                 out[apart[inside(mesh, points[apart])]] *= -1
         return out
-
-
-@lru_cache(maxsize=64)
-def _geometry(shape: Shape) -> tuple[Any, Array]:
-    """coal's geometry and its pose in the frame the shape is given in; a mesh's tree is worth building once."""
-    match shape:
-        case Box():
-            return coal.Box(*(float(length) for length in shape.size)), np.asarray(shape.X)
-        case Capsule():
-            along = shape.b - shape.a
-            length = float(np.linalg.norm(along))
-            X = np.eye(4)
-            X[:3, 3] = (shape.a + shape.b) / 2
-            if length < _ALONG:
-                return coal.Sphere(shape.radius), X
-            X[:3, :3] = _with_z(along / length)
-            return coal.Capsule(shape.radius, length), X  # its length is the segment's, without the caps
-        case Mesh() if (body := convex(shape)) is not None:
-            return body, np.asarray(shape.X)
-        case Mesh():
-            model = coal.BVHModelOBBRSS()
-            model.beginModel(len(shape.triangles), len(shape.vertices))
-            model.addVertices(np.array(shape.vertices))
-            model.addTriangles(np.array(shape.triangles))
-            model.endModel()
-            return model, np.asarray(shape.X)
-
-
-def _with_z(z: Array) -> Array:
-    """A rotation (3, 3) whose third column is the unit vector z."""
-    x = np.cross(np.eye(3)[int(np.argmin(np.abs(z)))], z)
-    x /= np.linalg.norm(x)
-    return np.column_stack([x, np.cross(z, x), z])
 
 
 def _some_point(shape: Shape) -> Array:
