@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import pytest
 
-from trajopt_cli.collision.merge_via_points import joined
+from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.plan.initial_plan import InitialPlan
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
@@ -18,7 +18,7 @@ IMPROVED = "trajopt_cli.plan.solve.refine"
 
 def as_it_comes(axes: Axes, legal: InitialPlan, *_: object) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """In place of IMPROVED: the legal motion that the search ends with."""
-    return *joined(axes, legal.problem, legal.draft, legal.detours), ()
+    return *merge_via_points(axes, legal.problem, legal.draft, legal.detours), ()
 
 
 @contextmanager

@@ -37,11 +37,11 @@ def give_back() -> None:
 
 
 class ProcessEnded(RuntimeError):
-    """A process beside this one ended without an answer: by a signal, or by an error it has printed."""
+    """A worker process ended without an answer: by a signal, or by an error it has printed."""
 
     def __init__(self, code: int | None):
         name = signal.Signals(-code).name if code is not None and code < 0 else f"exit code {code}"
-        super().__init__(f"a process beside this one ended by {name}")
+        super().__init__(f"a worker process ended by {name}")
 
 
 class Worker(Generic[Answer]):

@@ -55,7 +55,7 @@ def test_a_process_that_dies_is_noticed() -> None:
 
     with (
         Worker(work, print) as beside,
-        pytest.raises(RuntimeError, match=r"^a process beside this one ended by exit code 7$"),
+        pytest.raises(RuntimeError, match=r"^a worker process ended by exit code 7$"),
     ):
         beside.answer()
 

@@ -102,5 +102,5 @@ def test_a_process_that_the_system_ends_is_named(
 
     monkeypatch.setattr(cli, "_commands", lambda: ends)
     assert cli.run(["parse", "a.mod"]) == 2
-    assert capsys.readouterr().err.startswith("a process beside this one ended by SIGKILL; where memory is short, ")
+    assert capsys.readouterr().err.startswith("a worker process ended by SIGKILL; where memory is short, ")
     assert issubclass(ProcessEnded, RuntimeError)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from small_cells import plant_without_rail, problem_of, rapid
 
-from trajopt_cli.collision.merge_via_points import driven_by, joined
+from trajopt_cli.collision.merge_via_points import detours_left, merge_via_points
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import pose
 from trajopt_cli.path_timing.path_parameterized_plan import duration
@@ -40,7 +40,7 @@ def legal() -> InitialPlan:
 
 def test_one_leg_in_place_of_several_is_the_same_motion(legal: InitialPlan) -> None:
     (detour,) = legal.detours
-    problem, draft = joined(AXES, legal.problem, legal.draft, legal.detours)
+    problem, draft = merge_via_points(AXES, legal.problem, legal.draft, legal.detours)
     points = len(detour.points)
     assert len(problem.legs) == len(legal.problem.legs) - points == 3
     assert [leg.start for leg in problem.legs] == [0, 1, 2]
@@ -60,10 +60,10 @@ def test_one_leg_in_place_of_several_is_the_same_motion(legal: InitialPlan) -> N
 
 
 def test_a_problem_without_points_is_itself(legal: InitialPlan) -> None:
-    problem, draft = joined(AXES, legal.problem, legal.draft, legal.detours)
-    assert joined(AXES, problem, draft, legal.detours) == (problem, draft)
-    assert driven_by(legal.problem, legal.detours) == legal.detours
-    assert driven_by(problem, legal.detours) == ()
+    problem, draft = merge_via_points(AXES, legal.problem, legal.draft, legal.detours)
+    assert merge_via_points(AXES, problem, draft, legal.detours) == (problem, draft)
+    assert detours_left(legal.problem, legal.detours) == legal.detours
+    assert detours_left(problem, legal.detours) == ()
     own = problem_of(PROGRAM, PLANT)
     assert [leg.kind for leg in problem.legs] == [leg.kind for leg in own.legs]
     assert [point.X_WF.tolist() for point in problem.waypoints] == [point.X_WF.tolist() for point in own.waypoints]
@@ -74,7 +74,7 @@ def test_points_of_an_earlier_plan_are_the_programs_own(legal: InitialPlan) -> N
     """As they are read from a text with the planner's mark."""
     marked = [motion for motion in legal.problem.program.motions if getattr(motion, "detour", ())]
     assert len(marked) == len(legal.detours[0].points)
-    assert joined(AXES, legal.problem, legal.draft, ()) == (legal.problem, legal.draft)
+    assert merge_via_points(AXES, legal.problem, legal.draft, ()) == (legal.problem, legal.draft)
 
 
 def test_free_axes_go_around_faster_than_by_points(legal: InitialPlan) -> None:

@@ -63,7 +63,7 @@ class EdgeCollision:
         none are known."""
         if self.around.free_between(q_0[None], q_1[None], leg.motion)[0]:
             return np.empty((0, len(q_0)))
-        _, points = self._by_known(leg, q_0[None], q_1[None])[0]
+        _, points = self._by_known_paths(leg, q_0[None], q_1[None])[0]
         return None if points is None else self._finder(leg, q_0).quicker(q_0, points, q_1)
 
     def points(self, motion: int) -> Array:
@@ -73,7 +73,7 @@ class EdgeCollision:
 
     def may_be(self, q: Array, motion: int) -> BoolArray:
         """Which of axes (m, n) can be an added point on a motion."""
-        return self.around.free(q, motion) & self._said(q)
+        return self.around.free(q, motion) & self._regular(q)
 
     def settle(
         self, problem: Problem, k: int, edge: CheckedPairs, a: States, b: States, through: Array, pair: tuple[int, int]
@@ -90,7 +90,7 @@ class EdgeCollision:
         if leg.kind is not LegKind.JOINT:
             same = (a.cfx[i] == a.cfx[pair[0]]) & (b.cfx[j] == b.cfx[pair[1]])
             i, j = i[same], j[same]
-            free = self._on_ways(problem, k, a.q[i], b.q[j], a.cfx[i])
+            free = self._lines_free(problem, k, a.q[i], b.q[j], a.cfx[i])
             edge.known[i, j] = True
             edge.add(i[~free], j[~free], np.full((~free).sum(), np.inf))
             return
@@ -103,8 +103,8 @@ class EdgeCollision:
             edge.known[i, j] = True
             edge.add(i, j, np.full(len(i), np.inf))
             return
-        found = self._by_known(leg, a.q[i], b.q[j])
-        if not free[0] and found[0][1] is None and not self._spent(leg):
+        found = self._by_known_paths(leg, a.q[i], b.q[j])
+        if not free[0] and found[0][1] is None and not self._given_up(leg):
             self._plans[leg.motion] = self._plans.get(leg.motion, 0) + 1
             points = self._finder(leg, a.q[i[0]]).between(a.q[i[0]], b.q[j[0]])
             if points is None:
@@ -113,11 +113,11 @@ class EdgeCollision:
             else:
                 self._led.add(leg.motion)
                 self._known.setdefault(self.around.scene(leg.motion), []).append(points)
-                found = self._by_known(leg, a.q[i], b.q[j])
+                found = self._by_known_paths(leg, a.q[i], b.q[j])
         times = np.array([T for T, _ in found])
         none = ~np.isfinite(times)
         straight = about(self._axes, np.stack([a.q[i], b.q[j]], axis=1))
-        spent = self._spent(leg)
+        spent = self._given_up(leg)
         extra = np.where(none, np.inf if spent else AVOID_APART, np.maximum(times - straight, 0.0))
         settled = ~none | spent
         if not free[0] and none[0]:
@@ -126,7 +126,7 @@ class EdgeCollision:
         edge.known[i[settled], j[settled]] = True
         edge.add(i, j, extra)
 
-    def _spent(self, leg: Leg) -> bool:
+    def _given_up(self, leg: Leg) -> bool:
         """Whether no more ways are looked for in a leg's motion."""
         return self._plans.get(leg.motion, 0) >= AVOID_PLANS or self._fails >= AVOID_FAILS
 
@@ -140,15 +140,15 @@ class EdgeCollision:
             axes = replace(axes, lower=lower, upper=upper)
         key = self.around.scene(leg.motion), held
         if key not in self._ways:
-            self._ways[key] = Roadmap(axes, self.around, leg.motion, self._said)
+            self._ways[key] = Roadmap(axes, self.around, leg.motion, self._regular)
         return self._ways[key]
 
-    def _said(self, q: Array) -> BoolArray:
+    def _regular(self, q: Array) -> BoolArray:
         """Which of axes (m, n) a target of a program can say: those that stand clear of singularities."""
         J = self._axes.jacobian(q, np.eye(4))[..., self._axes.layout.arm]
         return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1] >= LEAST_STRETCH)
 
-    def _by_known(self, leg: Leg, q_0: Array, q_1: Array) -> list[tuple[float, Array | None]]:
+    def _by_known_paths(self, leg: Leg, q_0: Array, q_1: Array) -> list[tuple[float, Array | None]]:
         """The quickest of the known ways between places (m, n): what it takes [s], about, and its points."""
         out: list[tuple[float, Array | None]] = [(np.inf, None)] * len(q_0)
         for points in self._known.get(self.around.scene(leg.motion), [])[-AVOID_WAYS:]:
@@ -178,7 +178,7 @@ class EdgeCollision:
             free &= np.all(np.abs(place(q)[:, None] - place(points)) <= _HELD, axis=1)
         return free
 
-    def _on_ways(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
+    def _lines_free(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
         """Whether (m,) lines, arcs and waits between axes (m, n) are clear, the rail in proportion to the way."""
         leg, axes, m = problem.legs[k], self._axes, len(q_0)
         X_WF = problem.waypoints[k].X_WF

@@ -21,7 +21,9 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles,
 _APART = 1e-9  # share of a motion's time: breaks nearer than this are one up to rounding
 
 
-def joined(axes: Axes, problem: Problem, draft: Iterate, detours: Sequence[Detour]) -> tuple[Problem, Iterate]:
+def merge_via_points(
+    axes: Axes, problem: Problem, draft: Iterate, detours: Sequence[Detour]
+) -> tuple[Problem, Iterate]:
     """The problem without the waypoints that detours added, and the same motion; those given where none is left out.
     Points stay where the joint move does not lead from stop to stop."""
     points = _points(problem, detours)
@@ -41,12 +43,12 @@ def joined(axes: Axes, problem: Problem, draft: Iterate, detours: Sequence[Detou
         stations=tuple((new[first], new[last]) for first, last in problem.stations if first in new),
         ties=tuple(tuple(new[k] for k in group) for group in problem.ties),
     )
-    legs = tuple(_one(axes, draft.legs[first:last]) for first, last in pairwise(kept))
+    legs = tuple(_concatenated(axes, draft.legs[first:last]) for first, last in pairwise(kept))
     qdd = None if draft.qdd is None else draft.qdd[kept]
     return own, Iterate(draft.q[kept], draft.qd[kept], tuple(draft.cfx[k] for k in kept), legs, qdd)
 
 
-def driven_by(problem: Problem, detours: Sequence[Detour]) -> tuple[Detour, ...]:
+def detours_left(problem: Problem, detours: Sequence[Detour]) -> tuple[Detour, ...]:
     """Those detours by whose points the problem still leads."""
     numbering = _numbering(problem, detours)
     left = {numbering.own(problem.waypoints[k].motion) for k in _points(problem, detours)}
@@ -76,7 +78,7 @@ def _of_joints(motion: LegMotion | None) -> bool:
     return all(isinstance(part, JointNodes | JointProfiles) for part in _parts([motion]))
 
 
-def _one(axes: Axes, motions: Sequence[LegMotion | None]) -> LegMotion | None:
+def _concatenated(axes: Axes, motions: Sequence[LegMotion | None]) -> LegMotion | None:
     """Motions one after the other as one: exact, for between breaks an axis moves by cubics in all of them."""
     if len(motions) == 1:
         return motions[0]

@@ -66,7 +66,7 @@ class Roadmap:
     def _clear(self, q_0: Array, q_1: Array) -> BoolArray:
         return self._around.free_between(q_0, q_1, self._index)
 
-    def _some(self, n: int) -> Array:
+    def _random_free(self, n: int) -> Array:
         """Places anywhere (m, n) that touch nothing."""
         axes = self._axes
         q = self._random.uniform(axes.lower, axes.upper, (n, axes.n))
@@ -81,7 +81,7 @@ class Roadmap:
         spread = self._random.choice([0.2, 0.5, 1.0], (n, 1)) * span
         near = np.clip(middle + self._random.normal(size=(n, axes.n)) * spread, axes.lower, axes.upper)
         near = near[self._around.free(near, self._index)]
-        points = np.concatenate([near[self._allowed(near)], self._some(n)])
+        points = np.concatenate([near[self._allowed(near)], self._random_free(n)])
         if not len(points):
             return None
         ways = np.stack([np.tile(q_0, (len(points), 1)), points, np.tile(q_1, (len(points), 1))], axis=1)
@@ -113,7 +113,7 @@ class Roadmap:
             one, other = trees[number % 2], trees[1 - number % 2]
             if number == WAY_POCKET and min(len(tree.q) for tree in trees) < WAY_POCKET:
                 return None  # there is hardly a way out of where it begins or ends
-            goals = self._some(WAY_LOOKS)
+            goals = self._random_free(WAY_LOOKS)
             if not len(goals):
                 continue
             grown = self._grow(one, goals)

@@ -102,7 +102,7 @@ class IkTable:
         return [(j, value, some, cfx[some]) for j, value in pairs for some in np.nonzero(turns[:, j] == value)]
 
     @property
-    def stands(self) -> bool:
+    def serves_lines(self) -> bool:
         """Whether every line has a label that serves all of it from one rail position, whichever."""
         lines = [i for i, raw in enumerate(self.raw) if raw is not None]
         return all(self._ends_open(i)[self.open_on(i).all(axis=1)].any() for i in lines)
@@ -145,11 +145,11 @@ def grid_in_reach(axes: Axes, problem: Problem, first: int, last: int, fewest: i
 
 def hull_in_reach(axes: Axes, problem: Problem, first: int, last: int) -> tuple[float, float]:
     """From which rail position to which [m] the arm could be long enough for some of the waypoints first..last."""
-    ends = _reaches(axes, problem, first, last)
+    ends = _reach_intervals(axes, problem, first, last)
     return float(ends.min()), float(ends.max())
 
 
-def _reaches(axes: Axes, problem: Problem, first: int, last: int) -> Array:
+def _reach_intervals(axes: Axes, problem: Problem, first: int, last: int) -> Array:
     """From which rail position to which (k, 2) [m] the arm could be long enough for each of the waypoints first..last,
     and for places on the lines between them."""
     X_WF = [problem.waypoints[k].X_WF for k in range(first, last + 1)]
@@ -166,7 +166,7 @@ def _unwrap(arm: Array, axis: int) -> Array:
     return arm if turns is None else np.moveaxis(x - 2 * np.pi * turns, 0, axis)
 
 
-def _wound(axes: Axes, leg: Leg, line: Array, d: Array) -> Array:
+def _with_whole_turns(axes: Axes, leg: Leg, line: Array, d: Array) -> Array:
     """A line (b, nodes, n, m) without whole turns between neighbouring nodes, but those that an axis turns on its way
     from one to the next: close to a singularity it may turn by more than half of one."""
     far = np.abs(np.diff(line, axis=1)).max(axis=-1) > _FAR  # (b, nodes - 1, n); NaN is not
@@ -234,7 +234,7 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: boo
         yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
 
 
-def back_along(problem: Problem, first: int, k: int) -> int | None:
+def reversed_leg(problem: Problem, first: int, k: int) -> int | None:
     """The leg from waypoint first on, before leg k and waits, along which leg k leads straight back; None for none."""
     j = k - 1
     while j >= first and problem.legs[j].kind is LegKind.DWELL:
@@ -257,11 +257,11 @@ def _raw(
     else:
         arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
         arm = np.moveaxis(arm, 1, 0)
-        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm, pinned), 1)
+        start = _unwrap(arm if _at_rest(problem, first, last) else usable(axes, arm, pinned), 1)
     stops, lines = [start], list[Array | None]()
     legs = problem.legs[first:last]
     left = None if given is None else given.leg
-    backs = [None if leg is left else back_along(problem, first, first + i) for i, leg in enumerate(legs)]
+    backs = [None if leg is left else reversed_leg(problem, first, first + i) for i, leg in enumerate(legs)]
     backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
     asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
     found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d, pinned)
@@ -279,7 +279,7 @@ def _raw(
         raw = next(found)
         raw[:, 0] = stops[-1]
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
-        line = _unwrap_beside(_wound(axes, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
+        line = _unwrap_beside(_with_whole_turns(axes, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
         lines.append(line)
         stops.append(line[:, -1])
     return stops, lines, leaves
@@ -292,7 +292,7 @@ def station_table(
     given = SingularStart.of(axes, problem, first, last)
     stops, lines, leaves = _raw(axes, problem, first, last, d, given)
     if around is not None:
-        stops, lines = _clear(axes, problem, first, d, stops, lines, around)
+        stops, lines = _without_contacts(axes, problem, first, d, stops, lines, around)
     limits = np.array([axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9])
     couplings = axes.couplings.arm(axes.layout.arm)
     alone = problem.waypoints[first].q if first == last else None
@@ -310,7 +310,7 @@ def station_table(
             break
         of = [labels[j] for j in kept]
         q = raw[[label.cfx for label in of]] + np.array([label.turns for label in of])[:, None]
-        tables.append(np.where(_to_be_had(axes, problem.waypoints[first + i], q, d, limits)[..., None], q, np.nan))
+        tables.append(np.where(_admissible(axes, problem.waypoints[first + i], q, d, limits)[..., None], q, np.nan))
         some = ~np.isnan(tables[-1][..., 0]).all(axis=1)
         if not some.all():
             kept, tables = kept[some], [one[some] for one in tables]
@@ -326,7 +326,7 @@ def station_table(
     )
 
 
-def _clear(
+def _without_contacts(
     axes: Axes, problem: Problem, first: int, d: Array, stops: list[Array], lines: list[Array | None],
     around: ClearanceQueries,
 ) -> tuple[list[Array], list[Array | None]]:  # fmt: skip
@@ -345,7 +345,7 @@ def _clear(
     return [kept(stop, motions) for stop, motions in zip(stops, beside, strict=True)], nodes
 
 
-def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
+def _admissible(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
     """Where joints q (L, n, m) at rail positions d (n,) may be those of a waypoint."""
     ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1) & axes.couplings.arm(axes.layout.arm).within(q)
     if stop.rail[0] == stop.rail[1]:
@@ -363,7 +363,7 @@ def _pinned(problem: Problem, first: int, last: int) -> bool:
     return all(low == high for low, high in (point.rail for point in problem.waypoints[first : last + 1]))
 
 
-def _rests(problem: Problem, first: int, last: int) -> bool:
+def _at_rest(problem: Problem, first: int, last: int) -> bool:
     """Whether no axis moves in a station, so that no singularity matters to it."""
     return _pinned(problem, first, first) and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
 
@@ -388,19 +388,19 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
 
 def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
     """Why a station cannot be served; None where it can, first of all every line of it from one of few positions."""
-    low, high = _reaches(axes, problem, first, last).T
+    low, high = _reach_intervals(axes, problem, first, last).T
     free = all(problem.waypoints[k].rail[0] < problem.waypoints[k].rail[1] for k in range(first, last + 1))
     if free or low.max() <= high.min() or not axes.layout.has_rail:
         d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
-        if (table := station_table(axes, problem, first, last, d)).labels and table.stands:
+        if (table := station_table(axes, problem, first, last, d)).labels and table.serves_lines:
             return None
     d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
     table = station_table(axes, problem, first, last, d)
     if not table.labels:  # else one configuration reaches all of its waypoints
-        return _lost(axes, problem, first, last, d)
+        return _first_failure(axes, problem, first, last, d)
     for i in range(last - first):
         if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
-            return _broken_line(axes, problem, first + i, d, table.labels) or _about(
+            return _broken_line(axes, problem, first + i, d, table.labels) or _infeasible_on(
                 problem,
                 first + i,
                 f": {_NO_SINGLE}{with_exact_orientation(problem.motion(problem.legs[first + i].motion))}",
@@ -421,7 +421,7 @@ def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasi
     return None
 
 
-def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
+def _first_failure(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
     """What ends a station that no configuration serves: a waypoint out of reach, or the first line that none of those
     serves which served everything before it."""
     for k in range(first, last + 1):
@@ -436,10 +436,10 @@ def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infe
         given = SingularStart.of(axes, problem, first, k)
         if given is not None and given.leg is problem.legs[k - 1]:
             if text := given.jump(axes, problem, d):
-                return _about(problem, k - 1, text)
+                return _infeasible_on(problem, k - 1, text)
             before = ()
         broken = _broken_line(axes, problem, k - 1, d, before) if line else None
-        return broken or _no_common(problem, first, k)
+        return broken or _no_common_branch(problem, first, k)
     raise AssertionError("a station without a label has a first stop where the labels end")
 
 
@@ -483,11 +483,11 @@ def _crosses(open_: BoolArray) -> bool:
 def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     stop = problem.waypoints[k]
     motion = problem.motion(stop.motion)
-    near = d[int(np.argmin(np.abs(d - _abreast(axes, stop.X_WF))))]
+    near = d[int(np.argmin(np.abs(d - _rail_abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
-    reason = _why(axes, problem, stop.X_WF, float(near))
-    where, confused = _at(axes, float(near)), not reason
+    reason = _why_unreachable(axes, problem, stop.X_WF, float(near))
+    where, confused = _at_rail(axes, float(near)), not reason
     if confused:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
@@ -508,11 +508,11 @@ def _configuration(problem: Problem, k: int) -> str | None:
     return next((one.message for one in found if one.index == stop.motion), None)
 
 
-def _at(axes: Axes, rail: float) -> str:
+def _at_rail(axes: Axes, rail: float) -> str:
     return f" at rail {rail * 1e3:.1f} mm" if axes.layout.has_rail else ""
 
 
-def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
+def _why_unreachable(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
     if axes.robot.solutions(X_WF, rail, problem.plant.limits):
         return ""
@@ -571,7 +571,7 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
     return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
 
 
-def _abreast(axes: Axes, X_WF: Array) -> float:
+def _rail_abreast(axes: Axes, X_WF: Array) -> float:
     """The rail position at which the base stands nearest to a pose."""
     p = axes.in_base(X_WF)[:3, 3]
     return float(np.sum(p @ axes.rail_axis))
@@ -597,19 +597,19 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[I
     known = {label.cfx for label in labels if label.cfx >= 0} or set(range(arm[0].shape[1]))
     lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
     if lost is None:
-        stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
+        serves_lines = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
         pinned = len(fixed) == 2
-        on_way = [arm[0] if stands else usable(axes, arm[0], pinned), *(usable(axes, q, pinned) for q in arm[1:])]
+        on_way = [arm[0] if serves_lines else usable(axes, arm[0], pinned), *(usable(axes, q, pinned) for q in arm[1:])]
         lost = _first_lost(axes, leg, on_way, known)
     if lost is None:
         return None
     at, before = lost
     X_WT, X_WF = X[at], X_WF[at]
-    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
-    reason = _why(axes, problem, X_WF, float(near))
-    where = _at(axes, float(near))
+    near = rails[int(np.argmin(np.abs(rails - _rail_abreast(axes, X_WF))))]
+    reason = _why_unreachable(axes, problem, X_WF, float(near))
+    where = _at_rail(axes, float(near))
     if not reason:
-        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}{with_exact_orientation(motion)}"
+        reason = f"{_NO_SINGLE}{_nearest_limit(axes, arm[at][before])}{with_exact_orientation(motion)}"
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
@@ -631,7 +631,7 @@ def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> t
     return None
 
 
-def _end(axes: Axes, arm: Array) -> str:
+def _nearest_limit(axes: Axes, arm: Array) -> str:
     """What stops the configurations that come to a point last, with joints (k, m) there: the range that one of them
     leaves by the least."""
     names, lower, upper = (one[axes.layout.arm] for one in (axes.names, axes.lower, axes.upper))
@@ -653,12 +653,12 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     return ok
 
 
-def _about(problem: Problem, k: int, text: str) -> Infeasible:
+def _infeasible_on(problem: Problem, k: int, text: str) -> Infeasible:
     motion = problem.motion(problem.legs[k].motion)
     return Infeasible(problem.legs[k].motion, motion.source, f"{motion_name(motion)}{text}")
 
 
-def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
+def _no_common_branch(problem: Problem, first: int, last: int) -> Infeasible:
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
     if told := _configuration(problem, last):

@@ -14,7 +14,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
-from trajopt_cli.graph_search.ik_tables import IkTable, back_along, grid_in_reach, rail_grid, station_table
+from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
 from trajopt_cli.problem.cache_keys import leg_name, stretch_name
 from trajopt_cli.problem.decision_scope import RailFreedom
@@ -70,7 +70,7 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
     q = axes.layout.join(table.d[rails], arm[labels, rails])
-    if axes.torque is not None and (held := _held(axes, problem, k, q)).any():
+    if axes.torque is not None and (held := _torques_hold(axes, problem, k, q)).any():
         q, labels, rails = q[held], labels[held], rails[held]
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
@@ -82,7 +82,7 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
 
 
-def _held(axes: Axes, problem: Problem, k: int, q: Array) -> BoolArray:
+def _torques_hold(axes: Axes, problem: Problem, k: int, q: Array) -> BoolArray:
     """At which axes (m, n) all torques can hold the arm at waypoint k, with what it carries before and behind it."""
     assert axes.torque is not None
     beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
@@ -94,24 +94,24 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     its chord where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
-    slow = _slowest(a, b, V, A) if moving else list(range(axes.n))
-    p_a, p_b = (_tool(axes, leg, x.q) for x in (a, b))
+    slow = _slowest_axes(a, b, V, A) if moving else list(range(axes.n))
+    p_a, p_b = (_tool_points(axes, leg, x.q) for x in (a, b))
     bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
     rows = max(1, SEARCH_CHUNK // len(b.q))
     for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
         T = _chord_time(leg, p_a[part], p_b)
         if problem.coordinated:
-            together, most = _one_share(axes, leg, a.q[part], b.q, V, A)
+            together, most = _coordinated_time(axes, leg, a.q[part], b.q, V, A)
             np.maximum(T, together, out=T)
             doubt[part] = most > leg.v_tcp * T
         elif moving:
             for j in slow:
-                np.maximum(T, _of_axis(a, b, V, A, part, slice(None), j), out=T)
+                np.maximum(T, _axis_time(a, b, V, A, part, slice(None), j), out=T)
         else:
             for j in slow:
                 np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[part, None, j]), V[j], A[j]), out=T)
         bare[part] = T
-    T = _within(bare, leg)
+    T = _with_leg_time(bare, leg)
     if not leg.rail_moves:
         stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
         T, doubt = np.where(stays, T, np.inf), doubt & stays
@@ -119,11 +119,13 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         return Dense(T)
 
     def sure(i: IndexArray, k: IndexArray) -> Array:
-        return _within(np.maximum(bare[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)), leg)
+        return _with_leg_time(np.maximum(bare[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)), leg)
 
     def through(shares: Array) -> Callable[[IndexArray, IndexArray], Array]:
         def least(i: IndexArray, k: IndexArray) -> Array:
-            return _within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k], p_a[i], p_b[k], shares)), leg)
+            return _with_leg_time(
+                np.maximum(bare[i, k], _tool_path_time(axes, leg, a.q[i], b.q[k], p_a[i], p_b[k], shares)), leg
+            )
 
         return least
 
@@ -133,12 +135,12 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     return Lazy(T, 2 * doubt.astype(np.int8), (through(shares[len(shares) // 2 :][:1]), through(shares)))
 
 
-def _within(T: Array, leg: Leg) -> Array:
+def _with_leg_time(T: Array, leg: Leg) -> Array:
     """Least times of a leg with its programmed time, where that is enough, or with the time of what turns meanwhile."""
     return np.maximum(T, leg.least) if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
 
 
-def _one_share(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
+def _coordinated_time(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
     """Least times (n_a, n_b) of all axes with one profile for all, but for the tool's caps; how far the tool goes at
     most [m]."""
     lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
@@ -152,19 +154,19 @@ def _one_share(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array)
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard)), most
 
 
-def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> list[int]:
+def _slowest_axes(a: _Layer, b: _Layer, V: Array, A: Array) -> list[int]:
     """The axes that take longest between some of the states where each goes by itself."""
     some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
-    times = [_of_axis(a, b, V, A, some_a, some_b, j) for j in range(len(V))]
+    times = [_axis_time(a, b, V, A, some_a, some_b, j) for j in range(len(V))]
     return [int(j) for j in np.unique(np.argmax(times, axis=0))]
 
 
-def _of_axis(a: _Layer, b: _Layer, V: Array, A: Array, i: slice, k: slice, j: int) -> Array:
+def _axis_time(a: _Layer, b: _Layer, V: Array, A: Array, i: slice, k: slice, j: int) -> Array:
     """Least times of one axis between some of the states, by itself."""
     return alone(b.q[None, k, j] - a.q[i, None, j], a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
 
 
-def _tool(axes: Axes, leg: Leg, q: Array) -> Array:
+def _tool_points(axes: Axes, leg: Leg, q: Array) -> Array:
     """The tool centre point (..., 3) of axes (..., n)."""
     X_WF = axes.forward(q)
     return np.asarray(X_WF[..., :3, :3] @ leg.X_FT[:3, 3] + X_WF[..., :3, 3])
@@ -178,19 +180,19 @@ def _chord_time(leg: Leg, p_a: Array, p_b: Array) -> Array:
     return trapezoid_time(np.sqrt(chord), leg.v_tcp, mean_ramp(*leg.ramps))
 
 
-def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array, shares: Array) -> Array:
+def _tool_path_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array, shares: Array) -> Array:
     """What the tool's way takes (k,) at least on straight joint moves between axes (k, n), the tool at (k, 3) there,
     through its places at some shares of them."""
     out = np.empty(len(q_0))
     rows = max(1, SEARCH_CHUNK // (16 * len(shares)))
     for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
-        tool = _tool(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
+        tool = _tool_points(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
         steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
         out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
     return trapezoid_time(out, leg.v_tcp, mean_ramp(*leg.ramps))
 
 
-def _farthest(axes: Axes, problem: Problem, k: int, far: bool) -> float:
+def _most_rail_travel(axes: Axes, problem: Problem, k: int, far: bool) -> float:
     """How far the rail is asked to go [m] along line k, which it hardly holds back then; far: however long it takes."""
     leg = problem.legs[k]
     if not leg.rail_moves or problem.freedom.rail is RailFreedom.STATION:
@@ -211,7 +213,7 @@ def _line_times(
     d, n, nodes = table.d, len(table.d), raw.shape[1]
     V, A = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
-    widest = int(np.ceil(min(_farthest(axes, problem, k, far) / max(spacing, 1e-9), n - 1)))
+    widest = int(np.ceil(min(_most_rail_travel(axes, problem, k, far) / max(spacing, 1e-9), n - 1)))
     shifts = np.arange(widest, -widest - 1, -1)
     used, of = np.unique([label.cfx for label in table.labels], return_inverse=True)
     open_ = table.open_on(i).reshape(len(of), -1)
@@ -290,9 +292,9 @@ def _line_edge(axes: Axes, leg: Leg, band: Band, a: _Layer, b: _Layer) -> Edge:
     return Lazy(T, np.isfinite(T).astype(np.int8), (sure,))
 
 
-def _goes_back(problem: Problem, first: int, k: int) -> int | None:
+def _mirrored_leg(problem: Problem, first: int, k: int) -> int | None:
     """The leg of a station that begins at a waypoint, whose times leg k has the other way round; None for none."""
-    j = back_along(problem, first, k)
+    j = reversed_leg(problem, first, k)
     if j is None:
         return None
     caps, its = (
@@ -349,7 +351,7 @@ def _edges(
             edges.append(_joint_edge(axes, problem, leg, a, b))
         elif leg.kind is LegKind.LINE:
             first = problem.stations[where[k]][0]
-            back = _goes_back(problem, first, k)
+            back = _mirrored_leg(problem, first, k)
             if back in bands:
                 bands[k] = bands[back].back(a.place, b.place)
             else:
@@ -457,7 +459,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
         chain = _search(axes, _window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
         if chain is None:
             return None
-        parts.append(_cut(chain, sure - begin))
+        parts.append(_head(chain, sure - begin))
         if sure == final:
             return _joined(parts)
         begin = sure
@@ -477,7 +479,7 @@ def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem
     return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
 
 
-def _cut(chain: Route, n: int) -> Route:
+def _head(chain: Route, n: int) -> Route:
     """The first n legs of a chain."""
     times = chain.times[:n]
     return Route(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)))
@@ -547,13 +549,13 @@ def _search(
         if fewer:
             return _search(axes, problem, avoid, every=True, far=far)
         lines = [k for k, leg in enumerate(problem.legs) if leg.kind is LegKind.LINE]
-        if any(0 < _farthest(axes, problem, k, far) < np.ptp(tables[where[k]].d) for k in lines):
+        if any(0 < _most_rail_travel(axes, problem, k, far) < np.ptp(tables[where[k]].d) for k in lines):
             return _search(axes, problem, avoid, every, far=True)
         if avoid is not None:
             ends = (k for k, least in enumerate(forward) if not np.isfinite(least).any())
             avoid.ended = next((problem.legs[k - 1].motion for k in ends), None)
         return None
-    coarse = _chain(problem, tables, where, layers, edges, path, cost)
+    coarse = _route(problem, tables, where, layers, edges, path, cost)
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
     limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
@@ -575,7 +577,7 @@ def _search(
             keep |= set(layers[k].label[through[k] <= limit].tolist())
         name = id(table), id(fine), frozenset(keep)
         if name not in known:
-            labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
+            labels = [i for i in range(len(fine.labels)) if _matches_kept(fine, i, table, keep)]
             known[name] = _restrict(fine, labels) if labels else fine
         fine_tables.append(known[name])
     if not all(t.labels for t in fine_tables):
@@ -585,7 +587,7 @@ def _search(
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers, avoid, far)
     cost, path, _ = _best_clear(problem, fine_tables, where, layers, edges, avoid)
-    return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+    return _route(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
 
 def _windows(
@@ -618,7 +620,7 @@ def _station_of(problem: Problem) -> list[int]:
     return where
 
 
-def _like(fine: IkTable, i: int, coarse: IkTable, keep: set[int]) -> bool:
+def _matches_kept(fine: IkTable, i: int, coarse: IkTable, keep: set[int]) -> bool:
     """Label i of the fine table is one of the kept coarse ones: same branch, joints that agree where both stand."""
     for j in keep:
         if fine.labels[i].cfx != coarse.labels[j].cfx:
@@ -665,7 +667,7 @@ def _restrict(table: IkTable, labels: list[int]) -> IkTable:
     )
 
 
-def _chain(
+def _route(
     problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer], edges: list[Edge],
     path: list[int], cost: float,
 ) -> Route:  # fmt: skip

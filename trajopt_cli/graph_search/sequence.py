@@ -91,7 +91,7 @@ def steps_of(
     if end < len(problem.legs):
         rest = layers[end + 1 :]
         after = _backward(rest, edges[end + 1 :], [np.zeros(len(one.q)) for one in rest], np.inf)[0]
-    inside = [reduce(_product, [edge.dense() for edge in edges[a:b]], _stay(len(layers[a].q))) for a, b in ways]
+    inside = [reduce(_product, [edge.dense() for edge in edges[a:b]], _identity(len(layers[a].q))) for a, b in ways]
 
     def to(layer: int, j: int) -> Array:
         """From the states of a layer through the joint move into station j and through it."""
@@ -132,7 +132,7 @@ def _table(axes: Axes, problem: Problem, first: int, last: int, states: int) -> 
         apart, fewest = apart * _WIDER, 2
 
 
-def _stay(n: int) -> Array:
+def _identity(n: int) -> Array:
     """Times (n, n) of staying in a state."""
     return np.where(np.eye(n, dtype=bool), 0.0, np.inf)
 
@@ -185,7 +185,9 @@ def improved_order(steps: Steps, order: Sequence[int]) -> tuple[int, ...]:
     now, cost = tuple(order), steps.cost(order)
     while True:
         # the arcs' sum is never more than the cost: what it cannot better is not looked at
-        hopeful = sorted((least, other) for other in set(_near(now)) if (least := _sum(steps, other)) < cost - _LEAST)
+        hopeful = sorted(
+            (least, other) for other in set(_neighbours(now)) if (least := _least_sum(steps, other)) < cost - _LEAST
+        )
         better = ((found, other) for _, other in hopeful if (found := steps.cost(other)) < cost - _LEAST)
         step = next(better, None)
         if step is None:
@@ -193,7 +195,7 @@ def improved_order(steps: Steps, order: Sequence[int]) -> tuple[int, ...]:
         cost, now = step
 
 
-def _sum(steps: Steps, order: Sequence[int]) -> float:
+def _least_sum(steps: Steps, order: Sequence[int]) -> float:
     """The least times of an order's ways, each by itself [s]."""
     at = [steps.n, *order, steps.n]
     return float(steps.arcs[at[:-1], at[1:]].sum())
@@ -201,11 +203,11 @@ def _sum(steps: Steps, order: Sequence[int]) -> float:
 
 def near_orders(steps: Steps, order: Sequence[int], count: int) -> list[tuple[int, ...]]:
     """The best orders one step away from this one."""
-    found = sorted((steps.cost(other), other) for other in set(_near(tuple(order))) - {tuple(order)})
+    found = sorted((steps.cost(other), other) for other in set(_neighbours(tuple(order))) - {tuple(order)})
     return [other for cost, other in found[:count] if np.isfinite(cost)]
 
 
-def _near(order: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+def _neighbours(order: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
     n = len(order)
     for i in range(n):
         for k in range(i + 1, min(i + _SEGMENT, n) + 1):

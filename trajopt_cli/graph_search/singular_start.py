@@ -78,14 +78,14 @@ class SingularStart:
         (n,) in proportion to the line; NaN where a branch does not begin at all."""
         elbow, wrist = axes.robot.walls(self.arm)
         if self.leg is not None and (wrist < WRIST or elbow > STRETCHED):
-            return self._left(axes, d)
-        out = self._near(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
+            return self._leaving(axes, d)
+        out = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
         if self.leg is None:
             out[:] = np.nan
             out[axes.robot.branch_of(self.arm)] = self.arm
         return np.repeat(out[:, None], len(d), axis=1)
 
-    def _left(self, axes: Axes, d: Array) -> Array:
+    def _leaving(self, axes: Axes, d: Array) -> Array:
         """The line's joints just behind its start, continued back to it by a parabola through three places outside the
         walls; NaN where a branch is not outside soon."""
         assert self.leg is not None
@@ -103,9 +103,9 @@ class SingularStart:
                 q = np.unwrap(arm[place, cfx, i : i + 3], axis=0)
                 out[place, cfx] = (8 * q[0] - 6 * q[1] + q[2]) / 3  # Lagrange's at 0 of places s, 2s, 4s
         if axes.robot.walls(self.arm)[1] > _STRAIGHT:  # beside the singularity: on the other branch the line crosses it
-            own = self._near(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
+            own = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
             out[:, ~(np.abs(own - self.arm).max(axis=1) <= LEAVING)] = np.nan
-        return np.swapaxes(self._near(out), 0, 1)
+        return np.swapaxes(self._nearest_turns(out), 0, 1)
 
     def jump(self, axes: Axes, problem: Problem, d: Array) -> str | None:
         """What the joints would have to do before the line could leave, in words; None where nothing is in the way."""
@@ -127,7 +127,7 @@ class SingularStart:
             f" turn them there before, or give the start another {names[i]}"
         )
 
-    def _near(self, arm: Array) -> Array:
+    def _nearest_turns(self, arm: Array) -> Array:
         return np.asarray(arm - 2 * np.pi * np.round((arm - self.arm) / (2 * np.pi)))
 
     def _pose(self, axes: Axes) -> Array:

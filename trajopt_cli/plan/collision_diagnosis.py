@@ -69,7 +69,7 @@ def _blocked_station(axes: Axes, problem: Problem, around: CollisionScene, first
 
 
 def _serves_all(table: IkTable) -> bool:
-    return bool(table.labels) and table.stands
+    return bool(table.labels) and table.serves_lines
 
 
 def _all_axes(axes: Axes, d: Array, arm: Array) -> Array:

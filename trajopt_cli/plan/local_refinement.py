@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.collision.collision_scene import collision_scene_of
-from trajopt_cli.collision.merge_via_points import joined
+from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
@@ -70,13 +70,13 @@ def refine(
             f"{axes.robot.name}'s wrist has an offset: its plan is searched and timed, no nonlinear program improves it"
         )
         return legal.problem, legal.draft, (why,)
-    problem, merged = joined(axes, legal.problem, legal.draft, legal.detours)
+    problem, merged = merge_via_points(axes, legal.problem, legal.draft, legal.detours)
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
     bases, chain = [(problem, merged)], None
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
-        bases = [joined(axes, *one, legal.detours) for one in _with_stops(axes, legal.problem, legal.chain)]
+        bases = [merge_via_points(axes, *one, legal.detours) for one in _with_stops(axes, legal.problem, legal.chain)]
     elif axes.layout.has_rail and problem.freedom.through_stops:
         start = perf_counter()
         chain = search(axes, problem)

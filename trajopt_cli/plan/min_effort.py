@@ -14,7 +14,7 @@ from time import perf_counter
 
 import numpy as np
 
-from trajopt_cli.collision.merge_via_points import joined
+from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.driver import Grids
 from trajopt_cli.nlp.formulation import Formulation
@@ -178,7 +178,7 @@ def least_effort_plan(
             if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
                 base = with_min_effort_laws(axes, formulation, one.problem, one.draft, seconds)
             own = with_fixed_runs(one.problem, one.chain)
-            bases.append((own, base) if solved.coordinated else joined(axes, own, base, one.detours))
+            bases.append((own, base) if solved.coordinated else merge_via_points(axes, own, base, one.detours))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
     sweeps, tally = WindowSweeps(axes, Grids.of(solved), patience, spent, max_workers), SweepReport()

@@ -9,7 +9,7 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.bound.lower_bound import lower_bound
-from trajopt_cli.collision.merge_via_points import driven_by
+from trajopt_cli.collision.merge_via_points import detours_left
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.search import search
@@ -148,7 +148,7 @@ def optimize(
             bound = min(least_possible, known)  # equal up to rounding where the bound is exact
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
-    driven = driven_by(problem, legal.detours)
+    driven = detours_left(problem, legal.detours)
     ways = _detour_notes(program, legal.detours, driven)
     estimate = memory.estimates.get((target, freedom))
     plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
