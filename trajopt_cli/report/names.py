@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
-from functools import cache
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -23,12 +22,11 @@ _SLANT = 50.0  # deg
 _LIFT = 10.0  # pt: from the top of the panel to the foot of a slanted name
 _REACHES = (7.0, 13.0, 20.0, 29.0, 40.0, 54.0, 72.0, 94.0)  # pt: from a place to the edge of its name
 _WAYS = np.radians(np.arange(0, 360, 20) + 90)
-_ALONG = np.linspace(0.0, 1.0, 17)  # a line to a name is held against boxes at these shares of its length
+_ALONG = np.linspace(0.0, 0.9, 17)  # a line to a name is held against boxes at these shares of its length
 _FINE = 4.0  # px: points of curves nearer than this count once
-# What a name's spot costs, in pt of distance: outside, on another name, through one, past another place, over lines to
-# names, over curves (per _FINE), over places.
-_OUT, _ON, _THROUGH, _PAST, _CROSS, _COVER, _SPOIL = 5e3, 1e4, 300.0, 60.0, 80.0, 4.0, 60.0
-_ROUNDS = 6
+# What a name's spot costs, in pt of distance: outside, on another name, with a line through one, with a line past
+# another place, over curves (per _FINE), over places.
+_OUT, _ON, _THROUGH, _PAST, _COVER, _SPOIL = 5e3, 1e4, 300.0, 60.0, 4.0, 60.0
 
 
 def short(name: str) -> str:
@@ -165,98 +163,35 @@ def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> No
     edge = (half[:, None] / np.maximum(np.abs(away), 1e-9)).min(axis=2)
     spots = anchors[:, None] + away * (reaches * scale + edge)[..., None]  # (m, c, 2)
     low, high = spots - half[:, None] - 2, spots + half[:, None] + 2
-    lines = np.array([_line(anchor, a, b) for anchor, a, b in zip(anchors, low, high, strict=True)])
-    room = np.stack([low.min(axis=1), high.max(axis=1)], axis=1)
     out = np.maximum(np.maximum([frame.x0, frame.y0] - low, high - [frame.x1, frame.y1]), 0).sum(axis=2) > 0
     alone = reaches + _OUT * out
     for i in range(len(names)):
-        others = np.delete(anchors, i, axis=0)
         alone[i] += _COVER * _contain(low[i], high[i], curve).sum(axis=1)
         alone[i] += _SPOIL * _contain(low[i], high[i], anchors).sum(axis=1)
-        gaps = np.linalg.norm(lines[i][:, :, None] - others, axis=3).min(axis=1, initial=np.inf)
-        alone[i] += _PAST * (gaps < _FINE).sum(axis=1)
-
-    @cache
-    def with_other(i: int, j: int, k: int) -> Array:
-        """What each spot of name i costs beside name j at its spot k."""
-        # Neither name nor line can meet where the rooms of both names, with all their spots, are apart.
-        if ((room[i, 0] > room[j, 1]) | (room[j, 0] > room[i, 1])).any():
-            return np.zeros(len(reaches))
-        on = _both((low[i] < high[j, k]) & (high[i] > low[j, k]))
-        through = _contain(low[i], high[i], lines[j, k]).any(axis=1).astype(float)
-        through += _both((lines[i] > low[j, k]) & (lines[i] < high[j, k])).any(axis=1)
-        crossed = _cross(anchors[i], lines[i][:, -1], anchors[j], lines[j, k, -1])
-        return np.asarray(_ON * on + _THROUGH * through + _CROSS * crossed, dtype=float)
-
-    best, least = _settle_spots(alone, with_other, range(len(names)))
-    for order in (range(len(names))[::-1], sorted(range(len(names)), key=lambda i: -alone[i].min())):
-        chosen, cost = _settle_spots(alone, with_other, order)
-        if cost < least:
-            best, least = chosen, cost
-    kept: list[Array] = []
-    for i, (label, spot, anchor, k) in enumerate(zip(labels, spots, anchors, best, strict=True)):
-        label.set_position(tuple((spot[k] - anchor) / scale))
-        box = np.array([low[i, k], high[i, k]])
-        clear = all((box[0] >= other[1]).any() or (box[1] <= other[0]).any() for other in kept)
-        if (
-            clear
-            and box[0, 0] >= frame.x0
-            and box[1, 0] <= frame.x1
-            and box[0, 1] >= frame.y0
-            and box[1, 1] <= frame.y1
-        ):
-            kept.append(box)
-        else:
-            label.remove()
+    kept: list[tuple[Array, Array]] = []
+    lines: list[Array] = []
+    for i in sorted(range(len(names)), key=lambda i: -alone[i].min()):  # the hardest to place first
+        ways = anchors[i] + (spots[i] - anchors[i])[:, None] * _ALONG[:, None]  # (c, k, 2)
+        cost, on = alone[i].copy(), np.zeros(len(reaches), dtype=bool)
+        for other in kept:
+            on |= ((low[i] < other[1]) & (high[i] > other[0])).all(axis=1)
+            cost += _THROUGH * ((ways > other[0]) & (ways < other[1])).all(axis=2).any(axis=1)
+        past = np.linalg.norm(ways[:, :, None] - np.delete(anchors, i, axis=0), axis=3).min(axis=1, initial=np.inf)
+        cost += _PAST * (past < _FINE).sum(axis=1)
+        for line in lines:
+            cost += _THROUGH * _contain(low[i], high[i], line).any(axis=1)
+        k = int(np.argmin(cost + _ON * on))
+        if on[k] or out[i, k]:
+            labels[i].remove()
+            continue
+        labels[i].set_position(tuple((spots[i, k] - anchors[i]) / scale))
+        kept.append((low[i, k], high[i, k]))
+        lines.append(ways[k])
     if len(kept) < asked:
         axes.set_xlabel(f"{axes.get_xlabel()} ({len(kept)} of {asked} names shown)")
 
 
-def _settle_spots(
-    alone: Array, with_other: Callable[[int, int, int], Array], order: Sequence[int]
-) -> tuple[list[int], float]:
-    """A spot per name and what all cost: each takes its cheapest in turn, again and again until none moves."""
-    chosen = [-1] * len(alone)
-    total = np.inf
-    for _ in range(_ROUNDS):
-        before, total = list(chosen), 0.0
-        for i in order:
-            cost = alone[i] + sum((with_other(i, j, k) for j, k in enumerate(chosen) if j != i and k >= 0), np.zeros(1))
-            chosen[i] = int(np.argmin(cost))
-            total += float(cost[chosen[i]])
-        if chosen == before:
-            break
-    return chosen, total
-
-
 def _contain(low: Array, high: Array, points: Array) -> NDArray[np.bool_]:
     """Which boxes (c, 2), (c, 2) hold which points (n, 2): (c, n)."""
-    inside = np.ones((len(low), len(points)), dtype=bool)
-    for axis in range(2):
-        inside &= points[:, axis] > low[:, axis, None]
-        inside &= points[:, axis] < high[:, axis, None]
+    inside: NDArray[np.bool_] = ((points > low[:, None]) & (points < high[:, None])).all(axis=2)
     return inside
-
-
-def _both(held: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Where (...) something holds along both axes (..., 2)."""
-    return held[..., 0] & held[..., 1]
-
-
-def _line(anchor: Array, low: Array, high: Array) -> Array:
-    """The lines (c, k, 2) from an anchor to the middles of boxes (c, 2), (c, 2), up to where they enter them."""
-    middle = (low + high) / 2
-    way = middle - anchor
-    part: Array = np.where(np.abs(way) > 1e-9, (high - low) / 2 / np.maximum(np.abs(way), 1e-9), np.inf).min(axis=1)
-    end = anchor + way * np.maximum(1 - part, 0)[:, None]
-    return np.asarray(anchor + (end - anchor)[:, None] * _ALONG[:, None], dtype=float)
-
-
-def _cross(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """Whether the lines from a (2,) to each b (n, 2) cross the one from c to d (2,)."""
-
-    def turn(p: Array, q: Array, r: Array) -> Array:
-        u, v = q - p, r - p
-        return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
-
-    return np.asarray((turn(a, b, c) * turn(a, b, d) < 0) & (turn(c, d, a) * turn(c, d, b) < 0))
