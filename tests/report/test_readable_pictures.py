@@ -21,7 +21,6 @@ from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.report.bars import Bar, comparison_figure, savings_figure
 from trajopt_cli.report.levers import levers_figure
-from trajopt_cli.report.names import _contain
 from trajopt_cli.report.pictures import PICTURES, STEP_PICTURES
 from trajopt_cli.report.steps import Steps, steps_of
 from trajopt_cli.report.stepwise import analyse
@@ -211,16 +210,6 @@ def test_a_heading_loses_no_more_letters_than_it_must() -> None:
             assert len(tail) - len(head) in (0, 1)
             heading.set_text(f"{name[: len(tail)]}…{name[-len(head) - 1 :]} · stream plan")  # a letter more
             assert heading.get_window_extent().x1 > 0.985 * made.bbox.x1
-
-
-def test_a_box_holds_a_point_that_is_within_all_its_sides() -> None:
-    rng = np.random.default_rng(3)
-    low, points = rng.uniform(0, 1, (20, 2)), rng.uniform(0, 1.5, (50, 2))
-    high = low + rng.uniform(0.1, 0.5, (20, 2))
-    held = _contain(low, high, points)
-    for c, n in np.ndindex(held.shape):
-        (x, y), (left, down), (right, up) = points[n], low[c], high[c]
-        assert held[c, n] == (left < x < right and down < y < up)
 
 
 def test_directions_are_the_ways_the_tool_goes() -> None:

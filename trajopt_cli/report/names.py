@@ -193,5 +193,4 @@ def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> No
 
 def _contain(low: Array, high: Array, points: Array) -> NDArray[np.bool_]:
     """Which boxes (c, 2), (c, 2) hold which points (n, 2): (c, n)."""
-    inside: NDArray[np.bool_] = ((points > low[:, None]) & (points < high[:, None])).all(axis=2)
-    return inside
+    return np.asarray(((points > low[:, None]) & (points < high[:, None])).all(axis=2))
