@@ -24,7 +24,6 @@ from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.robot.model import robot_names
 from trajopt_cli.study.case import Case
 from trajopt_cli.study.table import BASELINES
 
@@ -359,15 +358,6 @@ def test_a_case_knows_whether_the_program_gives_the_rail_a_position(planner: Pla
     assert not gives_rail()
     Path("tiny.mod").write_text(TEXT.replace("[9E9,", "[100,"))
     assert gives_rail()
-
-
-def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["robot", "list"]) == 0
-    assert tuple(line.split()[0] for line in capsys.readouterr().out.splitlines()) == robot_names()
-    assert run(["robot", "show", "irb140"]) == 0
-    out = capsys.readouterr().out
-    assert re.search(r"joint_6 +-400 +400 +deg +A \[\d+\] +450 +deg/s +A \[\d+\]", out)
-    assert re.search(r"joint_2 +rad/s² +15 +D \[\d+\] +35 +C \[\d+\]", out)
 
 
 def test_the_help_loads_nothing_heavy() -> None:

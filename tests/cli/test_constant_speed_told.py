@@ -69,13 +69,6 @@ def test_parse_shows_what_should_keep_its_speed(bead: Path, capsys: pytest.Captu
     assert [one["constant_speed"] for one in motions] == [False, True, True]
 
 
-def test_a_procedure_that_is_not_there_ends_with_2(bead: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    bead.with_suffix(".yaml").write_text(CELL + "constant_speed: [wled]\n", encoding="utf-8")
-    assert run(["optimize", "bead.mod"]) == 2
-    message = "constant_speed in the cell file: the program has no procedure 'wled'; there is main, weld"
-    assert message in " ".join(capsys.readouterr().err.split())
-
-
 def dip(line: int, why: Why = Why.LIMIT, duration: float = 0.1) -> Dip:
     place = Source("x/m.mod", line, 1)
     return Dip(

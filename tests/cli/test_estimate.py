@@ -165,10 +165,6 @@ def test_rows_that_a_log_lost_are_told(tiny: Path, capsys: pytest.CaptureFixture
         assert f"log.csv: 1 of {len(lines)} rows are missing, between t = {t[0]:.6g} and {t[2]:.6g} s" in said
 
 
-def test_units_without_a_log_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert "--log FILE.csv" in refusal(capsys, "estimate", str(tiny), "--units", "deg")
-
-
 def test_a_log_at_rest_shows_no_limit_and_nothing_is_written(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text, _ = log(7.0, 0.8)
     heads, first, *lines = text.splitlines()
@@ -179,11 +175,3 @@ def test_a_log_at_rest_shows_no_limit_and_nothing_is_written(tiny: Path, capsys:
     assert "NOTHING WRITTEN" in captured.err
     assert captured.out.count("it does not move in a motion that could be fitted") == 18  # three limits of six axes
     assert not Path("limits.yaml").exists()
-
-
-def test_identify_asks_whose_axes_these_are(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    Path("log.csv").write_text(log(7.0, 0.8)[0])
-    assert "--robot NAME" in refusal(capsys, "identify", "log.csv")
-    assert "no column is rail" in refusal(capsys, "identify", "log.csv", "--robot", "irb140_rail")
-    assert "is named twice" in refusal(capsys, "identify", "log.csv", "log.csv", "--robot", "irb140")
-    assert "one of the inputs" in refusal(capsys, "identify", "log.csv", "--robot", "irb140", "--output", "log.csv")

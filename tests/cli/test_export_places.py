@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
-import shlex
 from pathlib import Path
 from typing import NoReturn
 
 import pytest
-from typer.testing import CliRunner
 
 from trajopt_cli.cli import app, run
 from trajopt_cli.errors import InputError
@@ -17,15 +15,6 @@ from trajopt_cli.runs.files import check_file
 
 KINDS = [command.name for group in app.registered_groups if group.name == "export" for command in
          group.typer_instance.registered_commands]  # fmt: skip
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_help_ends_its_words_with_an_example(kind: str) -> None:
-    lines = CliRunner().invoke(app, ["export", kind, "--help"]).output.splitlines()
-    words = shlex.split(lines[lines.index("  Example:") + 1])
-    assert words[:3] == ["trajopt", "export", kind]
-    assert words[3] in ("results/hinge_cell", "results/iiwa_cube")
-    assert "--output" in words
 
 
 @pytest.fixture

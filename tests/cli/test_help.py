@@ -125,9 +125,3 @@ def test_the_example_of_a_help_works(
             assert run(words) == (2 if name == "iiwa experiments" else 0), line
         else:  # what comes before or after: an example of another command
             assert any(line.startswith(f"trajopt {other}") for other in COMMANDS), line
-
-
-def test_the_example_stays_in_lines_of_its_own(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["sensitivity", "--help"]) == 0
-    shown = capsys.readouterr().out
-    assert re.search(r"\n  Example:\n    trajopt optimize .+\n    trajopt sensitivity .+\n\nArguments", shown)

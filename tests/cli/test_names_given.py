@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli.cli import run
-
 
 @pytest.mark.parametrize("language", ["C.UTF-8", "C"])
 def test_a_name_that_is_no_text_leaves_json_valid(program: Path, language: str) -> None:
@@ -24,10 +22,3 @@ def test_a_name_that_is_no_text_leaves_json_valid(program: Path, language: str) 
     assert json.loads(done.stdout.decode("utf-8"))["files"] == [str(Path(name).resolve())]
     text = subprocess.run(command, capture_output=True, check=True, env=world, cwd=root).stdout.decode("utf-8")
     assert r"t\udcfcr.mod" in text
-
-
-def test_a_name_that_nothing_asks_for_is_said(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    program.write_text(program.read_text().replace("fine, tool0", "fine, tGun"))
-    assert run(["parse", str(program), "--assume-identity", "TGUN", "--assume-identity", "tGum"]) == 0
-    said = [line for line in capsys.readouterr().out.splitlines() if "--assume-identity" in line]
-    assert said == ["warning: --assume-identity tgum: the program uses no such tool, work object or unit"]

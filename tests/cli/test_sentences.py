@@ -118,6 +118,9 @@ estimate results/tiny
 estimate tiny.mod --units deg
 identify one.csv
 identify one.csv --robot irb140
+identify one.csv --robot irb140 --cell tiny.yaml
+identify one.csv one.csv --robot irb140
+identify one.csv --robot irb140 --output one.csv
 robot show irb14
 view .
 """
@@ -140,7 +143,10 @@ estimate tiny.mod
 estimate tiny.mod --quiet
 robot list
 robot show irb140 --quiet
+robot show irb140
+robot show iiwa7
 parse tiny.mod
+parse tiny.mod --assume-identity tGum
 new fresh
 """
 
@@ -177,7 +183,7 @@ def _said(command: str, capfd: pytest.CaptureFixture[str], code: int | None = No
     assert ended != 2 or out == "", command
     assert code != 2 or len(errors) == 1, command
     text = "".join(f"{line.rstrip()}\n" for line in (*out.splitlines(), *errors))
-    return f"$ trajopt {command}  → {ended}\n{text}"
+    return f"$ trajopt {command}  → {ended}\n{text}".replace(f"{Path.cwd()}/", "")
 
 
 def _answers(capfd: pytest.CaptureFixture[str]) -> list[str]:
