@@ -334,8 +334,10 @@ class _Move:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class _PoseMove(_Move):
-    """X_WO: the frame in which the target is written, program displacement included, so X_WT = X_WO X_OT; shared by
+class PoseMove(_Move):
+    """To a pose of the tool: MoveJ, MoveL, MoveC and what else is written so.
+
+    X_WO: the frame in which the target is written, program displacement included, so X_WT = X_WO X_OT; shared by
     the motions that have the same one. None where there is none (a work object that the robot holds)."""
 
     X_WT: Array
@@ -351,17 +353,22 @@ class _PoseMove(_Move):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class MoveJ(_PoseMove):
+class MoveJ(PoseMove):
     """To the pose X_WT, axes free on the way."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class MoveL(_PoseMove):
+class PathMove(PoseMove):
+    """To a pose on a path of the tool that the instruction gives: the axes follow."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MoveL(PathMove):
     """To the pose X_WT, the TCP on a straight line, orientation by slerp."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class MoveC(_PoseMove):
+class MoveC(PathMove):
     """To the pose X_WT on the arc through X_WV's position; how the tool turns, settings.circle says."""
 
     X_WV: Array
@@ -432,13 +439,13 @@ class SignalEvent:
     delay: float = 0.0
 
 
-Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ
+Move = PoseMove | MoveAbsJ | MoveExtJ
 Motion = Move | Wait | SignalEvent
 
 
 def turned_under(motion: Motion) -> tuple[UnitMove, ...]:
     """The axes, from the floor on, that turn the work object under a line or an arc while it is drawn there."""
-    return tuple(unit for unit in motion.units if unit.carries) if isinstance(motion, MoveL | MoveC) else ()
+    return tuple(unit for unit in motion.units if unit.carries) if isinstance(motion, PathMove) else ()
 
 
 def instruction_name(motion: Motion) -> str:

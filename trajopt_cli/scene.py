@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly, rotation_about
-from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
+from trajopt_cli.motion import MoveAbsJ, PathMove, PoseMove, Program
 from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
@@ -188,13 +188,13 @@ def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = No
     driven: list[tuple[float, float]] = []
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+        if planned.dropped or not isinstance(motion, PoseMove | MoveAbsJ):
             continue
         if not tools or not np.array_equal(tools[-1][1], motion.tool.X_FT):
             tools.append((planned.t_0 if tools else 0.0, motion.tool.X_FT))
             solids = () if plant is None else tool_capsule(motion.tool, plant.tool_radius)
             capsules.append((tools[-1][0], _loaded(solids[0]) if solids else None))
-        if isinstance(motion, MoveL | MoveC) and planned.t_1 > planned.t_0:
+        if isinstance(motion, PathMove) and planned.t_1 > planned.t_0:
             if driven and driven[-1][1] == planned.t_0:
                 driven[-1] = (driven[-1][0], planned.t_1)
             else:
@@ -216,7 +216,7 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
     out: dict[tuple[str, tuple[float, ...]], ScenePoint] = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+        if planned.dropped or not isinstance(motion, PoseMove | MoveAbsJ):
             continue
         X_WT = motion.X_WT if not isinstance(motion, MoveAbsJ) else plant.robot.forward(planned.q_1) @ motion.tool.X_FT
         x, y, z = (round(float(value), 6) for value in X_WT[:3, 3])

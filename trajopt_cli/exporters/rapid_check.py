@@ -18,6 +18,7 @@ from trajopt_cli.motion import (
     MoveC,
     MoveExtJ,
     MoveL,
+    PoseMove,
     Program,
     SignalEvent,
     TextFile,
@@ -27,7 +28,6 @@ from trajopt_cli.motion import (
 from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.program_text import PoseMove
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits

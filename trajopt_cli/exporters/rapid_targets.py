@@ -11,12 +11,12 @@ import numpy as np
 
 from trajopt_cli.exporters.rapid_text import PLACE, Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
-from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, Program, Span
+from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, PoseMove, Program, Span
 from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.program_text import PoseMove, declared_name
+from trajopt_cli.problem.program_text import declared_name
 from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.parser import parse_statement

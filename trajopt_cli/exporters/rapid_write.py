@@ -21,6 +21,7 @@ from trajopt_cli.motion import (
     MoveAbsJ,
     MoveExtJ,
     MoveJ,
+    PoseMove,
     Source,
     Span,
     TextFile,
@@ -32,7 +33,6 @@ from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.editable_text import EditableText, confdata_counts
 from trajopt_cli.problem.move_call import MoveCall, last_argument, read_move
 from trajopt_cli.problem.plan import PlannedMotion
-from trajopt_cli.problem.program_text import PoseMove
 from trajopt_cli.problem.single_runs import SingleRun, outermost
 from trajopt_cli.robot.inverse import confdata_admits
 from trajopt_cli.warnings import ProgramWarning, WarningKind

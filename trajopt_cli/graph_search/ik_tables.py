@@ -18,7 +18,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.graph_search.singular_start import SingularStart, usable
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveC, MoveJ, MoveL, motion_name
+from trajopt_cli.motion import MoveJ, MoveL, PathMove, motion_name
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.cache_keys import stretch_name
 from trajopt_cli.problem.configurations import check_configurations
@@ -493,7 +493,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
     text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
-    if confused and isinstance(motion, MoveL | MoveC) and (told := _configuration(problem, k)):
+    if confused and isinstance(motion, PathMove) and (told := _configuration(problem, k)):
         text = told + _remedy(axes, problem, k)
     return Infeasible(stop.motion, motion.source, text)
 

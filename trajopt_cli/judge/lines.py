@@ -27,7 +27,7 @@ from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
 from trajopt_cli.judge.waypoint_matching import WHOLE
-from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
+from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, PathMove
 
 
 def check_shapes(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
@@ -37,7 +37,7 @@ def check_shapes(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) ->
         out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
-                case MoveL() | MoveC():
+                case PathMove():
                     out.extend(_path_findings(run, leg))
                     out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))

@@ -23,6 +23,7 @@ from trajopt_cli.motion import (
     MoveExtJ,
     MoveJ,
     MoveL,
+    PathMove,
     Program,
     SignalEvent,
     Source,
@@ -250,7 +251,7 @@ def _other_frame(move: Move | None, after: Move | None) -> bool | None:
         return False
     if not np.array_equal(move.tool.X_FT, after.tool.X_FT):
         return None if move.tool.stationary or after.tool.stationary else True
-    if not isinstance(move, MoveL | MoveC) or not isinstance(after, MoveL | MoveC):
+    if not isinstance(move, PathMove) or not isinstance(after, PathMove):
         return False
     same_name = move.wobj.lower() == after.wobj.lower()
     if move.X_WO is None or after.X_WO is None:

@@ -21,8 +21,9 @@ from trajopt_cli.motion import (
     ConfData,
     MoveAbsJ,
     MoveC,
-    MoveJ,
     MoveL,
+    PathMove,
+    PoseMove,
     Program,
     SignalEvent,
     Source,
@@ -91,7 +92,7 @@ class _Point:
     """A programmed pose. demanded: its confdata counts."""
 
     index: int
-    motion: MoveJ | MoveL | MoveC
+    motion: PoseMove
     X_WF: Array
     rail: float
     demanded: bool
@@ -141,7 +142,7 @@ def _points(program: Program, plant: Plant) -> list[_Point]:
             continue
         given = plant.rail_value(motion.extax)
         rail = rail if given is None else given
-        if isinstance(motion, MoveJ | MoveL | MoveC):
+        if isinstance(motion, PoseMove):
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
             points.append(_Point(index, motion, X_WF, rail, demands_configuration(motion, plant.robot)))
     return points
@@ -152,11 +153,7 @@ def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[
     lines: dict[str, None] = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if (
-            planned.dropped
-            or not isinstance(motion, MoveJ | MoveL | MoveC)
-            or not demands_configuration(motion, plant.robot)
-        ):
+        if planned.dropped or not isinstance(motion, PoseMove) or not demands_configuration(motion, plant.robot):
             continue
         arm = np.asarray(planned.q_1[plant.layout.arm])
         if not confdata_admits(plant.robot, motion.conf, arm):
@@ -264,7 +261,7 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
     wanted = {
         point.index
         for point in points
-        if point.demanded and isinstance(point.motion, MoveL | MoveC) and not turned_under(point.motion)
+        if point.demanded and isinstance(point.motion, PathMove) and not turned_under(point.motion)
     }
     robot = plant.robot
     lines: list[tuple[int, ArmLine]] = []
@@ -283,7 +280,7 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
         elif index in at:
             k = at[index]
             if index in wanted and now is not None and poses.reachable[k]:
-                assert isinstance(motion, MoveL | MoveC)
+                assert isinstance(motion, PathMove)
                 if X_WF is None:
                     X_WF = robot.forward(np.r_[before, now] if robot.has_rail else now)
                 arc = _arc(motion, X_WF) if isinstance(motion, MoveC) else None

@@ -11,7 +11,17 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import FlyBy, Move, MoveC, MoveL, Program, SignalEvent, Source, Wait, motion_name, turned_under
+from trajopt_cli.motion import (
+    FlyBy,
+    Move,
+    PathMove,
+    Program,
+    SignalEvent,
+    Source,
+    Wait,
+    motion_name,
+    turned_under,
+)
 from trajopt_cli.problem.acceleration_settings import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
@@ -146,7 +156,7 @@ def _stretches(program: Program, planned: Sequence[PlannedMotion]) -> Iterator[l
             continue
         if isinstance(motion, Wait) and not motion.stops:
             continue
-        if isinstance(motion, MoveL | MoveC) and motion.constant_speed and not turned_under(motion):
+        if isinstance(motion, PathMove) and motion.constant_speed and not turned_under(motion):
             found += [one] if one.t_1 > one.t_0 else []  # a line to where it starts takes no time
         elif found:
             yield found
@@ -171,7 +181,7 @@ class _Course:
     ):
         self._program, self._plant, self._trajectory = program, plant, trajectory
         self._motions, self._points = motions, points
-        self._moves = [move for one in motions if isinstance(move := program.motions[one.index], MoveL | MoveC)]
+        self._moves = [move for one in motions if isinstance(move := program.motions[one.index], PathMove)]
         times, speeds, ways, wanted = [], [], [], []
         for one, move in zip(motions, self._moves, strict=True):
             t = np.linspace(one.t_0 + _INSIDE, one.t_1 - _INSIDE, max(round((one.t_1 - one.t_0) / _STEP), 2) + 1)

@@ -21,6 +21,7 @@ from trajopt_cli.motion import (
     MoveAbsJ,
     MoveExtJ,
     MoveJ,
+    PoseMove,
     Program,
     Span,
     Wait,
@@ -29,7 +30,7 @@ from trajopt_cli.problem.data_flow import ROBOT, Place, Trace
 from trajopt_cli.problem.editable import Changes, Loops, droppable, may_go, why_straight
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.program_text import Passes, PoseMove, ProgramText
+from trajopt_cli.problem.program_text import Passes, ProgramText
 from trajopt_cli.problem.single_runs import SingleRuns, inside
 from trajopt_cli.rapid.language.syntax import (
     ProcedureCall,

@@ -19,7 +19,8 @@ from trajopt_cli.motion import (
     MoveC,
     MoveExtJ,
     MoveJ,
-    MoveL,
+    PathMove,
+    PoseMove,
     Program,
     Refusal,
     SignalEvent,
@@ -93,15 +94,13 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
     moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
     lines = []
     off = {
-        (r"on lines (ConfL \Off)" if isinstance(move, MoveL | MoveC) else r"on joint moves (ConfJ \Off)"): None
+        (r"on lines (ConfL \Off)" if isinstance(move, PathMove) else r"on joint moves (ConfJ \Off)"): None
         for move in moves
-        if not _monitored(move) and isinstance(move, MoveJ | MoveL | MoveC)
+        if not _monitored(move) and isinstance(move, PoseMove)
     }
     if off:
         lines.append(f"confdata is ignored {' and '.join(sorted(off))}, as the program asks")
-    if lines_at := sum(
-        isinstance(move, MoveL | MoveC) and move.settings.singularity is Singularity.WRIST for move in moves
-    ):
+    if lines_at := sum(isinstance(move, PathMove) and move.settings.singularity is Singularity.WRIST for move in moves):
         lines.append(
             f"lines that may leave their orientation (SingArea \\Wrist, {lines_at}) are planned with the exact one"
         )
@@ -161,7 +160,7 @@ def with_exact_orientation(motion: Motion) -> str:
     r"""What to know of a line or an arc under SingArea \Wrist that no plan drives, "" for other motions. A controller
     interpolates the wrist's axes there one by one, the TCP on its way, and with ConfL \On it always comes to the
     programmed configuration (RAPID reference manual, SingArea\Wrist under positioning; robot configuration)."""
-    if not isinstance(motion, MoveL | MoveC) or motion.settings.singularity is not Singularity.WRIST:
+    if not isinstance(motion, PathMove) or motion.settings.singularity is not Singularity.WRIST:
         return ""
     return (
         "; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the programmed configuration, the"
@@ -173,7 +172,7 @@ def _monitored(motion: Move) -> bool:
     match motion:
         case MoveJ():
             return motion.settings.conf_j
-        case MoveL() | MoveC():
+        case PathMove():
             return motion.settings.conf_l
         case _:
             return False
@@ -182,13 +181,13 @@ def _monitored(motion: Move) -> bool:
 def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
     """Kind, demand and advice, in words, of everything a motion asks for and no plan keeps."""
     settings = motion.settings
-    if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ) and motion.tool.stationary:
+    if isinstance(motion, PoseMove | MoveAbsJ) and motion.tool.stationary:
         yield (
             "stationary tools",
             f"carries the workpiece to the stationary tool {motion.tool.name} (robhold FALSE)",
             "plans support only a tool on the flange (robhold TRUE)",
         )
-    if isinstance(motion, MoveL | MoveC) and settings.singularity is Singularity.LOCK_AXIS_4:
+    if isinstance(motion, PathMove) and settings.singularity is Singularity.LOCK_AXIS_4:
         yield (
             "SingArea",
             "holds axis 4 and leaves its orientation (SingArea \\LockAxis4)",

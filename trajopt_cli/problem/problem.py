@@ -25,10 +25,10 @@ from trajopt_cli.motion import (
     Motion,
     Move,
     MoveAbsJ,
-    MoveC,
     MoveExtJ,
     MoveJ,
-    MoveL,
+    PathMove,
+    PoseMove,
     Program,
     SignalEvent,
     UnitMove,
@@ -349,7 +349,7 @@ class _Build:
                 self._to(self._at_joints(index, self._axes(motion.q)), motion, _caps(motion, self._plant))
             case MoveExtJ():
                 self._external(index, motion)
-            case MoveL() | MoveC():
+            case PathMove():
                 self._way(index, motion)
             case _:
                 before, end = self.waypoints[-1], self._at_pose(index, motion)
@@ -438,7 +438,7 @@ class _Build:
 
         return np.asarray(np.r_[[] if rail is None else [rail], min(found, key=apart)])
 
-    def _way(self, index: int, motion: MoveL | MoveC) -> None:
+    def _way(self, index: int, motion: PathMove) -> None:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
         start = self.waypoints[-1]
         end = self._at_pose(index, motion)
@@ -503,7 +503,7 @@ class _Build:
         if self.waypoints[k].q is None:
             self.waypoints[k] = replace(self.waypoints[k], rail=(rail, rail))
 
-    def _at_pose(self, index: int, motion: MoveJ | MoveL | MoveC) -> Waypoint:
+    def _at_pose(self, index: int, motion: PoseMove) -> Waypoint:
         self._take_rail(index, motion)
         free = index in self._changes.values
         rail = self._stroke if free and not self._pinned else (self._written, self._written)
@@ -543,7 +543,7 @@ def _settled(plant: Plant) -> float:
     return float((way / 2 / limits.velocity + limits.velocity / limits.acceleration).max())
 
 
-def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:
+def _caps(motion: PoseMove | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:
     """Programmed speeds of tool, turning and rail; none for joint moves where the cell frees them, nor where a time
     replaces the speed. A rail's speed of 0 lets it stand."""
     if motion.duration is not None or (plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)):

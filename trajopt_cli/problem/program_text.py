@@ -9,17 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.motion import (
-    Motion,
-    Move,
-    MoveAbsJ,
-    MoveC,
-    MoveJ,
-    MoveL,
-    Program,
-    Span,
-    Wait,
-)
+from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveC, PoseMove, Program, Span, Wait
 from trajopt_cli.problem.data_flow import ROBOT, Branch, DataFlow, Key, Place, Trace
 from trajopt_cli.problem.scopes import Scopes, called_names, nodes
 from trajopt_cli.rapid.language.expressions import parse_expression
@@ -37,7 +27,6 @@ from trajopt_cli.rapid.language.syntax import (
 )
 from trajopt_cli.scenario import Scenario
 
-PoseMove = MoveJ | MoveL | MoveC
 Passes = tuple[int, ...]
 _SAME = 1e-9  # m and entries of rotations: the same place
 

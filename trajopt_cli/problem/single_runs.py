@@ -13,13 +13,14 @@ from trajopt_cli.motion import (
     Move,
     MoveC,
     MoveExtJ,
+    PoseMove,
     SignalEvent,
     Span,
     Wait,
 )
 from trajopt_cli.problem.data_flow import Branch, Change, Place
 from trajopt_cli.problem.move_call import called, last_argument, read_move
-from trajopt_cli.problem.program_text import PoseMove, ProgramText
+from trajopt_cli.problem.program_text import ProgramText
 from trajopt_cli.rapid.language.syntax import (
     Expression,
     Goto,

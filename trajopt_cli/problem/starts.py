@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
+from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, PoseMove
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.circle import Point, circle_through
 from trajopt_cli.path.of_motion import segment_of, turns_of
@@ -71,7 +71,7 @@ class Starts:
             what = f"turns the tool by {degrees(angle):.3g} deg at {speed.name}, whose v_ori is 0"
             yield "v_ori of 0", what, "give it a speed of reorientation above 0, or keep the orientation"
 
-    def _turn(self, motion: MoveJ | MoveL | MoveC | MoveAbsJ) -> float:
+    def _turn(self, motion: PoseMove | MoveAbsJ) -> float:
         """How far a motion turns the tool [rad]; an arc as CirPathMode says."""
         X_WT = self._flange() @ motion.tool.X_FT
         if isinstance(motion, MoveC) and not motion.tool.stationary:

@@ -23,9 +23,9 @@ from trajopt_cli.motion import (
     MoveAbsJ,
     MoveC,
     MoveExtJ,
-    MoveJ,
-    MoveL,
     PathEvent,
+    PathMove,
+    PoseMove,
     Program,
     Settings,
     SignalEvent,
@@ -238,7 +238,7 @@ def _instruction(program: Program, motion: Wait | SignalEvent) -> str:
 
 def _quaternions(motions: Sequence[Motion]) -> dict[int, list[float]]:
     """Orientation w x y z by index, of all poses at once."""
-    poses = {i: m.X_WT for i, m in enumerate(motions) if isinstance(m, MoveJ | MoveL | MoveC)}
+    poses = {i: m.X_WT for i, m in enumerate(motions) if isinstance(m, PoseMove)}
     if not poses:
         return {}
     return dict(zip(poses, wxyz_from_rotation(np.array([*poses.values()])[:, :3, :3]).tolist(), strict=True))
@@ -257,7 +257,7 @@ def _move_row(
     effective: float | None,
     settings: Mapping[str, Any],
 ) -> Row:
-    pose = motion if isinstance(motion, MoveJ | MoveL | MoveC) else None
+    pose = motion if isinstance(motion, PoseMove) else None
     w, x, y, z = quaternion or (0.0,) * 4
     speed, zone = motion.speed, motion.zone
     return Row(
@@ -285,7 +285,7 @@ def _move_row(
         extax=motion.extax,
         conf=None if pose is None else pose.conf,
         duration=motion.duration,
-        length=length / MM if length is not None and isinstance(motion, MoveL | MoveC) else None,
+        length=length / MM if length is not None and isinstance(motion, PathMove) else None,
         optional=motion.optional,
         settings=settings,
         events=motion.events,

@@ -29,8 +29,9 @@ from trajopt_cli.motion import (
     MoveAbsJ,
     MoveC,
     MoveExtJ,
-    MoveJ,
     MoveL,
+    PathMove,
+    PoseMove,
     Program,
     SignalEvent,
     Tool,
@@ -176,7 +177,7 @@ def changes_frame(move: Motion, after: Motion) -> bool:
         return False
     if not _same(move.tool, after.tool):
         return True
-    if not isinstance(move, MoveL | MoveC) or not isinstance(after, MoveL | MoveC):
+    if not isinstance(move, PathMove) or not isinstance(after, PathMove):
         return False
     alike = move.wobj.lower() == after.wobj.lower()
     if move.X_WO is None or after.X_WO is None:
@@ -268,7 +269,7 @@ def courses(
             continue
         start, before, extax = place, extax, _taken_over(extax, motion.extax)
         match motion:
-            case MoveJ() | MoveL() | MoveC():
+            case PoseMove():
                 place = _Place(motion.X_WT, motion.tool)
             case MoveAbsJ():
                 place = None if kinematics is None else _Place(kinematics.forward(motion.q, extax), None)
@@ -291,7 +292,7 @@ def _travel(kinematics: Kinematics | None, before: ExternalAxes, extax: External
     return max((abs(b - a) * MM for has, a, b in own if has is not None and a is not None and b is not None), default=0)
 
 
-def _length(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Place) -> float:
+def _length(motion: PoseMove | MoveAbsJ, before: _Place, after: _Place) -> float:
     turns = turns_of(motion)  # of a table under it, as it stands at the start
     X_0, X_1 = before.seen_by(motion.tool), turned_back(turns, after.seen_by(motion.tool))
     start, end = _point(X_0[:3, 3]), _point(X_1[:3, 3])
@@ -302,7 +303,7 @@ def _length(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Pl
     return dist(start, end)
 
 
-def _angle(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Place) -> float:
+def _angle(motion: PoseMove | MoveAbsJ, before: _Place, after: _Place) -> float:
     """Reorientation [rad] on the way; of an arc what CirPathMode makes it."""
     X_0 = before.seen_by(motion.tool)
     if isinstance(motion, MoveC) and not motion.tool.stationary:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trajopt_cli.job import Job
-from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
+from trajopt_cli.motion import PoseMove, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, judge, may_change
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
@@ -245,10 +245,7 @@ class _Study:
     def _beyond_the_text(self) -> Iterator[str]:
         """A word where the optimum is held to what the program's text can carry, and a motion of its own is not."""
         free = self.changes[Target.RAPID].values
-        kept = sum(
-            isinstance(motion, MoveJ | MoveL | MoveC) and i not in free
-            for i, motion in enumerate(self.job.program.motions)
-        )
+        kept = sum(isinstance(motion, PoseMove) and i not in free for i, motion in enumerate(self.job.program.motions))
         if kept and self.job.plant.layout.has_rail:
             yield f"may put the rail elsewhere in {kept} moves that the program's text keeps, as no RAPID optimum does"
 

@@ -22,7 +22,7 @@ from trajopt_cli.motion import (
     MoveC,
     MoveExtJ,
     MoveJ,
-    MoveL,
+    PoseMove,
     Program,
     Source,
     Speed,
@@ -283,7 +283,7 @@ def _move(program: Program, index: int) -> Move:
 
 def _moved(axis: int, way: float, motion: Motion, share: float) -> Motion:
     """A motion's target, and the point an arc goes through, moved along an axis of the world."""
-    assert isinstance(motion, MoveJ | MoveL | MoveC)
+    assert isinstance(motion, PoseMove)
 
     def shifted(X: Array) -> Array:
         out = X.copy()
@@ -296,7 +296,7 @@ def _moved(axis: int, way: float, motion: Motion, share: float) -> Motion:
 
 
 def _on_stationary_tool(motion: Motion) -> bool:
-    return isinstance(motion, MoveJ | MoveL | MoveC) and motion.tool.stationary
+    return isinstance(motion, PoseMove) and motion.tool.stationary
 
 
 def _place_levers(program: Program, plant: Plant) -> Iterator[Lever]:
@@ -320,7 +320,7 @@ def places(program: Program) -> dict[str, list[int]]:
     groups: list[list[int]] = []
     joined = False
     for i, motion in enumerate(program.motions):
-        if isinstance(motion, MoveJ | MoveL | MoveC):
+        if isinstance(motion, PoseMove):
             if isinstance(motion, MoveJ) or not joined:
                 groups.append([])
             groups[-1].append(i)
@@ -333,7 +333,7 @@ def places(program: Program) -> dict[str, list[int]]:
         marks: list[object] = []
         for i in group:
             move = program.motions[i]
-            assert isinstance(move, MoveJ | MoveL | MoveC)
+            assert isinstance(move, PoseMove)
             if move.tool.stationary:
                 break
             own = move.wobj.lower() != "wobj0"
@@ -357,7 +357,7 @@ def places(program: Program) -> dict[str, list[int]]:
 
 def _name(program: Program, at: Sequence[int]) -> str:
     """What a place is called: its work object where that is one, else the target with the shortest text."""
-    moves = [move for i in at if isinstance(move := program.motions[i], MoveJ | MoveL | MoveC)]
+    moves = [move for i in at if isinstance(move := program.motions[i], PoseMove)]
     objects = {move.wobj for move in moves}
     if len(objects) == 1 and (name := objects.pop()).lower() != "wobj0":
         return f"work object {name}"

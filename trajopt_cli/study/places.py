@@ -19,7 +19,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.job import Job
-from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program
+from trajopt_cli.motion import PoseMove, Program
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
@@ -265,14 +265,14 @@ def site_of(job: Job, what: str, ranges: tuple[Range, ...]) -> Site:
     return site
 
 
-def _pose_moves(program: Program, name: str) -> list[tuple[int, MoveJ | MoveL | MoveC]]:
+def _pose_moves(program: Program, name: str) -> list[tuple[int, PoseMove]]:
     moves = enumerate(program.motions)
-    return [(i, m) for i, m in moves if isinstance(m, MoveJ | MoveL | MoveC) and m.wobj.lower() == name.lower()]
+    return [(i, m) for i, m in moves if isinstance(m, PoseMove) and m.wobj.lower() == name.lower()]
 
 
 def _work_object(program: Program, name: str) -> tuple[str, Array]:
     """A work object's name as declared, and its user frame [m]."""
-    used = dict.fromkeys(m.wobj for m in program.motions if isinstance(m, MoveJ | MoveL | MoveC))
+    used = dict.fromkeys(m.wobj for m in program.motions if isinstance(m, PoseMove))
     known = [one for one in used if one.lower() != "wobj0"]
     if name.lower() == "wobj0":
         raise InputError("--what station:wobj0: wobj0 is the world itself, which does not move; name a work object")

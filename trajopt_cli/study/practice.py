@@ -11,9 +11,8 @@ from trajopt_cli.motion import (
     Motion,
     Move,
     MoveAbsJ,
-    MoveC,
     MoveExtJ,
-    MoveL,
+    PathMove,
     Program,
     Tool,
     Written,
@@ -71,7 +70,7 @@ def with_detours(program: Program, plant: Plant) -> Program:
             given = plant.rail_value(motion.extax)
             moves = given is not None and abs(given - rail) > _SAME
             ends_folded = isinstance(motion, MoveAbsJ) and bool(np.abs(motion.q - home).max() <= _SAME)
-            if moves and not isinstance(motion, MoveL | MoveC):
+            if moves and not isinstance(motion, PathMove):
                 assert given is not None
                 if not folded:
                     out.append(_fold(motion, plant, rail))

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, Move, MoveC, MoveJ, MoveL, Program, motion_name
+from trajopt_cli.motion import Motion, Move, MoveC, MoveJ, PathMove, PoseMove, Program, motion_name
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.editable import droppable
@@ -89,9 +89,9 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
             continue
         given = plant.rail_value(motion.extax)
         rail = rail if given is None else given
-        if not isinstance(motion, MoveL | MoveC):
+        if not isinstance(motion, PathMove):
             station += 1
-        if isinstance(motion, MoveJ | MoveL | MoveC):
+        if isinstance(motion, PoseMove):
             ranges = _ranges(motion, plant, rule)
             if not len(ranges):
                 why = f"no rail position keeps joint 3 {rule.phi_min / DEG:g} deg from the stretched elbow there"
@@ -174,7 +174,7 @@ def _driven(
     return with_rail(replace(program, motions=tuple(motions)), plant, positions)
 
 
-def _ranges(motion: MoveJ | MoveL | MoveC, plant: Plant, rule: RailRule) -> Array:
+def _ranges(motion: PoseMove, plant: Plant, rule: RailRule) -> Array:
     """Rail ranges of a point on the branch its confdata names; on any branch where that one has none."""
     X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
     named = None if plant.robot.linkage else motion.conf.cfx  # of a linkage cfx names no branch
@@ -182,7 +182,7 @@ def _ranges(motion: MoveJ | MoveL | MoveC, plant: Plant, rule: RailRule) -> Arra
     return kept if len(kept) else rail_ranges(plant, X_WF, rule.phi_min)
 
 
-def _arm_time(motion: MoveJ | MoveL | MoveC, X_before: Array, plant: Plant) -> float:
+def _arm_time(motion: PoseMove, X_before: Array, plant: Plant) -> float:
     """Seconds the thesis' generator takes from the point before, every Cartesian axis from rest to rest; on an arc the
     one axis along it."""
     speed = plant.tcp.speed if isinstance(motion, MoveJ) else min(plant.tcp.speed, motion.speed.v_tcp)

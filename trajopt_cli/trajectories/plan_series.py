@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
-from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, PoseMove, Program, Wait
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.loads import loads_of
@@ -31,7 +31,7 @@ class TimedMotion:
 
     t_0: float
     t_1: float
-    motion: MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ | Wait
+    motion: PoseMove | MoveAbsJ | MoveExtJ | Wait
     X_FT: Array
     q_1: Array
     zone: float = 0.0
@@ -152,7 +152,7 @@ def before(times: Array) -> Array:
 def first_tool(program: Program) -> Array:
     """X_FT (4, 4) of the first move with a tool: a program may wait, or move external axes, before that; then that tool
     counts from the start."""
-    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveC | MoveAbsJ))
+    tools = (m.tool.X_FT for m in program.motions if isinstance(m, PoseMove | MoveAbsJ))
     return next(tools, np.eye(4))
 
 
@@ -165,9 +165,9 @@ def legs_of(program: Program, plant: Plant, plan: Plan) -> tuple[TimedMotion, ..
     X_FT = first_tool(program)
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ | Wait):
+        if planned.dropped or not isinstance(motion, PoseMove | MoveAbsJ | MoveExtJ | Wait):
             continue
-        if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+        if isinstance(motion, PoseMove | MoveAbsJ):
             X_FT = motion.tool.X_FT
         if planned.t_1 > planned.t_0:
             zone = 0.0
@@ -187,7 +187,7 @@ def _tools(legs: tuple[TimedMotion, ...], t: Array, first: Array) -> list[tuple[
 
 def target_flange(leg: TimedMotion) -> Array | None:
     """The flange pose X_WF (4, 4) a leg ends in, where the program names a pose; None for joints and waits."""
-    if isinstance(leg.motion, MoveJ | MoveL | MoveC):
+    if isinstance(leg.motion, PoseMove):
         return leg.motion.X_WT @ inverse_pose(leg.motion.tool.X_FT)
     return None
 

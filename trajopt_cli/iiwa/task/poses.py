@@ -20,6 +20,7 @@ from trajopt_cli.motion import (
     MoveC,
     MoveJ,
     MoveL,
+    PoseMove,
     Program,
     SignalEvent,
     Singularity,
@@ -89,7 +90,7 @@ def program_route(
     R_start = R_WF @ tool[:3, :3]
     waypoints: list[Waypoint] = []
     speeds: list[tuple[float, float]] = []
-    moves: list[MoveJ | MoveL | MoveC] = []
+    moves: list[PoseMove] = []
     zones: dict[int, FlyBy] = {}
     corners = {} if tolerance is None else fly_bys(program)
     fly_by = 0
@@ -109,9 +110,7 @@ def program_route(
             case MoveC() if tolerance is None:
                 message = "MoveC is not a straight segment; give 'passing' a tolerance, under which arcs are followed"
                 raise _refused(motion.source, message)
-            case MoveL() | MoveC() | MoveJ() if isinstance(motion, MoveJ) != bool(waypoints) or isinstance(
-                motion, MoveL
-            ):
+            case PoseMove() if isinstance(motion, MoveJ) != bool(waypoints) or isinstance(motion, MoveL):
                 _check_plain(motion)
                 fly_by += not motion.zone.stop
                 R = motion.X_WT[:3, :3]
@@ -149,7 +148,7 @@ def program_route(
 
 
 def _sampled(
-    moves: Sequence[MoveJ | MoveL | MoveC],
+    moves: Sequence[PoseMove],
     zones: Mapping[int, FlyBy],
     tolerance: float,
     waypoints: Sequence[Waypoint],
@@ -184,7 +183,7 @@ def _program(path: Path) -> Program:
     return program
 
 
-def _check_plain(motion: MoveL | MoveC | MoveJ) -> None:
+def _check_plain(motion: PoseMove) -> None:
     """Raise InputError where a move asks for something besides its pose, its speed and its zone."""
     settings = motion.settings
     caps = (settings.path_acceleration, settings.path_deceleration, settings.world_acceleration)
@@ -207,9 +206,9 @@ def _check_plain(motion: MoveL | MoveC | MoveJ) -> None:
 
 def _one_tool(motions: Sequence[Motion], X_FT: Array | None) -> Array:
     """The one tool (4, 4) of all moves, which the task's own, if there is one, has to be."""
-    found: MoveL | MoveC | MoveJ | None = None
+    found: PoseMove | None = None
     for motion in motions:
-        if not isinstance(motion, MoveL | MoveC | MoveJ):
+        if not isinstance(motion, PoseMove):
             continue
         if found is None:
             found = motion

@@ -9,7 +9,7 @@ from math import ceil, radians, sqrt
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import FlyBy, MoveC, MoveJ, MoveL
+from trajopt_cli.motion import FlyBy, PathMove, PoseMove
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.line import Line
@@ -21,7 +21,7 @@ _FEWEST = 8  # pieces of a corner
 
 
 def chain_of(
-    moves: Sequence[MoveJ | MoveL | MoveC], zones: Mapping[int, FlyBy], tolerance: float
+    moves: Sequence[PoseMove], zones: Mapping[int, FlyBy], tolerance: float
 ) -> tuple[Array, list[int], list[int]]:
     """Poses (n, 4, 4) of the tool from the first move's end to the last's, each within a tenth of tolerance [m] of the
     way; to which move each belongs; and which of them is the end of each move, that of a corner its middle.
@@ -31,7 +31,7 @@ def chain_of(
     X, of, ends = [moves[0].X_WT[None]], [0], [0]
     ways: list[Line | Arc] = []
     for before, move in pairwise(moves):
-        assert isinstance(move, MoveL | MoveC)
+        assert isinstance(move, PathMove)
         way = segment_of(move, before.X_WT)
         assert isinstance(way, Line | Arc)
         ways.append(way)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from trajopt_cli.errors import ErrorKind, InputError
-from trajopt_cli.motion import MoveC, MoveL, Span
+from trajopt_cli.motion import PathMove, Span
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
@@ -119,7 +119,7 @@ def fill_constant_speed(run: Context, modules: Modules) -> None:
     around = Around([entry.spans for entry in entries])
     used: set[int] = set()
     for motion, link in zip(run.motions, run.links, strict=True):
-        if isinstance(motion, MoveL | MoveC) and (found := around(link)):
+        if isinstance(motion, PathMove) and (found := around(link)):
             used |= found
             object.__setattr__(motion, "constant_speed", True)  # still the run's own, as in once.py
     for number, entry in enumerate(entries):

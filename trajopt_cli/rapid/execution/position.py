@@ -15,9 +15,7 @@ from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
-    MoveC,
-    MoveJ,
-    MoveL,
+    PoseMove,
     Settings,
     Speed,
     Tool,
@@ -128,7 +126,7 @@ class Position:
         self.setups: dict[tuple[str, str], Setup] = {}
         self.turned: dict[tuple[Setup, tuple[float, ...]], Setup] = {}
         self.rough: set[frames.Quaternion] = set()
-        self.unplaced: list[tuple[MoveJ | MoveL | MoveC, frames.Frame]] = []
+        self.unplaced: list[tuple[PoseMove, frames.Frame]] = []
         self.pose: Pose | None = None
         self.away = False
         self.joints: Array | None = None
