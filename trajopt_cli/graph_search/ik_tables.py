@@ -20,7 +20,6 @@ from trajopt_cli.graph_search.singular_start import SingularStart, usable
 from trajopt_cli.limits import Couplings
 from trajopt_cli.motion import MoveJ, MoveL, PathMove, motion_name
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.cache_keys import stretch_name
 from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
@@ -374,7 +373,7 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
     alike = replace(problem, freedom=EVERYTHING, coupling=Coupling.FREE)
     for first, last in problem.stations:
         singular = SingularStart.of(axes, problem, first, last) is not None
-        name = stretch_name(problem if singular else alike, first, last)
+        name = (problem if singular else alike).key(first, last)
         ranges = (axes.lower, axes.upper, axes.couplings.rows, axes.couplings.lower, axes.couplings.upper)
         key = blake2b(name + b"".join(x.tobytes() for x in ranges), digest_size=16).digest()
         if key in served:

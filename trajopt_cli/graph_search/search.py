@@ -16,7 +16,6 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
-from trajopt_cli.problem.cache_keys import leg_name, stretch_name
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.settings import (
@@ -343,7 +342,7 @@ def _edges(
     for k, leg in enumerate(problem.legs):
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
         scene = None if avoid is None else avoid.around.scene(leg.motion)
-        name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1), scene
+        name = id(a), id(b), leg.key, problem.passes(k), problem.passes(k + 1), scene
         if name in known:
             edges.append(known[name])
             continue
@@ -501,7 +500,7 @@ def _tables(axes: Axes, problem: Problem, grids: Sequence[Array], avoid: EdgeChe
     known: dict[bytes, IkTable] = {}
     out = []
     for (first, last), d in zip(problem.stations, grids, strict=True):
-        name = stretch_name(problem, first, last) + d.tobytes()
+        name = problem.key(first, last) + d.tobytes()
         if avoid is not None:
             name += avoid.scenes(problem, first, last)
         if name not in known:

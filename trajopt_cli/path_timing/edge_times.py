@@ -20,7 +20,6 @@ from trajopt_cli.path.turning import over_work
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
 from trajopt_cli.path_timing.smooth import rest_time
-from trajopt_cli.problem.cache_keys import leg_name
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.settings import (
     FLIPPED,
@@ -103,7 +102,7 @@ def leg_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs], known: Times
 def leg_name_at(problem: Problem, k: int) -> bytes:
     """Of a leg; of a wait with its pose."""
     X_WF = problem.waypoints[k].X_WF if problem.legs[k].kind is LegKind.DWELL else np.zeros(0)
-    return leg_name(problem.legs[k]) + X_WF.tobytes()
+    return problem.legs[k].key + X_WF.tobytes()
 
 
 def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:

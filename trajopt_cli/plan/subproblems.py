@@ -16,7 +16,6 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.problem.cache_keys import stretch_name
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.settings import OVERLAP, WINDOW
@@ -83,7 +82,7 @@ class Window:
         loads = [leg.load and leg.load.numbers for leg in problem.legs]
         asked = draft.cfx, problem.ties, [leg.units for leg in problem.legs], loads, bodies
         parts = [(np.round(one, 12) + 0.0).tobytes() for one in numbers]  # -0 is 0
-        return b"|".join([*parts, repr(asked).encode(), stretch_name(problem, 0, len(problem.legs))])
+        return b"|".join([*parts, repr(asked).encode(), problem.key(0, len(problem.legs))])
 
 
 def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:

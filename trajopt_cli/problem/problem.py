@@ -100,6 +100,13 @@ class Waypoint:
     conf: ConfData | None = None
     fly_by: FlyBy | None = None
 
+    @cached_property
+    def key(self) -> bytes:
+        """What is asked at it: equal where the same is, wherever it stands in a program."""
+        asked = self.rail, self.written, self.rest, self.conf, self.fly_by
+        parts = [_digits(self.X_WF), repr(asked).encode(), b"" if self.q is None else _digits(self.q)]
+        return b"|".join(parts)
+
 
 @dataclass(frozen=True, eq=False)
 class Leg:
@@ -132,6 +139,22 @@ class Leg:
     units: tuple[UnitMove, ...] = ()
     waits_for: str = ""
     along: tuple[float, float] | None = None
+
+    @cached_property
+    def key(self) -> bytes:
+        """Its way, its caps and its load: equal where the same is asked, wherever it stands in a program."""
+        numbers = self.v_tcp, self.a_tcp, self.v_ori, self.v_rail, self.duration, self.rail_moves, self.acceleration
+        parts = [self.kind.value.encode(), repr((*numbers, self.least, self.along)).encode(), _digits(self.X_FT)]
+        if self.load is not None:
+            parts.append(repr(self.load.numbers).encode())
+        way = self.segment
+        if isinstance(way, Turning):
+            parts, way = [*parts, repr(self.units).encode()], way.way
+        if way is not None:
+            parts.append(_digits(way.pose(np.array([0.0, 1.0]))))
+        if isinstance(way, Arc):
+            parts.append(_digits(way.numbers))
+        return b"|".join(parts)
 
     @property
     def chord(self) -> float:
@@ -208,6 +231,12 @@ class Problem:
         """Whether the rail may move through stop k: no leg beside it holds it still."""
         near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
         return self.plant.robot.has_rail and all(leg.rail_moves for leg in near)
+
+    def key(self, first: int, last: int) -> bytes:
+        """What is asked from one waypoint to another, and at them: equal where it is the same."""
+        held = self.freedom.rail.value, self.freedom.through_stops, self.coupling.value
+        points = [point.key for point in self.waypoints[first : last + 1]]
+        return b"|".join([*points, *(leg.key for leg in self.legs[first:last]), repr(held).encode()])
 
     def motion(self, index: int) -> Motion:
         """The program's motion number index."""
@@ -533,6 +562,10 @@ class _Build:
     def _axes(self, arm: Array) -> Array:
         """All axes (k,) with the rail as written and the arm's joints (6,)."""
         return np.asarray(np.r_[[self._written] if self._has_rail else [], arm])
+
+
+def _digits(values: Array) -> bytes:
+    return (np.round(values, 12) + 0.0).tobytes()  # -0 is 0
 
 
 def _settled(plant: Plant) -> float:

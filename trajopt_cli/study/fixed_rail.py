@@ -16,7 +16,6 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Motion, Move, Program, motion_name, turned_under
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
-from trajopt_cli.problem.cache_keys import leg_name
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.detours import unfolded, with_detours
@@ -75,7 +74,7 @@ class BaselineLeg:
     @property
     def key(self) -> bytes:
         """Equal for legs that ask for the same motion."""
-        return leg_name(self.leg) + self.q_0.tobytes() + self.q_1.tobytes()
+        return self.leg.key + self.q_0.tobytes() + self.q_1.tobytes()
 
     @property
     def lasts(self) -> float:
