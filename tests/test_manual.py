@@ -26,7 +26,7 @@ from xml.etree import ElementTree
 import pytest
 from ruamel.yaml import YAML
 from typer.main import get_command
-from unrefined import IMPROVED, as_it_comes
+from unrefined import IMPROVED, as_it_comes, set_defaults
 
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
@@ -168,7 +168,7 @@ def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
     monkeypatch.chdir(root)
     for name in ("PLANNED", "_NEAR"):  # orders of which no page shows a figure
         monkeypatch.setattr(f"trajopt_cli.study.order.{name}", 0)
-    monkeypatch.setattr("trajopt_cli.graph_search.sequence.SEARCH_APART", 0.4)  # nor of their model
+    set_defaults(monkeypatch, coarse_spacing=0.4)  # nor of their model
     # nor of the nearest neighbour's plan: its order is the model's best, which is planned anyway
     monkeypatch.setattr("trajopt_cli.graph_search.sequence.nearest_order", lambda steps: best_order(steps)[1])
     for name, shown in (("PICTURES", ("rail",)), ("STEP_PICTURES", ())):  # pictures that no page calls by their file

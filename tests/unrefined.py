@@ -10,6 +10,7 @@ import pytest
 from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.plan.initial_plan import InitialPlan
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 
@@ -25,16 +26,18 @@ def as_it_comes(axes: Axes, legal: InitialPlan, *_: object) -> tuple[Problem, It
 def coarse_grids() -> Iterator[None]:
     """Programs of any length are solved on the grids that long ones have: a quarter of the nodes."""
     with pytest.MonkeyPatch.context() as patch:
-        for name in ("SHORT", "FEW_LEGS"):
-            patch.setattr(f"trajopt_cli.nlp.driver.{name}", 0)
+        set_defaults(patch, short_program=0, few_legs=0)
         yield
 
 
 def coarse_search(patch: pytest.MonkeyPatch) -> None:
     """The rail's places are searched on coarse grids and refined once, for who does not ask how good they are."""
-    for name, few in (
-        ("graph_search.search.SEARCH_COARSE", 17), ("graph_search.search.SEARCH_APART", 0.15),
-        ("graph_search.search.SEARCH_FINE", 9), ("plan.rail_refinement.POLISH", 0),
-        ("plan.rail_refinement.REFINE_ROUNDS", 1),
-    ):  # fmt: skip
-        patch.setattr(f"trajopt_cli.{name}", few)
+    set_defaults(patch, coarse_grid=17, coarse_spacing=0.15, fine_grid=9, polished_legs=0)
+    patch.setattr("trajopt_cli.plan.rail_refinement._REFINE_ROUNDS", 1)
+
+
+def set_defaults(patch: pytest.MonkeyPatch, **numbers: float) -> None:
+    """Other numbers for all plants that were given no settings of their own, also those that are there already."""
+    for name, number in numbers.items():
+        assert hasattr(DEFAULT, name), name
+        patch.setitem(vars(DEFAULT), name, number)

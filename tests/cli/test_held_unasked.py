@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from unrefined import set_defaults
 
 from trajopt_cli.cli import run
 
@@ -27,8 +28,8 @@ def test_what_holds_the_rail_unasked_is_said_once(
     gripper: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    for name, few in (("POLISH", 0), ("REFINE_ROUNDS", 1)):  # how good a plan is does not matter
-        monkeypatch.setattr(f"trajopt_cli.plan.rail_refinement.{name}", few)
+    set_defaults(monkeypatch, polished_legs=0)  # how good a plan is does not matter
+    monkeypatch.setattr("trajopt_cli.plan.rail_refinement._REFINE_ROUNDS", 1)
     Path("held.mod").write_text(HELD, encoding="utf-8")
     Path("held.yaml").write_text(CELL + ("" if gripper else "hold_rail: {gripper: false}\n"), encoding="utf-8")
     sentence = (

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import typer
 from loose_arm import written
-from unrefined import IMPROVED, as_it_comes
+from unrefined import IMPROVED, as_it_comes, set_defaults
 
 from trajopt_cli.cli import app, run
 from trajopt_cli.cli.new_files import task
@@ -113,10 +113,10 @@ def test_the_example_of_a_help_works(
     monkeypatch.setattr("trajopt_cli.iiwa.experiments.catalogue.run_experiments", stand_in)
     for place, few in (
         ("study.place.EACH", 3), ("study.place.FEW", 1), ("study.order.PLANNED", 0), ("study.order._NEAR", 0),
-        ("graph_search.sequence.SEARCH_APART", 0.4), ("plan.rail_refinement.POLISH", 0),
-        ("plan.rail_refinement.REFINE_ROUNDS", 1),
+        ("plan.rail_refinement._REFINE_ROUNDS", 1),
     ):  # fmt: skip
         monkeypatch.setattr(f"trajopt_cli.{place}", few)
+    set_defaults(monkeypatch, coarse_spacing=0.4, polished_legs=0)
     for line in lines:
         assert len(line) <= 76
         program, *words = shlex.split(line)

@@ -7,11 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
-from unrefined import coarse_search
+from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.path_timing import path_timing
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import about, duration, timed
 from trajopt_cli.path_timing.path_timing import (
@@ -26,7 +25,7 @@ from trajopt_cli.path_timing.sampled_path import SampledPath, sample_paths
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Coupling, Problem
-from trajopt_cli.trajectories import dense_check
+from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
@@ -87,10 +86,10 @@ def test_runs_driven_together_are_driven_as_alone() -> None:
 
 def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same ratios at the same places, of ways of the tool, joint moves and corners between them."""
-    monkeypatch.setattr(path_timing, "COURSE_LOOKS", 12)
-    monkeypatch.setattr(path_timing, "CORNER_LOOKS", 1)
-    for name, value in (("BRIEF", 12), ("NEAR_LOOK", 1e3)):
-        monkeypatch.setattr(dense_check, name, value)
+    set_defaults(monkeypatch, path_interval_samples=12)
+    set_defaults(monkeypatch, corner_samples=1)
+    set_defaults(monkeypatch, least_samples=12)
+    monkeypatch.setattr(Settings, "fine_sample_step", 1e3)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
         law = time_optimal_law(axes, problem, course, PathMargins.full(axes, len(course.part)))
@@ -127,7 +126,7 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     assert law is not None
     every = range(len(course.parts))
     found = sampled_ratios(axes, problem, course, law, every).tool
-    monkeypatch.setattr(path_timing, "COURSE_LOOKS", 100)
+    set_defaults(monkeypatch, path_interval_samples=100)
     assert found == pytest.approx(sampled_ratios(axes, problem, course, law, every).tool, rel=4e-5)
 
 

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
-from unrefined import IMPROVED, as_it_comes
+from unrefined import IMPROVED, as_it_comes, set_defaults
 
 from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import Array
@@ -18,7 +18,7 @@ from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.enclosure import Range
-from trajopt_cli.settings import BOUND_LEVELS
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import hermite
 
@@ -48,7 +48,7 @@ def case(name: str, zone: str) -> tuple[Program, Plant]:
 def solved(name: str, zone: str, target: Target) -> tuple[Plan, Problem]:
     program, plant = case(name, zone)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("trajopt_cli.plan.rail_refinement.POLISH", 30)  # more saves no more than 0.3 % here
+        set_defaults(patch, polished_legs=30)  # more saves no more than 0.3 % here
         patch.setattr(IMPROVED, as_it_comes)  # these streams are hardly improved
         plan = optimize(program, plant, target)
     assert isinstance(plan, Plan), plan
@@ -71,7 +71,7 @@ def shrunk(cells: lower_bound._Cells, keep: Array) -> lower_bound._Cells:
     return lower_bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
-@pytest.mark.parametrize("level", range(BOUND_LEVELS - 1))
+@pytest.mark.parametrize("level", range(DEFAULT.bound_levels - 1))
 @pytest.mark.parametrize("target", Target)
 @pytest.mark.parametrize("name", ["rail"])
 def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(

@@ -10,7 +10,7 @@ import pytest
 from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.collision.collision_scene import CollisionScene
-from trajopt_cli.settings import CLEAR_AT_ONCE, CLEAR_EVERY, CLEAR_MOST
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.shapes import Capsule, Solid
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, Pieces, sample_times
 
@@ -30,19 +30,19 @@ def rest(T: float, n: int = 7) -> JointProfiles:
 
 
 def test_a_way_and_a_days_rest_is_looked_at_as_the_way_alone() -> None:
-    alone, first = sample_times(way(1.0), CLEAR_EVERY, 1)
-    t, begins = sample_times(Pieces((way(1.0), rest(DAY))), CLEAR_EVERY, 1)
+    alone, first = sample_times(way(1.0), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
+    t, begins = sample_times(Pieces((way(1.0), rest(DAY))), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
     np.testing.assert_array_equal(t[: len(alone)], alone)
     np.testing.assert_array_equal(t[len(alone) :], [1.0 + DAY])
     np.testing.assert_array_equal(t[begins], [0.0, 0.25, 0.75, 1.0])
-    assert np.diff(alone).max() <= CLEAR_EVERY * (1 + 1e-9)
+    assert np.diff(alone).max() <= DEFAULT.clearance_check_step * (1 + 1e-9)
     assert len(alone) == 201
     np.testing.assert_array_equal(first, [0, 50, 150])
 
 
 def test_a_motion_of_a_day_is_looked_at_so_often_and_no_more() -> None:
-    t, begins = sample_times(way(DAY), CLEAR_EVERY, 1)
-    assert len(t) == 3 * CLEAR_MOST + 1
+    t, begins = sample_times(way(DAY), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
+    assert len(t) == 3 * DEFAULT.most_samples + 1
     np.testing.assert_allclose(t[begins], [0.0, 0.25 * DAY, 0.75 * DAY])
     assert (t[0], t[-1]) == (0.0, DAY)
 
@@ -51,7 +51,7 @@ def test_a_motion_of_a_day_is_looked_at_so_often_and_no_more() -> None:
 def test_many_places_take_the_memory_of_some(question: str) -> None:
     plant = replace(plant_with_rail(), obstacles=(POST,), clearance=0.02)
     around = CollisionScene(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
-    q = np.random.default_rng(3).uniform(plant.limits.lower, plant.limits.upper, (4 * CLEAR_AT_ONCE, 7))
+    q = np.random.default_rng(3).uniform(plant.limits.lower, plant.limits.upper, (4 * (DEFAULT.batch // 2), 7))
 
     def peak(rows: int) -> int:
         tracemalloc.start()
@@ -62,14 +62,14 @@ def test_many_places_take_the_memory_of_some(question: str) -> None:
             tracemalloc.stop()
 
     peak(10)
-    assert peak(4 * CLEAR_AT_ONCE) < 2 * peak(CLEAR_AT_ONCE)
+    assert peak(4 * (DEFAULT.batch // 2)) < 2 * peak(DEFAULT.batch // 2)
 
 
 def test_places_in_parts_answer_as_all_at_once() -> None:
     plant = replace(plant_with_rail(), obstacles=(POST,), clearance=0.02)
     around = CollisionScene(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
-    q = np.random.default_rng(4).uniform(plant.limits.lower, plant.limits.upper, (CLEAR_AT_ONCE + 50, 7))
-    tail = slice(CLEAR_AT_ONCE - 20, None)
+    q = np.random.default_rng(4).uniform(plant.limits.lower, plant.limits.upper, ((DEFAULT.batch // 2) + 50, 7))
+    tail = slice((DEFAULT.batch // 2) - 20, None)
     np.testing.assert_array_equal(around.distances(q, 0)[tail], around.distances(q[tail], 0))
     found, wanted = around.contacts(q, 0, 0.05), around.contacts(q[tail], 0, 0.05)
     here = found.row >= tail.start

@@ -23,7 +23,7 @@ from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.proximity.pair import Pair
-from trajopt_cli.settings import CLEAR_MARGIN, HAIR, PAIRS
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate, Margins
@@ -123,12 +123,14 @@ def tip_beside_ball(radius: float = 0.03) -> tuple[Plant, Pair]:
 def distances(pair: Pair, q: Array) -> Array:
     """By pin and coal, less what the planner stays farther away."""
     last = ROOMY.robot.link_names.index("link_6")
-    return pair.distances(link_poses(ROOMY.robot, q)[:, last]) - CLEAR_MARGIN
+    return pair.distances(link_poses(ROOMY.robot, q)[:, last]) - DEFAULT.clearance_margin
 
 
 def tangents(plant: Plant, k: int, q: Array) -> Iterator[tuple[int, dict[str, Array]]]:
     """Of leg k at axes q (m, n): of each node with something near."""
-    found = Tangents.about(CollisionScene(plant, PROGRAM), problem_of(PROGRAM, plant).legs[k], q, np.zeros(len(q)))
+    found = Tangents.about(
+        CollisionScene(plant, PROGRAM), problem_of(PROGRAM, plant).legs[k], q, np.zeros(len(q)), DEFAULT
+    )
     assert found is not None
     assert not found.gradient[:, 1:].any()
     assert (found.least[:, 1:] == -1).all()
@@ -146,7 +148,7 @@ def test_rows_of_joint_moves_are_tangents_of_distances() -> None:
         x, steps = q[node], np.eye(AXES.n) * 1e-5
         rows = [FORMULATION.clear_axes().value({"q": one}, tangent)[0] for one in (x, *(x - steps), *(x + steps))]
         here, *beside = distances(pair, np.array([x, *(x - steps), *(x + steps)]))
-        assert rows[0] == pytest.approx(here - min(HAIR, here), abs=1e-9)
+        assert rows[0] == pytest.approx(here - min(DEFAULT.clearance_margin_nlp, here), abs=1e-9)
         changes = (np.reshape(one, (2, -1)) for one in (rows[1:], beside))
         assert np.diff(next(changes), axis=0) == pytest.approx(np.diff(next(changes), axis=0), abs=2e-9)
         seen += 1
@@ -170,7 +172,7 @@ def test_rows_of_lines_are_tangents_of_distances() -> None:
         joints += 2 * np.pi * np.round((arm[node] - joints) / (2 * np.pi))
         here = distances(pair, AXES.layout.merge(x[:, 1:], joints))
         rows = [FORMULATION.clear_path(track).value({"s": one[0], "d": one[1:]}, p)[0] for one in x]
-        assert rows[0] == pytest.approx(here[0] - HAIR, abs=1e-5)
+        assert rows[0] == pytest.approx(here[0] - DEFAULT.clearance_margin_nlp, abs=1e-5)
         assert np.subtract(rows[2::2], rows[1::2]) == pytest.approx(here[2::2] - here[1::2], abs=2e-9)
         seen += 1
     assert seen > 2
@@ -180,13 +182,13 @@ def test_rows_of_a_robot_without_a_rail_have_no_rail() -> None:
     axes, track = Axes.of(plant_without_rail()), LineSymbols(False)
     line = Line(down(0.5, 0.1, 0.4), down(0.5, 0.2, 0.4))
     arm = axes.inverse(line.pose(np.array([0.3])), np.zeros(1))[0, 0]
-    gradient = np.vstack([np.arange(1.0, 7.0), np.zeros((PAIRS - 1, 6))])
+    gradient = np.vstack([np.arange(1.0, 7.0), np.zeros((DEFAULT.body_pairs - 1, 6))])
     p = {
         "path": track.vector(line, np.linalg.inv(axes.X_WB0), np.eye(4)),
         "branch": axes.robot.expressions.branch(0),
         "near": arm,
         "gradient": gradient,
-        "least": np.full(PAIRS, -1.0),
+        "least": np.full(DEFAULT.body_pairs, -1.0),
     }
     rows = Formulation(axes).clear_path(track).value({"s": 0.3, "d": np.zeros(0)}, p)
     assert rows == pytest.approx(gradient @ arm + 1.0)

@@ -13,7 +13,7 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 from trajopt_cli.collision.collision_scene import CollisionScene, links
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.settings import CLEAR_MARGIN
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.shapes import Box, Capsule, Solid
 
 POST = Solid(Capsule("post", np.array([0.45, 0.3, 0.0]), np.array([0.45, 0.3, 0.7]), 0.05))
@@ -44,7 +44,7 @@ def test_the_links_are_where_pin_has_them(rail: bool) -> None:
 def test_distances_are_those_of_pin_and_coal(rail: bool) -> None:
     plant = crowded(rail)
     q = some_axes(plant, 200)
-    around, wanted = CollisionScene(plant, PROGRAM), by_pin_and_coal(plant, q) - CLEAR_MARGIN
+    around, wanted = CollisionScene(plant, PROGRAM), by_pin_and_coal(plant, q) - DEFAULT.clearance_margin
     found = around.distances(q, 0)
     outside = wanted > 0.02
     assert 20 < outside.sum() < 180
@@ -79,7 +79,7 @@ def test_straight_ways_are_free_where_no_place_on_them_is_not() -> None:
     found = around.free_between(a, b, 0)
     for one, start, end in zip(found, a, b, strict=True):
         way = start + np.linspace(0, 1, 200)[:, None] * (end - start)
-        least = by_pin_and_coal(plant, way).min() - CLEAR_MARGIN
+        least = by_pin_and_coal(plant, way).min() - DEFAULT.clearance_margin
         assert one == (least >= 0) or abs(least) < 2e-3, least  # 200 places leave a few mm of way between them
         assert not one or least >= 0
     assert 5 < found.sum() < 65

@@ -11,7 +11,7 @@ from small_cells import HOME, plant_with_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.constraint_tightening import back_off
 from trajopt_cli.path.line import Line
-from trajopt_cli.settings import START
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg
 from trajopt_cli.trajectories.iterate import Margins
@@ -66,12 +66,12 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     ratios.acceleration[:] = 0.5
     ratios.acceleration[2, 4] = 1.25
     margins = Margins.full(axes.limits, 6, on_path=True)
-    assert back_off(margins, ratios, leg, rail=np.array([3.0]))
+    assert back_off(margins, ratios, leg, DEFAULT, rail=np.array([3.0]))
     own = abs(leg.b[2, 0]) / (3.0 * 0.8**2)
     assert margins.push[2] == pytest.approx(own * (1 - 1.5 * (1 - 1 / 1.25)), rel=3e-4)
     assert np.all(np.delete(margins.push, 2) == 1.0)
-    assert np.all(margins.acceleration == START)
-    assert back_off(Margins.full(axes.limits, 6, on_path=True), ratios, leg)  # elsewhere the nodes are
+    assert np.all(margins.acceleration == DEFAULT.start)
+    assert back_off(Margins.full(axes.limits, 6, on_path=True), ratios, leg, DEFAULT)  # elsewhere the nodes are
 
 
 def test_one_round_leaves_half_of_a_limit_however_much_it_is_passed() -> None:
@@ -83,8 +83,8 @@ def test_one_round_leaves_half_of_a_limit_however_much_it_is_passed() -> None:
     d = np.zeros((2, 1))
     X = np.eye(4)
     path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), s, v, a, d, d, d[1:])
-    assert back_off(margins, check_leg(axes, problem.legs[0], spike), path)
-    assert margins.acceleration[:, 3].tolist() == [0.5 * START, 0.5 * START]
+    assert back_off(margins, check_leg(axes, problem.legs[0], spike), path, DEFAULT)
+    assert margins.acceleration[:, 3].tolist() == [0.5 * DEFAULT.start, 0.5 * DEFAULT.start]
 
 
 def test_a_range_is_not_passed_by_rounding() -> None:
@@ -94,6 +94,6 @@ def test_a_range_is_not_passed_by_rounding() -> None:
     path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), rest, rest, d[0], d, d, d[1:])
     margins, ratios = Margins.full(axes.limits, 1, on_path=True), Ratios.none(axes, 1)
     ratios.position[:] = 1.0 + 2.3e-16
-    assert not back_off(margins, ratios, path)
+    assert not back_off(margins, ratios, path, DEFAULT)
     ratios.position[:] = 1.0 + 1e-6
-    assert back_off(margins, ratios, path)
+    assert back_off(margins, ratios, path, DEFAULT)

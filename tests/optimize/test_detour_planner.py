@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from clear_of import least_along
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
+from unrefined import set_defaults
 
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.collision.edge_collision import EdgeCollision
@@ -27,6 +28,7 @@ from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import RailUnit, Scenario
+from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.trajectories.axes import Axes
 
@@ -214,8 +216,8 @@ def test_passes_that_share_a_text_go_by_the_same_points() -> None:
 def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("trajopt_cli.collision.roadmap.WAY_TREE", 10)
-    monkeypatch.setattr("trajopt_cli.collision.edge_collision.AVOID_FAILS", 2)
+    set_defaults(monkeypatch, detour_tree=10)
+    monkeypatch.setattr(Settings, "detour_failures", 2)
     wall = box("wall", (3.0, 0.1, 3.0), (0.0, 0.35, 0.5))  # across the rail
     found = plan("there", Target.RAPID, wall)
     assert isinstance(found, Infeasible)

@@ -20,7 +20,7 @@ from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.inverse import inverse, solutions
-from trajopt_cli.settings import LINE_NODES, REACH_GRID
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 
 
@@ -253,12 +253,12 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
     axes = Axes.of(plant)
     d = rail_grid(problem, 1, 2, 31)
     table = station_table(axes, problem, 1, 2, d)
-    X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, LINE_NODES))
+    X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, DEFAULT.line_samples))
     line = table.line(0)
     assert line is not None
     held = 0
     for label, arm in zip(table.labels, line, strict=True):
-        for k in range(LINE_NODES):
+        for k in range(DEFAULT.line_samples):
             have = ~np.isnan(arm[k, :, 0])
             if not have.any():
                 continue
@@ -297,7 +297,7 @@ def test_a_line_in_many_short_ones_ends_in_the_same_configurations() -> None:
         problem_of(rapid("\n".join(["MoveJ p_0, v500, fine, tool0;", *some]), data=data), plant)
         for some in (moves[-1:], moves)
     )
-    assert [line_nodes(leg) for leg in (whole.legs[1], parts.legs[1])] == [LINE_NODES, 3]
+    assert [line_nodes(leg, DEFAULT) for leg in (whole.legs[1], parts.legs[1])] == [DEFAULT.line_samples, 3]
     one, many = station_table(axes, whole, 1, 2, d), station_table(axes, parts, 1, 41, d)
     assert [(a.cfx, *a.turns) for a in one.labels] == [(a.cfx, *a.turns) for a in many.labels]
     np.testing.assert_allclose(many.waypoints[-1], one.waypoints[-1], rtol=0, atol=1e-9)
@@ -371,7 +371,7 @@ def test_a_way_longer_than_the_reach_is_served_from_few_places(monkeypatch: pyte
     axes = Axes.of(problem.plant)
     assert max(last - first for first, last in problem.stations) > 10
     assert check_reach(axes, problem) is None
-    assert max(looked) < REACH_GRID
+    assert max(looked) < DEFAULT.reach_grid
 
 
 @pytest.mark.parametrize("wrist", [True, False])

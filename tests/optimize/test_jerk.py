@@ -125,7 +125,7 @@ def test_lines_are_driven_faster_than_by_one_profile(monkeypatch: pytest.MonkeyP
 
     program, plant = rapid(LINE, data=POINTS), limited(plant_without_rail())
     plan = without_rail(LINE, Target.RAPID)
-    monkeypatch.setattr(solve, "sharpened", lambda axes, legal, *_: legal.draft)
+    monkeypatch.setattr(solve, "refine_laws", lambda axes, legal, *_: legal.draft)
     assert plan.duration < planned(program, Target.RAPID, plant).duration - 5e-3
 
 

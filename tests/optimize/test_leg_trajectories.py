@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.nlp.assemble import rows_of
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.line import Line
-from trajopt_cli.settings import ROW_APART, ROW_EVERY
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.timing.double_integrator import reach, shortest_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import (
@@ -219,7 +219,7 @@ def test_profiles_arrive_within_limits_with_their_switches_apart(collide: float,
         later = wanted + np.array([0.0, 1e-4, 9e-4])[:, None]
         if np.any(reach(later, qd_0, qd_1, V, A) < D) or np.any(reach(later, -qd_0, -qd_1, V, A) < -D):
             continue  # a blocked time lies between, or begins at once: the move cannot be lengthened by a hair
-        leg = profiles(q_0, qd_0, q_1, qd_1, V, A, wanted, common=False)
+        leg = profiles(q_0, qd_0, q_1, qd_1, V, A, wanted, common=False, settings=DEFAULT)
         assert wanted - 1e-12 <= leg.T <= wanted + 1e-3
         check(leg, q_1, qd_1)
 
@@ -232,7 +232,7 @@ def test_axes_at_their_top_speed_stay_under_it_when_their_switches_are_moved_apa
     top_a[1] = V[1] / (V[0] / A[0] + 1e-5)
     way = V * (T - V / top_a) * np.array([1, 1, 0.3, 0.3, 0.3, 0.3, 0.3])
     zero = np.zeros(7)
-    leg = profiles(zero, zero, way, zero, V, top_a, T, common=False)
+    leg = profiles(zero, zero, way, zero, V, top_a, T, common=False, settings=DEFAULT)
     x, v, top = ends(leg)
     np.testing.assert_allclose(x, way, atol=1e-11)
     np.testing.assert_allclose(v, zero, atol=1e-11)
@@ -246,7 +246,7 @@ def test_a_common_profile_is_straight_and_no_faster_than_the_slowest_axis() -> N
     for _ in range(100):
         q_0 = rng.normal(size=7)
         way = rng.normal(size=7) * 10 ** rng.uniform(-3, 0)
-        leg = profiles(q_0, zero, q_0 + way, zero, V, A, 0.0, common=True)
+        leg = profiles(q_0, zero, q_0 + way, zero, V, A, 0.0, common=True, settings=DEFAULT)
         check(leg, q_0 + way, zero)
         v, a = np.min(V / np.abs(way)), np.min(A / np.abs(way))
         T = 1 / v + v / a if v * v < a else 2 / np.sqrt(a)
@@ -261,9 +261,9 @@ def test_a_common_cruise_too_short_to_write_becomes_one_switch() -> None:
     way = np.zeros(7)
     for cruise in (1e-6, 1.9e-5, 4e-5):
         way[0] = V[0] ** 2 / A[0] + V[0] * cruise
-        leg = profiles(zero, zero, way, zero, V, A, 0.0, common=True)
+        leg = profiles(zero, zero, way, zero, V, A, 0.0, common=True, settings=DEFAULT)
         check(leg, way, zero)
-    still = profiles(zero, zero, zero, zero, V, A, 0.0, common=True)
+    still = profiles(zero, zero, zero, zero, V, A, 0.0, common=True, settings=DEFAULT)
     assert not np.any(still.accelerations)
 
 
@@ -280,7 +280,7 @@ def test_profiles_are_continuous_where_they_switch() -> None:
     rng = np.random.default_rng(6)
     axes = mounted("as it is")
     for q_0, qd_0, q_1, qd_1 in moves(rng, 20, 1e-2):
-        leg = profiles(q_0, qd_0, q_1, qd_1, V, A, 0.0, common=False)
+        leg = profiles(q_0, qd_0, q_1, qd_1, V, A, 0.0, common=False, settings=DEFAULT)
         t = leg.breaks()
         left, right = leg.sample(axes, t, right=False), leg.sample(axes, t)
         np.testing.assert_allclose(left.q, right.q, rtol=0, atol=1e-12)
@@ -307,8 +307,8 @@ def written() -> tuple[Axes, list[object], Array]:
     dwell = path_leg(axes, 0, (0.45, 0.55), dwell=True)
     zero = np.zeros(7)
     home = np.r_[0.0, 0, 0, 0, 0, np.pi / 6, 0]
-    a = profiles(home, zero, begin.q[0], begin.qd[0], V, A, 0.0, common=False)
-    b = profiles(end.q[0], end.qd[0], home, zero, V, A, 0.0, common=False)
+    a = profiles(home, zero, begin.q[0], begin.qd[0], V, A, 0.0, common=False, settings=DEFAULT)
+    b = profiles(end.q[0], end.qd[0], home, zero, V, A, 0.0, common=False, settings=DEFAULT)
     c = hold(0.123456, home)
     assert dwell.N == line.N
     return axes, [a, line, b, c], home
@@ -324,8 +324,8 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     switches = np.concatenate([bound + leg.breaks() for bound, leg in zip(bounds, legs, strict=False)])
     nearest = np.min(np.abs(switches[:, None] - t), axis=1)
     assert nearest.max() < 1e-9
-    grid = np.arange(int(t[-1] / ROW_EVERY) + 1) * ROW_EVERY
-    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= ROW_APART * 1.000001
+    grid = np.arange(int(t[-1] / DEFAULT.row_step) + 1) * DEFAULT.row_step
+    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= DEFAULT.least_row_step * 1.000001
     at_rest = [k for k, leg in enumerate(legs) if leg.resting().all()]
     assert len(at_rest) == 1
     (rest,) = at_rest
@@ -335,7 +335,7 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     free &= ~inside
     assert np.min(np.abs(grid[free][:, None] - t), axis=1).max() < 1e-12
     assert np.sum(free) > 500
-    assert np.all(np.diff(t)[t[:-1] != bounds[rest]] <= ROW_EVERY + ROW_APART)
+    assert np.all(np.diff(t)[t[:-1] != bounds[rest]] <= DEFAULT.row_step + DEFAULT.least_row_step)
     np.testing.assert_array_equal(trajectory.q[-1], home)
     assert not np.any(trajectory.qd[-1])
 
@@ -371,7 +371,7 @@ def test_without_a_rail_six_axes_are_written() -> None:
     axes = Axes.of(plant_without_rail())
     zero = np.zeros(6)
     q = np.full(6, 0.3)
-    leg = profiles(zero, zero, q, zero, axes.velocity, axes.acceleration, 0.0, common=False)
+    leg = profiles(zero, zero, q, zero, axes.velocity, axes.acceleration, 0.0, common=False, settings=DEFAULT)
     trajectory, _ = rows_of(axes, [leg], q)
     assert trajectory.names == tuple(f"joint_{i}" for i in range(1, 7))
     np.testing.assert_allclose(trajectory.q[-1], q)

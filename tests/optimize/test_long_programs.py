@@ -7,11 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import down, plant_with_rail, problem_of, rapid
-from unrefined import coarse_search
+from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import wxyz_from_rotation
-from trajopt_cli.graph_search import search as searching
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
 from trajopt_cli.plan.rail_refinement import refine_rail
@@ -43,8 +42,8 @@ def test_windows_find_what_the_whole_search_finds(monkeypatch: pytest.MonkeyPatc
     problem = places([*np.random.default_rng(4).uniform(0.1, 1.8, 12)], plant_with_rail())
     axes = Axes.of(problem.plant)
     whole = search(axes, problem)
-    monkeypatch.setattr(searching, "SEARCH_LEGS", 15)
-    monkeypatch.setattr(searching, "SEARCH_AHEAD", 6)
+    set_defaults(monkeypatch, searched_legs=15)
+    set_defaults(monkeypatch, overlapping_legs=6)
     parts = search(axes, problem)
     assert whole is not None
     assert parts is not None
@@ -65,8 +64,8 @@ def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypat
     assert chain is not None
     legal = duration(timed(axes, problem, refine_rail(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
     whole = lower_bound.lower_bound(axes, problem, legal)
-    monkeypatch.setattr(lower_bound, "BOUND_HOPS", 8)
-    monkeypatch.setattr(lower_bound, "BOUND_WINDOW", 4)
+    set_defaults(monkeypatch, bound_legs=8)
+    set_defaults(monkeypatch, bound_window=4)
     for aim in (legal, 1.5 * legal):
         parts = lower_bound.lower_bound(axes, problem, aim)
         assert 0.95 * whole < parts < legal

@@ -16,7 +16,7 @@ from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.settings import ELBOW
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
@@ -137,7 +137,7 @@ def test_a_line_to_the_nearly_stretched_arm_is_slow_not_out_of_reach(plant: Plan
     text = r"ConfJ \Off; ConfL \Off; MoveJ p_b, v2500, fine, tool0; MoveL p_far, v2500, fine, tool0;"
     plan = optimize(rapid(text, data=ALONG), plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan
-    assert plant.robot.walls(plan.trajectory.q[-1:, 1:])[0][0] > ELBOW
+    assert plant.robot.walls(plan.trajectory.q[-1:, 1:])[0][0] > DEFAULT.elbow
 
 
 @pytest.mark.parametrize("target", Target)

@@ -18,7 +18,7 @@ from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.settings import ROOMS
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.route import Route
 
@@ -119,7 +119,7 @@ def test_a_time_far_too_short_is_refused_without_trying_narrower_ranges(monkeypa
 
     monkeypatch.setattr("trajopt_cli.plan.initial_plan.search", counted)
     body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500\\T:={}, fine, tool0;"
-    for T, count in ((0.01, 1), (0.1, len(ROOMS))):
+    for T, count in ((0.01, 1), (0.1, len(DEFAULT.range_shares))):
         searched.clear()
         answer = optimize(rapid(body.format(T)), plant_with_rail(), Target.RAPID, FIXED_RAIL, bounded=False)
         assert isinstance(answer, Infeasible), answer

@@ -18,7 +18,7 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.settings import RUN_NODES
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import Pieces
 
@@ -47,7 +47,7 @@ def strong(speed: float, acceleration: float) -> Plant:
     )
 
 
-def driven(body: str, plant: Plant, nodes: int = RUN_NODES) -> tuple[Axes, Problem, dict[int, Pieces]]:
+def driven(body: str, plant: Plant, nodes: int = DEFAULT.run_nodes) -> tuple[Axes, Problem, dict[int, Pieces]]:
     """The motions of the run behind the approach."""
     rail = plant.robot.has_rail
     data = DATA.format(y=600 if rail else 100, rail=RAIL if rail else OPEN, far="650" if rail else OPEN)
@@ -63,7 +63,7 @@ def driven(body: str, plant: Plant, nodes: int = RUN_NODES) -> tuple[Axes, Probl
     return axes, problem, found
 
 
-def time_of(body: str, plant: Plant, nodes: int = RUN_NODES) -> float:
+def time_of(body: str, plant: Plant, nodes: int = DEFAULT.run_nodes) -> float:
     return sum(motion.T for motion in driven(body, plant, nodes)[2].values())
 
 

@@ -13,13 +13,12 @@ from pathlib import Path
 import casadi as ca
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
-from unrefined import coarse_search
+from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.cli import run
 from trajopt_cli.nlp.driver import Refiner, Stage, Stopped
 from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.plan import subproblems
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import refine
 from trajopt_cli.problem.progress import Progress
@@ -103,7 +102,7 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
         legs = [type(motion)(**{**vars(motion), "T": 0.9 * motion.T}) for motion in draft.legs if motion is not None]
         return Iterate(draft.q, draft.qd, draft.cfx, tuple(legs))
 
-    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    set_defaults(monkeypatch, window_legs=4)
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
     monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", solve)

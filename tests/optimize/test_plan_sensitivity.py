@@ -19,7 +19,7 @@ from trajopt_cli.plan.plan_sensitivity import Effect, PlanSensitivity, _SolvedWi
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.settings import SMALL
+from trajopt_cli.settings import DEFAULT
 
 pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
@@ -294,4 +294,4 @@ def test_first_order_is_told_of_the_whole_step() -> None:
     program, plant, _, again = station(Target.STREAM)
     whole, half = (again.answer(limit(program, plant, "acceleration", 2, by), True).first_order for by in (0.1, 0.05))
     assert whole is not None
-    assert half == pytest.approx(whole / 2, rel=SMALL * 0.1)
+    assert half == pytest.approx(whole / 2, rel=DEFAULT.small_change * 0.1)

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from small_cells import down, plant_with_rail, plant_without_rail, problem_of, rapid
+from unrefined import set_defaults
 
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.path.joint_corner import JointCorner
-from trajopt_cli.path_timing import sampled_path
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
@@ -105,7 +105,7 @@ def plant(request: pytest.FixtureRequest) -> Plant:
 @pytest.fixture
 def dense(monkeypatch: pytest.MonkeyPatch) -> None:
     """Many nodes in a corner's parts, for differences of neighbours."""
-    monkeypatch.setattr(sampled_path, "CORNER_PART", 40)
+    set_defaults(monkeypatch, corner_nodes=40)
 
 
 def rows(of: SampledPath) -> list[slice]:

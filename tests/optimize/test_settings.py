@@ -1,18 +1,21 @@
-"""Every number that was chosen stands in the one table, with a word on what was measured."""
+"""Every number that was chosen is a field of one frozen value, with a word on its unit and what was measured."""
 
 from __future__ import annotations
 
 import ast
 import re
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
 
 from trajopt_cli import settings
+from trajopt_cli.settings import Settings
 
 PACKAGE = Path(settings.__file__).parent
 TABLE = PACKAGE / "settings.py"
 ROOMS = ("bound", "collision", "graph_search", "nlp", "path_timing", "plan", "trajectories")
+MODULES = sorted(path for room in ROOMS for path in (PACKAGE / room).rglob("*.py"))
 
 
 def numbers(path: Path) -> list[str]:
@@ -27,31 +30,27 @@ def numbers(path: Path) -> list[str]:
     return found
 
 
-MODULES = sorted(path for room in ROOMS for path in (PACKAGE / room).glob("*.py"))
-
-
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: f"{path.parent.name}/{path.name}")
-def test_no_module_keeps_a_number_of_its_own(path: Path) -> None:
+def test_no_module_has_a_number_for_others(path: Path) -> None:
     assert numbers(path) == []
 
 
-def test_every_number_says_what_was_measured() -> None:
-    """In the comment on its line and on the lines under it."""
+def test_there_are_few_and_each_has_a_comment() -> None:
+    named = {one.name for one in fields(Settings)}
+    assert len(named) <= 80
     text = TABLE.read_text(encoding="utf-8")
-    entries = re.split(r"^(?=[A-Z_]+(?:: [^=]+)? = )", text, flags=re.M)[1:]
-    assert len(entries) > 75
-    assert [entry.split(" = ")[0] for entry in entries if not re.search("[Mm]easured", entry)] == []
+    assert {name for name in named if not re.search(rf"^    {name}: .*  # \w", text, re.M)} == set()
 
 
 def test_every_number_is_used() -> None:
     used = {
-        word for path in PACKAGE.rglob("*.py") if path != TABLE for word in re.findall(r"\w+", path.read_text("utf-8"))
+        word
+        for path in PACKAGE.rglob("*.py")
+        if path != TABLE
+        for word in re.findall(r"(?:settings|DEFAULT)\.(\w+)", path.read_text("utf-8"))
     }
-    table = ast.parse(TABLE.read_text(encoding="utf-8"))
-    names = [node.targets[0].id for node in table.body if isinstance(node, ast.Assign)]  # type: ignore[attr-defined]
-    assert [name for name in names if name not in used] == []
-
-
-def test_no_number_is_set_twice() -> None:
-    names = numbers(TABLE)
-    assert sorted(names) == sorted(set(names))
+    text = TABLE.read_text(encoding="utf-8")
+    derived = [name for name, one in vars(Settings).items() if isinstance(one, property)]
+    names = [*(one.name for one in fields(Settings)), *derived]
+    assert [name for name in names if name not in used and f"self.{name}" not in text] == []
+    assert len(derived) > 20

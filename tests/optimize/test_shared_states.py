@@ -11,12 +11,12 @@ from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.graph_search import shared_states
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
 from trajopt_cli.plan import optimize
 from trajopt_cli.plan.subproblems import pieces
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.settings import DEFAULT
 
 # A loop of three passes; a loop with a way in and out; two routines called in turns; one target twice in a row;
 # targets met in changing orders, which leave nodes with three neighbours.
@@ -79,7 +79,7 @@ def test_the_best_chain_that_keeps_the_ties_is_found(count: int, ties: Ties) -> 
     for _ in range(5):
         states, edges, through = chain(rng, count, ties)
         best = min(cost_of(edges, path) for path in every_path(states, ties))
-        cost, path = best_tied(states, edges, through, ties)
+        cost, path = best_tied(states, edges, through, ties, DEFAULT.tie_candidates)
         assert cost == pytest.approx(best, abs=1e-12)
         if np.isfinite(best):
             assert kept(states, tuple(path), ties)
@@ -89,7 +89,7 @@ def test_the_best_chain_that_keeps_the_ties_is_found(count: int, ties: Ties) -> 
 def test_ties_without_a_state_in_common_have_no_chain() -> None:
     states = [np.full((2, 7), float(k)) for k in range(3)]
     edges, through = [np.zeros((2, 2))] * 2, [np.zeros(2)] * 3
-    assert best_tied(states, edges, through, ((0, 2),)) == (np.inf, [])
+    assert best_tied(states, edges, through, ((0, 2),), DEFAULT.tie_candidates) == (np.inf, [])
 
 
 NEAR = """CONST robtarget p_up:=[[500,600,450],[0,0,1,0],[0,0,0,0],[460,9E9,9E9,9E9,9E9,9E9]];
@@ -130,16 +130,14 @@ def test_a_tie_that_cannot_be_kept_is_said(monkeypatch: pytest.MonkeyPatch) -> N
     assert str(answer).endswith("in one configuration for all passes; --loops unroll asks for less")
 
 
-def test_beyond_three_neighbours_candidates_are_tried_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_beyond_three_neighbours_candidates_are_tried_one_by_one() -> None:
     """With none to try but the first guess the answer is no better, and sometimes worse."""
     count, ties = LOOPS[5]
     worse = 0
     for seed in range(10):
         given = chain(np.random.default_rng(seed), count, ties)
-        cost = best_tied(*given, ties)[0]
-        with monkeypatch.context() as patch:
-            patch.setattr(shared_states, "CANDIDATES", 0)
-            guess = best_tied(*given, ties)[0]
+        cost = best_tied(*given, ties, DEFAULT.tie_candidates)[0]
+        guess = best_tied(*given, ties, 0)[0]
         assert cost <= guess
         worse += cost < guess
     assert worse

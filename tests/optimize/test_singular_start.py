@@ -19,7 +19,7 @@ from trajopt_cli.plan import check_feasible, optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.settings import LINE_NODES, SEARCH_COARSE
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.route import Route
 
@@ -134,14 +134,14 @@ def test_the_table_holds_the_joints_given_and_then_the_line() -> None:
     plant = plant_without_rail()
     problem = problem_of(departure(IN_PLANE, (0, 0, 0, 180, 0, 180)), plant)
     axes = Axes.of(plant)
-    d = rail_grid(problem, 1, 2, SEARCH_COARSE)
+    d = rail_grid(problem, 1, 2, DEFAULT.coarse_grid)
     table = station_table(axes, problem, 1, 2, d)
     line = table.line(0)
     assert line is not None
     assert len(table.labels) == len(line) == 1
     q = line[0, :, 0]
     np.testing.assert_allclose(q[0], np.radians([0, 0, 0, 180, 0, 180]), atol=1e-12)
-    X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, LINE_NODES))
+    X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, DEFAULT.line_samples))
     np.testing.assert_allclose(axes.forward(q), X, rtol=0, atol=1e-9)
     assert np.abs(np.diff(q, axis=0)).max() < 0.1
 

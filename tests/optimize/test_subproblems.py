@@ -10,13 +10,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
-from unrefined import coarse_search
+from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.motion import Program
 from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, Stage, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.plan import local_refinement, subproblems
+from trajopt_cli.plan import local_refinement
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import SweepReport, WindowSweeps, refine
 from trajopt_cli.plan.subproblems import Span, Window, pieces, red_black
@@ -87,7 +87,7 @@ def swept(legal: InitialPlan, tally: SweepReport | None = None) -> Iterate:
 
 @pytest.mark.parametrize("most", [4, 5, 14])
 def test_windows_cover_the_whole_and_one_anothers_borders(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(subproblems, "WINDOW", most)
+    set_defaults(monkeypatch, window_legs=most)
     problem = problem_of(program(0, 300, 600, 0), plant_with_rail())
     even, odd = red_black(problem)
     assert [first for first, _ in even] + [13] == [0] + [last for _, last in even]
@@ -102,7 +102,7 @@ def test_windows_cover_the_whole_and_one_anothers_borders(most: int, monkeypatch
 
 
 def test_no_window_leaves_its_piece(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(subproblems, "WINDOW", 2)
+    set_defaults(monkeypatch, window_legs=2)
     problem = problem_of(program(0, 300, home="MoveAbsJ j_home, v2500, fine, tool0;\n"), plant_with_rail())
     assert pieces(problem) == [(0, 4), (4, 8)]
     assert all(last <= 4 or first >= 4 for spans in red_black(problem) for first, last in spans)
@@ -131,7 +131,7 @@ def test_a_window_that_fails_changes_nothing(monkeypatch: pytest.MonkeyPatch) ->
             raise NotConverged("no")
         return quicker(problem, draft)
 
-    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    set_defaults(monkeypatch, window_legs=4)
     stand_in(monkeypatch, solve)
     legal = base(0, 300, 600)
     even, _ = red_black(legal.problem)
@@ -173,7 +173,7 @@ def test_the_start_that_leads_farthest_goes_on_and_the_first_that_gains_where_le
         legs = tuple(replace(motion, T=by) for motion in draft.legs if motion is not None)
         return Stage(replace(draft, legs=legs), [], [])
 
-    monkeypatch.setattr(local_refinement, "FEW_LEGS", few)
+    set_defaults(monkeypatch, few_legs=few)
     stand_in(monkeypatch, lambda _, draft: draft)
     monkeypatch.setattr(Refiner, "begun", begun)
     found = [motion.T for motion in swept(legal).legs if motion]
@@ -190,7 +190,7 @@ def test_equal_windows_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_order_of_windows_side_by_side_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    set_defaults(monkeypatch, window_legs=4)
     stand_in(monkeypatch, quicker)
     legal = base(0, 300, 600)
     forth = swept(legal)
@@ -206,7 +206,7 @@ def test_the_order_of_windows_side_by_side_does_not_matter(monkeypatch: pytest.M
 
 def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
     """A window is solved again only where one over its borders gained something since."""
-    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    set_defaults(monkeypatch, window_legs=4)
     gains = iter([0.9, 0.9, 0.9, 0.9, 0.9] + [1.0] * 50)
 
     def solve(problem: Problem, draft: Iterate) -> Iterate:
@@ -222,7 +222,7 @@ def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(subproblems, "WINDOW", 4)
+    set_defaults(monkeypatch, window_legs=4)
     stand_in(monkeypatch, quicker)
     legal, found = base(0, 300, 600), []
     for max_workers in (1, 3):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from heavy_cells import START, first_axis_inertia, heavy
 from small_cells import problem_of, rapid
+from unrefined import set_defaults
 
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import TcpCaps
@@ -185,7 +186,7 @@ def test_the_measure_of_a_torque_is_what_gravity_leaves() -> None:
 
 
 def test_a_given_time_and_limited_jerk_keep_torques_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("trajopt_cli.plan.min_effort.EASE_ROUNDS", 1)  # how gentle it is does not matter
+    set_defaults(monkeypatch, effort_rounds=1)  # how gentle it is does not matter
     program, plant = rapid(BODY, data=DATA), heavy()
     slow = planned(program, plant, Target.RAPID, objective=LeastEffort(1.4))
     assert slow.duration == pytest.approx(1.4)

@@ -18,7 +18,7 @@ from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind
-from trajopt_cli.settings import DAMPED_AS_MUCH, DAMPING
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
@@ -161,8 +161,8 @@ def test_a_slow_joint_move_is_damped_as_much_more_as_it_is_slower(program: Trans
         return [weight for indices, weight in slow.nlp._damped if of >= set(indices.tolist())]
 
     assert len(weights(0.5)) == N_JOINT
-    np.testing.assert_allclose(weights(0.5), DAMPING)  # an even grid: each interval as much
-    np.testing.assert_allclose(weights(50.0), 50.0 / DAMPED_AS_MUCH * DAMPING)
+    np.testing.assert_allclose(weights(0.5), DEFAULT.damping)  # an even grid: each interval as much
+    np.testing.assert_allclose(weights(50.0), 50.0 / 1.25 * DEFAULT.damping)
 
 
 def test_a_programmed_time_is_no_variable() -> None:

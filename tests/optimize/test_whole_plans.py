@@ -21,7 +21,7 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAI
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.enclosure import Range
-from trajopt_cli.settings import BOUND_LEVELS
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.profiles import profiles
 from trajopt_cli.trajectory import Trajectory
@@ -129,7 +129,7 @@ def shrunk(cells: lower_bound._Cells, keep: Array) -> lower_bound._Cells:
     return lower_bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
-@pytest.mark.parametrize("level", range(BOUND_LEVELS))
+@pytest.mark.parametrize("level", range(DEFAULT.bound_levels))
 @pytest.mark.parametrize("target", Target)
 def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(target: Target, level: int) -> None:
     program, plant = station()
@@ -153,7 +153,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         run = lower_bound._run(axes, problem, k, k + 1)
         T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
-        if level == BOUND_LEVELS - 1 and leg.duration is None:
+        if level == DEFAULT.bound_levels - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])
 
 
@@ -298,7 +298,7 @@ def test_rounding_far_along_a_rail_is_no_limit_that_is_passed() -> None:
     axes = Axes.of(plant_with_rail((-0.2, 39.8)))
     for end in np.linspace(38.0, 39.0, 12):
         q_1 = np.array([end, 0.1, 0.2, -0.3, 0.4, 0.5, 0.6])
-        leg = profiles(np.zeros(7), np.zeros(7), q_1, np.zeros(7), axes.velocity, axes.acceleration, 0.0, common=True)
+        leg = profiles(np.zeros(7), np.zeros(7), q_1, np.zeros(7), axes.velocity, axes.acceleration, 0.0, True, DEFAULT)
         assert not len(_passing(axes, rows_of(axes, [leg], q_1)[0]))
 
 

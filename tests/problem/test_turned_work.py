@@ -11,7 +11,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from small_cells import plant_with_rail, rapid
-from unrefined import coarse_search
+from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.egm import stream_of
@@ -64,7 +64,7 @@ PROGRAM = program()
 @cache
 def plan(target: Target) -> Plan:
     with pytest.MonkeyPatch.context() as patch:  # what leads to its end takes at most 42, the rest leads nowhere
-        patch.setattr("trajopt_cli.nlp.driver.MOST_ITERATIONS", 45)
+        set_defaults(patch, most_iterations=45)
         coarse_search(patch)
         found = optimize(PROGRAM, PLANT, target)
     assert isinstance(found, Plan)

@@ -22,23 +22,12 @@ from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.robot.enclosure import Enclosure, Range
-from trajopt_cli.settings import (
-    BOUND_AIM,
-    BOUND_CHUNK,
-    BOUND_COARSE,
-    BOUND_HOPS,
-    BOUND_LEVELS,
-    BOUND_LIKELY,
-    BOUND_ORDER,
-    BOUND_RAIL,
-    BOUND_SPEEDS,
-    BOUND_WINDOW,
-    FEW_PAIRS,
-    MOST_PAIRS,
-    WINDOW_PAIRS,
-)
 from trajopt_cli.timing.double_integrator import reach, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
+
+_BOUND_LIKELY = 8  # cells behind each that are looked at first where only the least time is asked for.
+_BOUND_SPEEDS = 4  # velocity ranges from -V to V at the first level, doubled per level.
+_BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest.
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,11 +82,12 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
     are left, that value is the bound, whatever the incumbent's quality.
     """
+    settings = axes.settings
     chain = _chain(axes, problem)
     refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {})
     zeros = [np.zeros(0)] * len(chain.places)
-    if len(chain.hops) <= BOUND_HOPS:
-        return refinement.of(chain, 0, None, zeros, incumbent, BOUND_AIM * incumbent)[0]
+    if len(chain.hops) <= settings.bound_legs:
+        return refinement.of(chain, 0, None, zeros, incumbent, settings.bound_aim * incumbent)[0]
     # long programs in windows: what is ahead of each window is known from the first level
     cells, ahead = refinement.ahead(chain)
     least = [float(np.min(x, initial=np.inf)) for x in ahead]
@@ -105,9 +95,9 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
         return incumbent
     begin, spent, best = 0, ahead[0] * 0.0, least[0]
     while begin < len(chain.hops):
-        end = _cut(chain, begin)
+        end = _cut(chain, begin, settings.bound_window)
         share = (least[begin] - least[end]) / least[0]
-        aims = (best + max(share * (aim - least[0]), 0.0) for aim in (incumbent, BOUND_AIM * incumbent))
+        aims = (best + max(share * (aim - least[0]), 0.0) for aim in (incumbent, settings.bound_aim * incumbent))
         keys = cells[begin].key, cells[end].key
         _, reached = refinement.of(_part(chain, begin, end), begin, (keys, spent), ahead[begin : end + 1], *aims)
         assert reached is not None
@@ -116,9 +106,9 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     return min(best, incumbent)
 
 
-def _cut(chain: _Chain, begin: int) -> int:
-    """Where a window of the chain ends: at a stop."""
-    for end in range(begin + BOUND_WINDOW, len(chain.hops)):
+def _cut(chain: _Chain, begin: int, window: int) -> int:
+    """Where a window of the chain ends: at a stop, at least so many legs on."""
+    for end in range(begin + window, len(chain.hops)):
         if chain.places[end].gate is None and not any(i < end < j for i, j in chain.direct):
             return end
     return len(chain.hops)
@@ -167,7 +157,7 @@ class _Refinement:
         known: of the first level, the least time from there to the end. Also the least time spent at each cell of the
         first level at the last place. Without ends nothing is spent, and nothing comes behind.
         """
-        axes, problem = self.axes, self.problem
+        axes, problem, settings = self.axes, self.problem, self.axes.settings
         keep: list[IndexArray | None] = [None] * len(chain.places)
         ahead: list[Array | None] = [None] * len(chain.places)
         dead = np.isinf(known[-1]) if ends is not None else np.zeros(0, dtype=bool)
@@ -179,12 +169,12 @@ class _Refinement:
         reached = None if ends is None else left(aim)
         start = aim if ends is None else float(np.min(ends[1] + known[0]))
         best = 0.0 if ends is None else start
-        for level in range(BOUND_LEVELS if axes.layout.has_rail else 1):  # only rails have anything to halve
+        for level in range(settings.bound_levels if axes.layout.has_rail else 1):  # only rails have anything to halve
             cells = self._cells(chain, first, level, keep)
             if any(not len(c.key) for c in cells):
                 return aim, reached
             pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
-            if level and pairs > MOST_PAIRS:
+            if level and pairs > settings.most_pairs:
                 break
             parents = [
                 (np.zeros(len(c.key)) if ends is None else at_first)
@@ -209,9 +199,9 @@ class _Refinement:
             next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
                 a * b for a, b in pairwise([len(x) for x in keep if x is not None])
             )
-            if ends is not None and next_pairs > WINDOW_PAIRS:
+            if ends is not None and next_pairs > settings.bound_pairs:
                 break
-            if best < lower_aim < aim and next_pairs > FEW_PAIRS:
+            if best < lower_aim < aim and next_pairs > settings.few_pairs:
                 aim = lower_aim
         return best, reached
 
@@ -240,7 +230,7 @@ def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead:
     gap = _gap(axes, run, a, b, slice(None)) + ahead
     if run.branch:
         gap[a.key[:, :1] != b.key[:, 0]] = np.inf
-    few = min(BOUND_LIKELY, gap.shape[1])
+    few = min(_BOUND_LIKELY, gap.shape[1])
     ib = np.argpartition(gap, few - 1, axis=1)[:, :few].ravel()
     ia = np.repeat(np.arange(len(out)), few)
     ia, ib = (x[np.isfinite(gap[ia, ib])] for x in (ia, ib))
@@ -340,18 +330,19 @@ def _rail_at(axes: Axes, problem: Problem, k: int) -> tuple[float, float]:
 
 def _grid(axes: Axes, problem: Problem, place: _Place) -> Array:
     """Ends of the rail intervals at a place: those within the arm's reach, whole cells of the first level."""
+    settings = axes.settings
     low, high = place.rail
     if low == high or (place.gate is None and problem.waypoints[place.k].q is not None):
         return np.array([low, high])
-    n = max(1, int(np.ceil((high - low) / BOUND_RAIL)))
-    n = -(-n // BOUND_COARSE) * BOUND_COARSE
+    n = max(1, int(np.ceil((high - low) / settings.bound_rail)))
+    n = -(-n // settings.bound_coarse) * settings.bound_coarse
     d = np.linspace(low, high, n + 1)
     X_WF = problem.waypoints[place.k].X_WF if place.gate is None else place.gate.X_WF
     near = np.clip(axes.robot.rail_within(X_WF[None])[0], low, high)
     first, last = (int(np.searchsorted(d, at)) for at in near)
-    first = max(first - 1, 0) // BOUND_COARSE * BOUND_COARSE
-    last = min(-(-(last + 1) // BOUND_COARSE) * BOUND_COARSE, n)
-    return d[first : max(last, first + BOUND_COARSE) + 1]
+    first = max(first - 1, 0) // settings.bound_coarse * settings.bound_coarse
+    last = min(-(-(last + 1) // settings.bound_coarse) * settings.bound_coarse, n)
+    return d[first : max(last, first + settings.bound_coarse) + 1]
 
 
 def _parent_values(cells: _Cells, parent_keys: IndexArray, values: Array) -> Array:
@@ -387,11 +378,11 @@ def _cells(
         cache[name] = axes.robot.enclose(X_WF, grid, problem.plant.limits, twist)
     e = cache[name]
     single = len(grid) == 2
-    width = 1 if single else max(1, BOUND_COARSE >> level)
+    width = 1 if single else max(1, axes.settings.bound_coarse >> level)
     n_d = (len(grid) - 1) // width
     top = float(axes.layout.place(axes.velocity))
     rest = top == 0.0 or (gate is None and problem.rests(place.k))
-    n_v = BOUND_SPEEDS << level
+    n_v = _BOUND_SPEEDS << level
     if kept is None:
         key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
     else:
@@ -441,7 +432,7 @@ def _edge(
 ) -> Array:
     """(n_a, n_b) least time of a run between cells; infinite where no motion fits or none can matter."""
     out = np.full((len(a.key), len(b.key)), np.inf)
-    rows = max(1, BOUND_CHUNK // len(b.key))
+    rows = max(1, (6 * axes.settings.batch) // len(b.key))
     for start in range(0, len(a.key), rows):
         part = slice(start, start + rows)
         least = np.maximum(_gap(axes, run, a, b, part), run.floor)
@@ -472,7 +463,7 @@ def _pairs(
     V, A = run.V, run.A
     T = np.full(len(ia), run.floor)
     turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
-    order = [*range(r), *(r + j for j in BOUND_ORDER if not (j == 0 and turns))]
+    order = [*range(r), *(r + j for j in _BOUND_ORDER if not (j == 0 and turns))]
     top_v = np.full(len(ia), np.inf)
     top_a = np.full(len(ia), np.inf)
     for j in order:

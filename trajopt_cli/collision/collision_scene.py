@@ -20,7 +20,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.proximity.near import WORLD, NearPairs
 from trajopt_cli.robot.model import RobotModel
-from trajopt_cli.settings import CLEAR_AT_ONCE, CLEAR_MARGIN, CLEAR_STEP
+from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import MeshFile, Shape, Solid, outline
 from trajopt_cli.trajectories.clearance_queries import Contacts
 
@@ -30,7 +30,7 @@ _FLANGE = 7  # number of the flange behind base and six links
 @dataclass(frozen=True, eq=False)
 class Hit:
     """Where a way comes too close first: axes q (n,), the link or carried body, what it meets, and by how much the
-    distance is less than wanted [m]; touch: the signed distance itself."""
+    distance is less than wanted [m]; touch: the signed distance itself; margin: what plans keep beyond that."""
 
     q: Array
     body: str
@@ -38,6 +38,7 @@ class Hit:
     missing: float
     touch: float
     own: bool
+    margin: float
 
     @property
     def said(self) -> str:
@@ -48,7 +49,7 @@ class Hit:
         near, wanted = f"{self.touch * 1e3:.1f} mm from {other}", f"{(self.touch + self.missing) * 1e3:.1f} mm"
         if self.missing > 0:
             return f"{self.body} is {near}, {wanted} wanted"
-        spare = f"plans keep {CLEAR_MARGIN * 1e3:g} mm more than the {wanted} wanted"
+        spare = f"plans keep {self.margin * 1e3:g} mm more than the {wanted} wanted"
         return f"{self.body} is {near}, and {spare} (where they may touch, say so: ignore, may_touch)"
 
 
@@ -97,8 +98,8 @@ class _Body:
 class _Scene:
     """The pairs to look at during some motions."""
 
-    def __init__(self, robot: RobotModel, pairs: Sequence[_Pair]):
-        self.robot, self.pairs = robot, pairs
+    def __init__(self, robot: RobotModel, pairs: Sequence[_Pair], settings: Settings):
+        self.robot, self.pairs, self._settings = robot, pairs, settings
         self.wanted = np.array([pair.wanted for pair in pairs])
         rides = [float(pair.frame == WORLD) for pair in pairs]  # the rail takes one along and not the other
         own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
@@ -141,7 +142,8 @@ class _Scene:
         gone = np.concatenate([np.zeros((1, len(self.pairs))), np.cumsum(steps, axis=0)])
         owner = np.flatnonzero(out)
         low, high = first[owner].astype(float), last[owner].astype(float)
-        alive = gone[last[owner]] - gone[first[owner]] > 2 * CLEAR_STEP
+        batch = self._settings.batch // 2
+        alive = gone[last[owner]] - gone[first[owner]] > 2 * self._settings.clearance_step
         while True:
             some = alive.any(axis=1) & out[owner]
             owner, low, high, alive = owner[some], low[some], high[some], alive[some]
@@ -149,7 +151,8 @@ class _Scene:
                 return out
             middle = (low + high) / 2
             middle = np.where(high - low > 1, np.floor(middle), middle)
-            for part in (slice(i, i + CLEAR_AT_ONCE) for i in range(0, len(owner), CLEAR_AT_ONCE)):
+            for i in range(0, len(owner), batch):
+                part = slice(i, i + batch)
                 here = _at(gone, middle[part])
                 half = np.maximum(_at(gone, high[part]) - here, here - _at(gone, low[part]))
                 self._look(_at(q, middle[part]), half, alive[part], owner[part], out)
@@ -163,7 +166,7 @@ class _Scene:
         alive &= self.near.bound(X) - self.wanted < half
         rows, pairs = np.nonzero(alive)
         distance = self.distance(X, rows, pairs)
-        alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > CLEAR_STEP)
+        alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > self._settings.clearance_step)
         out[owner[rows[distance < 0]]] = False
 
 
@@ -171,7 +174,7 @@ class CollisionScene:
     """What a program's motions must stay clear of on a plant."""
 
     def __init__(self, plant: Plant, program: Program):
-        self._robot = plant.robot
+        self._robot, self._settings = plant.robot, plant.settings
         moving = [
             _Body(name, plant.robot.capsules[name], i, _levers(plant.robot, plant.robot.capsules[name], i))
             for i, name in enumerate(plant.robot.link_names)
@@ -184,7 +187,7 @@ class CollisionScene:
             bodies = bodies_on(plant, program, index)
             if bodies not in known:
                 known[bodies] = len(self._scenes)
-                self._scenes.append(_Scene(plant.robot, [*_pairs(plant, moving, bodies)]))
+                self._scenes.append(_Scene(plant.robot, [*_pairs(plant, moving, bodies)], plant.settings))
             number.append(known[bodies])
         self._number = np.array(number)
 
@@ -202,7 +205,7 @@ class CollisionScene:
         where there is nothing."""
         out = np.full(len(q), np.inf)
         for scene, rows in self._by_scene(len(q), index):
-            for part in _parts(rows):
+            for part in _parts(rows, self._settings.batch // 2):
                 out[part] = scene.least(q[part])
         return out
 
@@ -210,7 +213,7 @@ class CollisionScene:
         """Whether (m,) the robot may be at axes q (m, n) during motions index; not where q is NaN."""
         out = ~np.isnan(q[:, -1])
         for scene, rows in self._by_scene(len(q), index):
-            for part in _parts(rows[out[rows]]):
+            for part in _parts(rows[out[rows]], self._settings.batch // 2):
                 out[part] = scene.free(q[part])
         return out
 
@@ -237,7 +240,7 @@ class CollisionScene:
         names: list[str] = []
         for scene, all_mine in self._by_scene(len(q), index):
             own_pairs = np.array([pair.frame != WORLD for pair in scene.pairs])
-            for mine in _parts(all_mine):
+            for mine in _parts(all_mine, self._settings.batch // 2):
                 X = links(self._robot, q[mine])
                 rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
                 found = scene.near.nearest(X, rows, pairs)
@@ -265,8 +268,9 @@ class CollisionScene:
                 pair, mine = scene.pairs[number], np.flatnonzero(pairs == number)
                 i = mine[np.argmin(distance[mine])]
                 touch = float(distance[i] + pair.wanted)
-                missing, own = pair.wanted - CLEAR_MARGIN - touch, isinstance(pair.other, _Body)
-                out.append(Hit(q[rows[i]], pair.body.name, pair.other.name, missing, touch, own))
+                margin, own = self._settings.clearance_margin, isinstance(pair.other, _Body)
+                missing = pair.wanted - margin - touch
+                out.append(Hit(q[rows[i]], pair.body.name, pair.other.name, missing, touch, own, margin))
         return sorted(out, key=lambda hit: -hit.missing)
 
     def _by_scene(self, m: int, index: int | IndexArray) -> Iterator[tuple[_Scene, IndexArray]]:
@@ -294,9 +298,9 @@ def collision_scene_of(problem: Problem) -> CollisionScene | None:
     return _known(problem.plant, problem.program) if problem.freedom.ways else None
 
 
-def _parts(rows: IndexArray) -> Iterator[IndexArray]:
-    """Rows in parts that are looked at at once."""
-    yield from (rows[i : i + CLEAR_AT_ONCE] for i in range(0, len(rows), CLEAR_AT_ONCE))
+def _parts(rows: IndexArray, batch: int) -> Iterator[IndexArray]:
+    """Rows in parts that are sampled at once."""
+    yield from (rows[i : i + batch] for i in range(0, len(rows), batch))
 
 
 def _at(rows: Array, s: Array) -> Array:
@@ -359,11 +363,11 @@ def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pa
     for solid in bodies.standing:
         for body in (*links, *held):
             if body.name not in solid.ignore and (body.frame > 0 or plant.robot.has_rail):
-                yield _Pair(body, solid, plant.clearance + CLEAR_MARGIN)
+                yield _Pair(body, solid, plant.clearance + plant.settings.clearance_margin)
     by_name = {body.name: body for body in (*links, *held)}
     for first, second in plant.self_pairs:
         if second in by_name:  # else it is not carried now
-            yield _Pair(by_name[second], by_name[first], CLEAR_MARGIN)
+            yield _Pair(by_name[second], by_name[first], plant.settings.clearance_margin)
 
 
 def _shape(solid: Solid) -> Shape:

@@ -17,18 +17,14 @@ from trajopt_cli.collision.roadmap import Roadmap, about
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.settings import (
-    AVOID_ALIKE,
-    AVOID_APART,
-    AVOID_FAILS,
-    AVOID_LOOKS,
-    AVOID_PLANS,
-    AVOID_WAYS,
-    LEAST_STRETCH,
-)
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import CheckedPairs, States
 from trajopt_cli.trajectories.leg_trajectories import unwound
+
+_AVOID_LOOKS = 64  # pairs of states of a leg that are looked at together, the best ones first.
+_AVOID_APART = 0.05  # s that a straight way that is not clear costs until a way around is known.
+_AVOID_ALIKE = 0.5  # s more between states of the same branches as some between which none was found.
+_AVOID_WAYS = 8  # ways found that are tried between other states.
 
 _HELD = 1e-9  # m of a rail that stands
 
@@ -81,7 +77,7 @@ class EdgeCollision:
         """Looks at pairs of states of leg k, first of all at one. through (n_a, n_b): the least cost of a chain through
         each pair that is known."""
         open_ = np.where(edge.known, np.inf, through)
-        count = min(AVOID_LOOKS, int(np.isfinite(open_).sum()))
+        count = min(_AVOID_LOOKS, int(np.isfinite(open_).sum()))
         best = np.argpartition(open_, count - 1, axis=None)[:count] if count < open_.size else np.arange(open_.size)
         i, j = np.unravel_index(np.sort(best), open_.shape)
         finite = np.isfinite(open_[i, j]) & ~((i == pair[0]) & (j == pair[1]))
@@ -118,17 +114,18 @@ class EdgeCollision:
         none = ~np.isfinite(times)
         straight = about(self._axes, np.stack([a.q[i], b.q[j]], axis=1))
         spent = self._given_up(leg)
-        extra = np.where(none, np.inf if spent else AVOID_APART, np.maximum(times - straight, 0.0))
+        extra = np.where(none, np.inf if spent else _AVOID_APART, np.maximum(times - straight, 0.0))
         settled = ~none | spent
         if not free[0] and none[0]:
-            extra[none & (a.cfx[i] == a.cfx[i[0]]) & (b.cfx[j] == b.cfx[j[0]])] += AVOID_ALIKE
+            extra[none & (a.cfx[i] == a.cfx[i[0]]) & (b.cfx[j] == b.cfx[j[0]])] += _AVOID_ALIKE
             extra[0], settled[0] = np.inf, True
         edge.known[i[settled], j[settled]] = True
         edge.add(i, j, extra)
 
     def _given_up(self, leg: Leg) -> bool:
         """Whether no more ways are looked for in a leg's motion."""
-        return self._plans.get(leg.motion, 0) >= AVOID_PLANS or self._fails >= AVOID_FAILS
+        settings = self._axes.settings
+        return self._plans.get(leg.motion, 0) >= settings.detours_per_motion or self._fails >= settings.detour_failures
 
     def _finder(self, leg: Leg, q_0: Array) -> Roadmap:
         """What finds ways from q_0; the rail stays there where the leg holds it."""
@@ -145,13 +142,14 @@ class EdgeCollision:
 
     def _regular(self, q: Array) -> BoolArray:
         """Which of axes (m, n) a target of a program can say: those that stand clear of singularities."""
+        settings = self._axes.settings
         J = self._axes.jacobian(q, np.eye(4))[..., self._axes.layout.arm]
-        return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1] >= LEAST_STRETCH)
+        return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1] >= settings.least_singular_value)
 
     def _by_known_paths(self, leg: Leg, q_0: Array, q_1: Array) -> list[tuple[float, Array | None]]:
         """The quickest of the known ways between places (m, n): what it takes [s], about, and its points."""
         out: list[tuple[float, Array | None]] = [(np.inf, None)] * len(q_0)
-        for points in self._known.get(self.around.scene(leg.motion), [])[-AVOID_WAYS:]:
+        for points in self._known.get(self.around.scene(leg.motion), [])[-_AVOID_WAYS:]:
             count = len(points)
             good = np.flatnonzero(self._joins(leg, points, 0, q_0))
             good = good[self._joins(leg, points, -1, q_1[good])]

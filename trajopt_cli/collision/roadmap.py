@@ -12,9 +12,13 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.settings import WAY_LOOKS, WAY_POCKET, WAY_PULLS, WAY_STEP, WAY_TREE, WAY_TRIES, WAY_TURN
 from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
+
+_WAY_PULLS = 12  # times that each point of a way is moved to where it is quicker.
+_WAY_LOOKS = 48  # straight ways that are looked at together.
+_WAY_STEP = 0.25  # s at top speed: the short ones of a tree's branches.
+_WAY_TURN = 0.3  # rad, m by which a point is moved at first.
 
 Allowed = Callable[[Array], BoolArray]
 """Which of axes (m, n) may be a point at all."""
@@ -54,7 +58,7 @@ class Roadmap:
         """The same with fewer and nearer points."""
         way = self._fewer(np.concatenate([q_0[None], points, q_1[None]]))
         step = 0.5
-        for _ in range(WAY_PULLS):
+        for _ in range(_WAY_PULLS):
             if len(way) == 2:
                 break
             gained = False
@@ -75,7 +79,7 @@ class Roadmap:
 
     def _by_points(self, q_0: Array, q_1: Array) -> Array | None:
         """The quickest of ways by one point, some near the straight way and some anywhere; of those by two else."""
-        axes, n = self._axes, WAY_TRIES
+        axes, n = self._axes, self._axes.settings.detour_tries
         span = np.maximum(np.abs(q_1 - q_0), 0.25 * np.minimum(axes.upper - axes.lower, np.pi))
         middle = q_0 + self._random.uniform(0, 1, (n, 1)) * (q_1 - q_0)
         spread = self._random.choice([0.2, 0.5, 1.0], (n, 1)) * span
@@ -87,7 +91,7 @@ class Roadmap:
         ways = np.stack([np.tile(q_0, (len(points), 1)), points, np.tile(q_1, (len(points), 1))], axis=1)
         order = np.argsort(about(axes, ways), kind="stable")
         before, behind = np.zeros(len(points), dtype=bool), np.zeros(len(points), dtype=bool)
-        for some in np.array_split(order, max(1, len(order) // WAY_LOOKS)):
+        for some in np.array_split(order, max(1, len(order) // _WAY_LOOKS)):
             before[some] = self._clear(ways[some, 0], points[some])
             behind[some] = self._clear(points[some], ways[some, 2])
             both = some[before[some] & behind[some]]
@@ -98,8 +102,8 @@ class Roadmap:
             return None
         i, k = (x.ravel() for x in np.meshgrid(np.arange(len(a)), np.arange(len(b)), indexing="ij"))
         pairs = np.stack([np.tile(q_0, (len(i), 1)), a[i], b[k], np.tile(q_1, (len(i), 1))], axis=1)
-        order = np.argsort(about(axes, pairs), kind="stable")[: 8 * WAY_LOOKS]
-        for some in np.array_split(order, max(1, len(order) // WAY_LOOKS)):
+        order = np.argsort(about(axes, pairs), kind="stable")[: 8 * _WAY_LOOKS]
+        for some in np.array_split(order, max(1, len(order) // _WAY_LOOKS)):
             good = some[self._clear(pairs[some, 1], pairs[some, 2])]
             if len(good):
                 return np.asarray(pairs[good[0], 1:3])
@@ -108,12 +112,13 @@ class Roadmap:
     def _by_trees(self, q_0: Array, q_1: Array) -> Array | None:
         """Trees from both ends that grow by many places at once, each in turn towards places anywhere and then towards
         the other."""
+        settings = self._axes.settings
         trees = [_Tree(q_0), _Tree(q_1)]
-        for number in range(WAY_TREE):
+        for number in range(settings.detour_tree):
             one, other = trees[number % 2], trees[1 - number % 2]
-            if number == WAY_POCKET and min(len(tree.q) for tree in trees) < WAY_POCKET:
+            if number == settings.detour_pocket and min(len(tree.q) for tree in trees) < settings.detour_pocket:
                 return None  # there is hardly a way out of where it begins or ends
-            goals = self._random_free(WAY_LOOKS)
+            goals = self._random_free(_WAY_LOOKS)
             if not len(goals):
                 continue
             grown = self._grow(one, goals)
@@ -134,7 +139,7 @@ class Roadmap:
         near = tree.nearest(goals, self._weight)
         away = goals - tree.q[near]
         length = np.max(np.abs(away) * self._weight, axis=1)
-        steps = np.minimum(1.0, WAY_STEP / np.maximum(length, 1e-9))[:, None]
+        steps = np.minimum(1.0, _WAY_STEP / np.maximum(length, 1e-9))[:, None]
         tries = [tree.q[near] + share * away for share in (1.0, steps)]
         ends, origins = np.concatenate(tries), np.concatenate([near, near])
         can = np.flatnonzero(self._around.free(ends, self._index) & self._allowed(ends))
@@ -165,7 +170,7 @@ class Roadmap:
         straight = way[i - 1] + share * (way[i + 1] - way[i - 1])
         pulls = here + step * np.array([1.9, 1.0, 0.5, 0.2])[:, None] * (straight - here)
         single = here + step * np.eye(axes.n) * (straight - here)
-        random = here + self._random.normal(size=(WAY_LOOKS // 2, axes.n)) * step * WAY_TURN * np.minimum(
+        random = here + self._random.normal(size=(_WAY_LOOKS // 2, axes.n)) * step * _WAY_TURN * np.minimum(
             axes.velocity, 1.0
         )
         tries = np.clip(np.concatenate([pulls, single, random]), axes.lower, axes.upper)
@@ -178,7 +183,7 @@ class Roadmap:
             return np.asarray(about(axes, legs) + 0.2 * length)
 
         now, found = float(times(here[None])[0]), times(tries)
-        order = [j for j in np.argsort(found, kind="stable") if found[j] < now * (1 - 1e-3)][: WAY_LOOKS // 4]
+        order = [j for j in np.argsort(found, kind="stable") if found[j] < now * (1 - 1e-3)][: _WAY_LOOKS // 4]
         if not order:
             return False
         ends = [np.tile(way[k], (len(order), 1)) for k in (i - 1, i + 1)]

@@ -27,20 +27,12 @@ from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
 from trajopt_cli.robot.turns import ON_LIMIT, excess
-from trajopt_cli.settings import (
-    FEWEST_NODES,
-    LINE_NODES,
-    LONG_LINE,
-    LONG_TURN,
-    REACH_APART,
-    REACH_CHUNK,
-    REACH_GRID,
-    SEARCH_APART,
-    SEARCH_COARSE,
-)
+from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
 from trajopt_cli.trajectories.route import IkBranch
+
+_FEWEST_NODES = 3  # of them on a short line.
 
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
@@ -214,17 +206,20 @@ def _windings(x: Array) -> Array | None:
     return np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
 
 
-def line_nodes(leg: Leg) -> int:
+def line_nodes(leg: Leg, settings: Settings) -> int:
     """How many points of a line or an arc are held against the inverse kinematics: fewer on short ones."""
-    share = max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)
-    return int(np.clip(1 + np.ceil((LINE_NODES - 1) * min(share, 1.0)), FEWEST_NODES, LINE_NODES))
+    share = max(leg.chord / settings.long_line, leg.angle / settings.long_turn)
+    return int(
+        np.clip(1 + np.ceil((settings.line_samples - 1) * min(share, 1.0)), _FEWEST_NODES, settings.line_samples)
+    )
 
 
 def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
     """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
+    settings = axes.settings
     n = len(d)
     behind = np.cumsum([nodes * n for _, nodes in legs])
-    for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // REACH_CHUNK):
+    for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // (2 * settings.batch)):
         some = [legs[i] for i in group]
         X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
         counts = [m for _, m in some]
@@ -250,6 +245,7 @@ def _raw(
 ) -> tuple[list[Array], list[Array | None], BoolArray | None]:
     """Joints of a station by branch at its waypoints (branches, n, m) and along its legs (branches, nodes, n, m), each
     continued from the one before; and where the first line can leave to."""
+    settings = axes.settings
     leaves, pinned = None, _pinned(problem, first, last)
     if given is not None:
         start, leaves = given.table(axes, problem, d)
@@ -263,7 +259,9 @@ def _raw(
     backs = [None if leg is left else reversed_leg(problem, first, first + i) for i, leg in enumerate(legs)]
     backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
     asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
-    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d, pinned)
+    found = _on_lines(
+        axes, [(leg, settings.line_samples if leg is left else line_nodes(leg, settings)) for leg in asked], d, pinned
+    )
     for leg, back in zip(legs, backs, strict=True):
         if leg.segment is None:
             stops.append(stops[-1])
@@ -387,13 +385,14 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
 
 def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
     """Why a station cannot be served; None where it can, first of all every line of it from one of few positions."""
+    settings = axes.settings
     low, high = _reach_intervals(axes, problem, first, last).T
     free = all(problem.waypoints[k].rail[0] < problem.waypoints[k].rail[1] for k in range(first, last + 1))
     if free or low.max() <= high.min() or not axes.layout.has_rail:
-        d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+        d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
         if (table := station_table(axes, problem, first, last, d)).labels and table.serves_lines:
             return None
-    d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+    d = grid_in_reach(axes, problem, first, last, settings.reach_grid, settings.reach_spacing)
     table = station_table(axes, problem, first, last, d)
     if not table.labels:  # else one configuration reaches all of its waypoints
         return _first_failure(axes, problem, first, last, d)
@@ -410,11 +409,12 @@ def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible
 def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasible | None:
     """The first of these legs with a point that no configuration gets to, which check_reach may have looked past: its
     points stand closer together than the nodes there. None where every point is served."""
+    settings = axes.settings
     for k in legs:
         if problem.legs[k].kind is not LegKind.LINE:
             continue
         first, last = next(station for station in problem.stations if station[0] <= k < station[1])
-        d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+        d = grid_in_reach(axes, problem, first, last, settings.reach_grid, settings.reach_spacing)
         if (out := _broken_line(axes, problem, k, d, ())) is not None:
             return out
     return None

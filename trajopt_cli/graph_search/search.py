@@ -18,33 +18,19 @@ from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.settings import (
-    AVOID_ROUNDS,
-    AVOID_WORSE,
-    CURVED,
-    LEAST_ROOM,
-    LINE_CHUNK,
-    LOOKED_AT,
-    MOST_TURNS,
-    NEAR_BEST,
-    NEAR_SPAN,
-    PASSING,
-    SEARCH_AHEAD,
-    SEARCH_APART,
-    SEARCH_CHUNK,
-    SEARCH_COARSE,
-    SEARCH_FINE,
-    SEARCH_LEGS,
-    SEARCH_TURNS,
-    SEARCH_WINDOW,
-    SHIFT,
-    WAY_NODES,
-    WIDEST,
-)
 from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
 from trajopt_cli.trajectories.route import Route
+
+_WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long.
+_SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time.
+_CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration.
+_LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for that.
+_AVOID_ROUNDS = 60  # times that the best chain is looked at and, where it is not clear, searched again.
+_AVOID_WORSE = 1.3  # times the best chain's cost beyond which pairs are not looked at beforehand.
+_PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint.
+_SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search looks at.
 
 _LEAST = 1e-12  # s, s2: of a leg that goes nowhere
 
@@ -93,10 +79,10 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     its chord where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
-    slow = _slowest_axes(a, b, V, A) if moving else list(range(axes.n))
+    slow = _slowest_axes(a, b, V, A, axes.settings.slowest_states) if moving else list(range(axes.n))
     p_a, p_b = (_tool_points(axes, leg, x.q) for x in (a, b))
     bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
-    rows = max(1, SEARCH_CHUNK // len(b.q))
+    rows = max(1, (3 * axes.settings.batch) // len(b.q))
     for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
         T = _chord_time(leg, p_a[part], p_b)
         if problem.coordinated:
@@ -130,7 +116,7 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 
     if not problem.coordinated:
         return Lazy(T, doubt.astype(np.int8), (sure,))
-    shares = np.linspace(0, 1, WAY_NODES)[1:-1]
+    shares = np.linspace(0, 1, axes.settings.path_samples)[1:-1]
     return Lazy(T, 2 * doubt.astype(np.int8), (through(shares[len(shares) // 2 :][:1]), through(shares)))
 
 
@@ -142,7 +128,7 @@ def _with_leg_time(T: Array, leg: Leg) -> Array:
 def _coordinated_time(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
     """Least times (n_a, n_b) of all axes with one profile for all, but for the tool's caps; how far the tool goes at
     most [m]."""
-    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
+    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + _WIDEST, 1.0)
     slow, hard, most = (np.full((len(q_a), len(q_b)), least) for least in (_LEAST, _LEAST, 0.0))
     for j in range(axes.n):
         way = np.abs(q_b[None, :, j] - q_a[:, None, j])
@@ -153,9 +139,9 @@ def _coordinated_time(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A:
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard)), most
 
 
-def _slowest_axes(a: _Layer, b: _Layer, V: Array, A: Array) -> list[int]:
+def _slowest_axes(a: _Layer, b: _Layer, V: Array, A: Array, states: int) -> list[int]:
     """The axes that take longest between some of the states where each goes by itself."""
-    some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
+    some_a, some_b = (slice(None, None, max(1, len(x.q) // states)) for x in (a, b))
     times = [_axis_time(a, b, V, A, some_a, some_b, j) for j in range(len(V))]
     return [int(j) for j in np.unique(np.argmax(times, axis=0))]
 
@@ -183,7 +169,7 @@ def _tool_path_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_
     """What the tool's way takes (k,) at least on straight joint moves between axes (k, n), the tool at (k, 3) there,
     through its places at some shares of them."""
     out = np.empty(len(q_0))
-    rows = max(1, SEARCH_CHUNK // (16 * len(shares)))
+    rows = max(1, (3 * axes.settings.batch) // (16 * len(shares)))
     for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
         tool = _tool_points(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
         steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
@@ -197,7 +183,7 @@ def _most_rail_travel(axes: Axes, problem: Problem, k: int, far: bool) -> float:
     if not leg.rail_moves or problem.freedom.rail is RailFreedom.STATION:
         return 0.0
     cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.table[0])
-    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
+    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else _SHIFT
     return np.inf if far else beyond + float(axes.layout.place(axes.velocity_on(leg))) * cruise
 
 
@@ -222,7 +208,7 @@ def _line_times(
     here, there = np.isfinite(table.waypoints[i][..., 0]), np.isfinite(table.waypoints[i + 1][..., 0])
     near = np.abs(np.arange(n) - np.arange(n)[:, None]) <= widest
     before, behind = np.nonzero(near & np.logical_or.reduce(here)[:, None] & np.logical_or.reduce(there))
-    rows = max(1, LINE_CHUNK // (len(of) * nodes))
+    rows = max(1, (12 * axes.settings.batch) // (len(of) * nodes))
     for some in (slice(j, j + rows) for j in range(0, len(before), rows)):
         start, end = before[some], behind[some]  # (p,) rail numbers at the line's ends
         at = (end - start) * np.linspace(0, 1, nodes)[:, None]
@@ -235,7 +221,7 @@ def _line_times(
             ok &= leaves[:, end]
         T = np.full((len(used), len(start)), np.inf)
         branch, pair = np.nonzero([np.any(ok[of == cfx], axis=0) for cfx in range(len(used))])
-        most = max(1, LINE_CHUNK // (len(arm) * nodes))
+        most = max(1, (12 * axes.settings.batch) // (len(arm) * nodes))
         for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
             q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
             T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
@@ -264,9 +250,9 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
         slow = np.maximum(slow, rail / limit)
     slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.table[0], _LEAST))
     limits = A[layout.arm, None, None]
-    ddq *= -((CURVED / slow) ** 2)
+    ddq *= -((_CURVED / slow) ** 2)
     ddq += limits
-    np.maximum(ddq, LEAST_ROOM * limits, out=ddq)
+    np.maximum(ddq, _LEAST_ROOM * limits, out=ddq)
     dq /= ddq
     hard = np.max(dq, axis=(0, 1))
     for limit in A[layout.rail]:
@@ -313,7 +299,7 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         same &= a.rail[:, None] == b.rail[None]
     out = np.full(same.shape, np.inf)
     before, behind = np.nonzero(same)
-    rows = max(1, SEARCH_CHUNK // axes.n)
+    rows = max(1, (3 * axes.settings.batch) // axes.n)
     for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
         ia, ib = before[part], behind[part]
         D, v_a, v_b, T = b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], leg.duration
@@ -367,12 +353,16 @@ def _edges(
     return edges
 
 
-def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[float, list[int], list[Array]]:
+def _best(
+    layers: list[_Layer], edges: Sequence[Edge], ties: Ties, candidates: int
+) -> tuple[float, list[int], list[Array]]:
     """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept."""
     forward, back = _forward(layers, edges)
     if ties:
         through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, np.inf), strict=True)]
-        return *best_tied([layer.q for layer in layers], [edge.dense() for edge in edges], through, ties), forward
+        return *best_tied(
+            [layer.q for layer in layers], [edge.dense() for edge in edges], through, ties, candidates
+        ), forward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
@@ -387,20 +377,20 @@ def _best_clear(
     """The same of chains that touch nothing: what is not known of the best one is looked at, until nothing is left.
     Infinite and [] where that has no end."""
     if avoid is None:
-        return _best(layers, edges, problem.ties)
+        return _best(layers, edges, problem.ties, problem.plant.settings.tie_candidates)
     forward: list[Array] = []
     states = [
         States(layer.q, np.array([label.cfx for label in tables[at].labels], dtype=np.intp)[layer.label])
         for layer, at in zip(layers, where, strict=True)
     ]
-    for _ in range(AVOID_ROUNDS):
-        cost, path, forward = _best(layers, edges, problem.ties)
+    for _ in range(_AVOID_ROUNDS):
+        cost, path, forward = _best(layers, edges, problem.ties, problem.plant.settings.tie_candidates)
         if not np.isfinite(cost):
             return np.inf, [], forward
         new = [k for k, edge in enumerate(edges) if isinstance(edge, Checked) and not edge.known[path[k], path[k + 1]]]
         if not new:
             return cost, path, forward
-        backward = _backward(layers, edges, forward, cost * AVOID_WORSE)
+        backward = _backward(layers, edges, forward, cost * _AVOID_WORSE)
         for k in new:
             edge, pair = edges[k], (path[k], path[k + 1])
             if isinstance(edge, Checked) and not edge.known[pair]:  # equal legs share one
@@ -431,11 +421,11 @@ def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Arr
     return backward[::-1]
 
 
-def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, list[int]]:
+def best_chain(q: list[Array], edges: list[Array], ties: Ties, candidates: int) -> tuple[float, list[int]]:
     """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
     none = np.zeros(0, dtype=np.intp)
     layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
-    return _best(layers, [Dense(T) for T in edges], ties)[:2]
+    return _best(layers, [Dense(T) for T in edges], ties, candidates)[:2]
 
 
 def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
@@ -444,6 +434,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
 
     Long programs are searched in windows, each from where the one before it is certain enough.
     """
+    settings = axes.settings
     ties = np.zeros(len(problem.waypoints) + 1, dtype=np.intp)  # how many of them begin or end
     for group in problem.ties:
         ties[group[0] + 1] += 1
@@ -453,8 +444,12 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
     parts: list[Route] = []
     begin, final = 0, len(problem.waypoints) - 1
     while True:
-        end = next((k for k in ends if k - begin >= SEARCH_LEGS), final)
-        sure = max((k for k in ends if begin < k <= end - SEARCH_AHEAD), default=end) if end < final else final
+        end = next((k for k in ends if k - begin >= settings.searched_legs), final)
+        sure = (
+            max((k for k in ends if begin < k <= end - settings.overlapping_legs), default=end)
+            if end < final
+            else final
+        )
         chain = _search(axes, _window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
         if chain is None:
             return None
@@ -533,8 +528,12 @@ def _search(
 ) -> Route | None:
     """The same, all at once. every: in every whole turn. far: along a line the rail may go as far as it has to, however
     long its speed makes the line: what it takes time for is no want of reach."""
+    settings = axes.settings
     where = _station_of(problem)
-    grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
+    grids = [
+        grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
+        for first, last in problem.stations
+    ]
     whole = _tables(axes, problem, grids, avoid)
     if not all(t.labels for t in whole):
         return None
@@ -557,15 +556,15 @@ def _search(
     coarse = _route(problem, tables, where, layers, edges, path, cost)
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
-    limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
+    limit = cost + (settings.near_best - 1) * min(cost, settings.near_span)
     through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, limit), strict=True)]
     del edges
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
-    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(_PASSING)
     windows = _windows(axes, problem, tables, where, coarse)
     grids = [
-        rail_grid(problem, first, last, SEARCH_FINE, window)
+        rail_grid(problem, first, last, settings.fine_grid, window)
         for (first, last), window in zip(problem.stations, windows, strict=True)
     ]
     fine_tables, known = [], dict[tuple[object, ...], IkTable]()
@@ -598,7 +597,7 @@ def _windows(
     for (first, last), table in zip(problem.stations, tables, strict=True):
         rail = axes.layout.place(coarse.q[first : last + 1])
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
-        margin = max(2 * spacing, SEARCH_WINDOW)
+        margin = max(2 * spacing, _SEARCH_WINDOW)
         windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
     held = [(leg.start, leg.start + 1) for leg in problem.legs if leg.kind is LegKind.JOINT and not leg.rail_moves]
     together = [sorted({where[k] for k in group}) for group in (*problem.ties, *held)]
@@ -636,6 +635,7 @@ def _matches_kept(fine: IkTable, i: int, coarse: IkTable, keep: set[int]) -> boo
 def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[IkTable]) -> list[IkTable]:
     """The tables with, of every branch in more than MOST_TURNS whole turns, the SEARCH_TURNS nearest to joints that are
     given: where the cycle begins, and joint targets. All where none are given."""
+    settings = axes.settings
     given = [point.q[axes.layout.arm] for point in problem.waypoints if point.q is not None]
     known: dict[int, IkTable] = {}
     for table in tables if given else ():
@@ -644,10 +644,10 @@ def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[IkTable]) -> li
             branches.setdefault(label.cfx, []).append(i)
         keep: list[int] = []
         for some in branches.values():
-            if len(some) > MOST_TURNS:
+            if len(some) > settings.most_turns:
                 q = np.stack([at[some] for at in table.waypoints], axis=1)  # (turns, waypoints, rails, joints)
                 away = [np.nanmin(np.abs(q - one).max(axis=-1), axis=(1, 2)) for one in given]
-                some = [some[i] for i in np.argsort(np.min(away, axis=0), kind="stable")[:SEARCH_TURNS]]
+                some = [some[i] for i in np.argsort(np.min(away, axis=0), kind="stable")[: settings.searched_turns]]
             keep += some
         known[id(table)] = table if len(keep) == len(table.labels) else _restrict(table, sorted(keep))
     return [known.get(id(table), table) for table in tables]

@@ -18,7 +18,6 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, station_table
 from trajopt_cli.graph_search.search import _backward, _edges, _forward, _joint_edge, _layers, _station_of
 from trajopt_cli.problem.problem import LegKind, Problem
-from trajopt_cli.settings import SEARCH_APART, SEARCH_COARSE, STATION_STATES
 from trajopt_cli.trajectories.axes import Axes
 
 _WIDER, _WIDEST = 1.5, 0.6  # times, m: rail positions
@@ -70,7 +69,7 @@ class NotApart(Exception):
 
 
 def steps_of(
-    axes: Axes, problem: Problem, stations: Sequence[tuple[int, int]], states: int = STATION_STATES
+    axes: Axes, problem: Problem, stations: Sequence[tuple[int, int]], states: int | None = None
 ) -> Steps | None:
     """The times of stations, each given by its first motion and the one behind its last, one behind the other in the
     problem's program. states: of a station at most, about. None where some waypoint has no states.
@@ -81,7 +80,9 @@ def steps_of(
     begin, end = ways[0][0], ways[-1][1]
     if end < len(problem.legs) and problem.legs[end].kind is not LegKind.JOINT:
         raise NotApart(None)
-    tables = [_table(axes, problem, first, last, states) for first, last in problem.stations]
+    tables = [
+        _table(axes, problem, first, last, states or axes.settings.station_states) for first, last in problem.stations
+    ]
     if not all(table.labels for table in tables):
         return None
     layers = _layers(axes, problem, tables, np.zeros(1))
@@ -123,7 +124,7 @@ def _waypoints(problem: Problem, station: int, first: int, behind: int) -> tuple
 
 def _table(axes: Axes, problem: Problem, first: int, last: int, states: int) -> IkTable:
     """A station's states, its rail positions as far apart as it takes to have few enough."""
-    apart, fewest = SEARCH_APART, SEARCH_COARSE
+    apart, fewest = axes.settings.coarse_spacing, axes.settings.coarse_grid
     while True:
         d = grid_in_reach(axes, problem, first, last, fewest, apart)
         table = station_table(axes, problem, first, last, d)

@@ -14,30 +14,37 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.settings import CANDIDATES, SAME_STATE, WIDER
+
+# times the untied cost beyond which states of tied waypoints are left out, tried in turn.
+_WIDER = (1.05, 1.25, 2.0, float("inf"))
+_SAME_STATE = 1e-06  # rad or m between two tables' joints for one and the same state of tied waypoints.
 
 Ties = tuple[tuple[int, ...], ...]
 
 
 def best_tied(
-    states: Sequence[Array], edges: Sequence[Array], through: Sequence[Array], ties: Ties
+    states: Sequence[Array],
+    edges: Sequence[Array],
+    through: Sequence[Array],
+    ties: Ties,
+    candidates: int,
 ) -> tuple[float, list[int]]:
     """Cost and state per waypoint of the best chain that keeps the ties; infinite and [] where there is none.
 
     states (n_k, axes): joints of every state of waypoint k. edges (n_k, n_k+1): times. through (n_k,): the least cost
     of an untied chain through each state, which is a lower bound on that of a tied one: states far beyond the best are
-    looked at only when nothing better is found.
+    looked at only when nothing better is found. candidates: states of a waypoint that coordinate descent tries.
     """
     node, index = _merged(states, ties)
     least = min(float(np.min(values, initial=np.inf)) for values in through)
-    for factor in WIDER:
+    for factor in _WIDER:
         limit = factor * least
         kept: dict[int, BoolArray] = {}
         for k, number in enumerate(node):
             near = through[k][index[k]] <= limit
             kept[number] = kept[number] & near if number in kept else near
         rows = [index[k][kept[number]] for k, number in enumerate(node)]
-        cost, chosen = _Graph.of(node, rows, edges, through).solve()
+        cost, chosen = _Graph.of(node, rows, edges, through).solve(candidates)
         if cost <= limit:
             break
     if not np.isfinite(cost):
@@ -56,7 +63,7 @@ def _merged(states: Sequence[Array], ties: Ties) -> tuple[list[int], list[IndexA
                 index[k] = index[first]
                 continue
             apart = np.abs(states[first][index[first]][:, None] - states[k][None]).max(axis=2)
-            there = apart.min(axis=1, initial=np.inf) <= SAME_STATE
+            there = apart.min(axis=1, initial=np.inf) <= _SAME_STATE
             for known in (first, *others[: others.index(k)]):
                 index[known] = index[known][there]
             index[k] = apart[there].argmin(axis=1) if there.any() else np.zeros(0, dtype=np.intp)
@@ -110,7 +117,7 @@ class _Graph:
         """The cost of x (rows) and y together."""
         return self.pair[x, y] if x < y else self.pair[y, x].T
 
-    def solve(self) -> tuple[float, dict[int, int]]:
+    def solve(self, candidates: int) -> tuple[float, dict[int, int]]:
         """Least cost and the state of every node; infinite where there is none."""
         if any(not len(values) for values in self.own.values()):
             return np.inf, {}
@@ -123,7 +130,7 @@ class _Graph:
         while improved:
             improved = False
             for x in hard:
-                for state in np.argsort(self.bound[x], kind="stable")[:CANDIDATES].tolist():
+                for state in np.argsort(self.bound[x], kind="stable")[:candidates].tolist():
                     if self.bound[x][state] >= best:
                         break
                     cost, found = self._given(chosen | {x: state})

@@ -12,23 +12,27 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.settings import ELBOW, LEAVING, LINE_NODES, NEAREST, STRETCHED, WRIST
 from trajopt_cli.trajectories.axes import Axes
+
+_STRETCHED = 1 - 1e-06  # |sin q3| up to which an arm given by its joints has not met its other branch: 0.08 degrees.
+_LEAVING = 1e-07  # rad between joints given at a singularity and those with which a line leaves it.
+_NEAREST = 16  # halvings of a line's first interval that look for where it has left a singularity.
 
 _STRAIGHT = 1e-9  # sine of joint 5 up to which the wrist is straight
 
 
-def walled(axes: Axes, arm: Array, most: float = ELBOW) -> BoolArray:
+def walled(axes: Axes, arm: Array, most: float | None = None) -> BoolArray:
     """Whether joints (..., m) stand too near a singularity for a line, or to choose the rail there. most: how far the
     elbow may be stretched."""
     elbow, wrist = axes.robot.walls(arm)
-    return np.asarray((elbow > most) | (wrist < WRIST))
+    return np.asarray((elbow > (axes.settings.elbow if most is None else most)) | (wrist < axes.settings.wrist))
 
 
 def usable(axes: Axes, arm: Array, pinned: bool = False) -> Array:
     """Joints (..., m), NaN where they do so. pinned: the rail is given at every point, and a line near the stretched
     elbow is but a slow one."""
-    return np.where(walled(axes, arm, STRETCHED if pinned else ELBOW)[..., None], np.nan, arm)
+    settings = axes.settings
+    return np.where(walled(axes, arm, _STRETCHED if pinned else settings.elbow)[..., None], np.nan, arm)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +63,7 @@ class SingularStart:
     def table(self, axes: Axes, problem: Problem, d: Array) -> tuple[Array, BoolArray]:
         """The joints (b, n, m), turned back within half a turn, of the branches that go on from them without a jump;
         NaN but where the rail stands. And (b, n): whether they do, where the rail goes to each place in proportion."""
-        ok = np.abs(self.beginnings(axes, d) - self.arm).max(axis=-1) <= LEAVING  # NaN is not
+        ok = np.abs(self.beginnings(axes, d) - self.arm).max(axis=-1) <= _LEAVING  # NaN is not
         out = np.full((*ok.shape, len(self.arm)), np.nan)
         turning = np.any(axes.robot.turns != 0, axis=0)
         within = self.arm - 2 * np.pi * np.round((self.arm - axes.robot.middles) / (2 * np.pi)) * turning
@@ -77,7 +81,7 @@ class SingularStart:
         """Joints (b, n, m) in which each branch would begin, whole turns as given, where the rail goes to each place d
         (n,) in proportion to the line; NaN where a branch does not begin at all."""
         elbow, wrist = axes.robot.walls(self.arm)
-        if self.leg is not None and (wrist < WRIST or elbow > STRETCHED):
+        if self.leg is not None and (wrist < axes.settings.wrist or elbow > _STRETCHED):
             return self._leaving(axes, d)
         out = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
         if self.leg is None:
@@ -90,7 +94,7 @@ class SingularStart:
         walls; NaN where a branch is not outside soon."""
         assert self.leg is not None
         assert self.leg.segment is not None
-        shares = 2.0 ** np.arange(-NEAREST, 3) / (LINE_NODES - 1)
+        shares = 2.0 ** np.arange(-_NEAREST, 3) / (axes.settings.line_samples - 1)
         X_WF = self.leg.segment.pose(shares) @ inverse_pose(self.leg.X_FT)
         rails = self.rail + shares[:, None] * (d - self.rail)
         arm = axes.inverse(np.repeat(X_WF, len(d), axis=0), rails.ravel())
@@ -104,23 +108,23 @@ class SingularStart:
                 out[place, cfx] = (8 * q[0] - 6 * q[1] + q[2]) / 3  # Lagrange's at 0 of places s, 2s, 4s
         if axes.robot.walls(self.arm)[1] > _STRAIGHT:  # beside the singularity: on the other branch the line crosses it
             own = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
-            out[:, ~(np.abs(own - self.arm).max(axis=1) <= LEAVING)] = np.nan
+            out[:, ~(np.abs(own - self.arm).max(axis=1) <= _LEAVING)] = np.nan
         return np.swapaxes(self._nearest_turns(out), 0, 1)
 
     def jump(self, axes: Axes, problem: Problem, d: Array) -> str | None:
         """What the joints would have to do before the line could leave, in words; None where nothing is in the way."""
         away = (self.beginnings(axes, d) - self.arm)[:, self._may_go(problem, d)].reshape(-1, len(self.arm))
         most = np.abs(away).max(axis=1)
-        if np.isnan(most).all() or np.nanmin(most) <= LEAVING:
+        if np.isnan(most).all() or np.nanmin(most) <= _LEAVING:
             return None
         least = away[np.nanargmin(most)]
         names = [axes.names[i] for i in range(axes.n)[axes.layout.arm]]
         turns = [
             f"{name} turned by {np.degrees(turn):+.6f}°"
             for name, turn in zip(names, least, strict=True)
-            if abs(turn) > LEAVING
+            if abs(turn) > _LEAVING
         ]
-        wrist = axes.robot.walls(self.arm)[1] < WRIST
+        wrist = axes.robot.walls(self.arm)[1] < axes.settings.wrist
         i, where = (4, "in the wrist singularity") if wrist else (2, "with the arm stretched or folded")
         return (
             f" starts {where} ({names[i]} = {np.degrees(self.arm[i]):.3g}°) and leaves it with {' and '.join(turns)}:"

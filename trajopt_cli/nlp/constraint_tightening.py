@@ -7,13 +7,19 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.settings import AMPLE, BEYOND, LEAST_LEFT, LEAST_PUSH, PUSHED, SAFE
+from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.dense_check import Ratios
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, PathLeg
 
+_PUSHED = 0.001  # share of its acceleration from which the rail drives the arm. Measured as DAMPING_DWELL.
+_AMPLE = 1.5  # times the excess taken off a dwell's push.
+_LEAST_PUSH = 0.1  # share that one round leaves of a push at least.
 
-def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, rail: Array | None = None) -> bool:
+
+def back_off(
+    margins: Margins, ratios: Ratios, motion: LegMotion, settings: Settings, rail: Array | None = None
+) -> bool:
     """Tighten the margins of the nodes beside every excess over what is safe, in place.
 
     Args:
@@ -31,8 +37,8 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, rail: Array | 
     if rail is not None and isinstance(motion, PathLeg):
         ratio = ratios.acceleration.max(axis=1)
         pushed = np.max(np.abs(motion.b) / (rail * motion.T**2), axis=1)
-        over = (ratio > SAFE) & (pushed > PUSHED)
-        scale = np.maximum(1 - AMPLE * (1 - (SAFE - BEYOND) / np.maximum(ratio, 1.0)), LEAST_PUSH)
+        over = (ratio > settings.safe) & (pushed > _PUSHED)
+        scale = np.maximum(1 - _AMPLE * (1 - (settings.safe - settings.beyond) / np.maximum(ratio, 1.0)), _LEAST_PUSH)
         once[:, 0] = over & (margins.push == 1.0)  # what is over again is so by more than the push
         margins.push[over] = np.minimum(margins.push, pushed * scale)[over]
         changed = bool(over.any())
@@ -43,7 +49,9 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, rail: Array | 
         excess = (ratio > safe) & ~(once & (limit.name == "acceleration"))
         if not excess.any():
             continue
-        scale = np.where(excess, np.maximum((safe - BEYOND) / np.maximum(ratio, 1e-12), LEAST_LEFT), 1.0)
+        scale = np.where(
+            excess, np.maximum((safe - settings.beyond) / np.maximum(ratio, 1e-12), settings.least_left), 1.0
+        )
         changed = True
         margin[:-1] *= scale
         margin[1:] *= scale

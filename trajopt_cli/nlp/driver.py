@@ -21,44 +21,22 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import (
-    ARRIVES,
-    AT_LIMIT,
-    BARRIER_AGAIN,
-    BARRIER_COLD,
-    BARRIER_DOUBT,
-    BARRIER_FIRST,
-    BARRIER_REFINED,
-    BARRIER_ROUGH,
-    BARRIER_WARM,
-    FEW_LEGS,
-    FINE,
-    FINE_JOINT,
-    FIRST,
-    FIRST_JOINT,
-    GRID_JOINT,
-    LAST,
-    LEAST_DRAFT,
-    LEAST_RATE,
-    LEAST_ZONE,
-    MOST_ITERATIONS,
-    MOST_SLOWED,
-    OVER,
-    RAMPS,
-    RATE_LOOKS,
-    ROUGH,
-    ROUNDS,
-    SHARP,
-    SHORT,
-    SLOWED,
-    TOLD,
-)
+from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
 from trajopt_cli.trajectories.dense_check import Ratios, check_legs
 from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg, integrate, parabola
 from trajopt_cli.trajectories.profiles import hold
+
+_LEAST_RATE = 1e-09  # of a share's rate by scaled time.
+_RAMPS = 0.45  # share of a path's changes that its first zone and its last have each.
+_LEAST_ZONE = 0.01  # share of a leg that each of them lasts at least.
+_RATE_LOOKS = 401  # at a motion for which a grid is made, besides its breaks.
+_MOST_SLOWED = 3.0  # times; what passes limits by more is no motion to begin with.
+_SLOWED = 1.002  # times as long as it must be a motion is made for another grid to begin with.
+_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
+_ARRIVES = 1e-06  # rad or m by which a profile may miss its end: rounding.
 
 
 @dataclass(frozen=True)
@@ -71,17 +49,18 @@ class Grids:
     @classmethod
     def of(cls, problem: Problem) -> Grids:
         """Fine for a short program, coarse for a long one, whose time grows with its length."""
-        if len(problem.legs) <= SHORT:
-            return cls(FINE, FINE_JOINT)
-        return LONG if len(problem.legs) <= FEW_LEGS else LONGER
+        settings = problem.plant.settings
+        if len(problem.legs) <= settings.short_program:
+            return cls(settings.fine_path_grid, settings.fine_joint_grid)
+        return LONG if len(problem.legs) <= settings.few_legs else LONGER
 
     @property
     def rough(self) -> Grids:
         """Fine enough to tell which of several starts leads farthest."""
-        return Grids(min(self.path, TOLD), min(self.joints, GRID_JOINT))
+        return Grids(min(self.path, DEFAULT.ranking_grid), min(self.joints, DEFAULT.joint_grid))
 
 
-LONG = Grids(LAST, GRID_JOINT)
+LONG = Grids(DEFAULT.last_grid, DEFAULT.joint_grid)
 LONGER = LONG.rough
 
 
@@ -91,21 +70,22 @@ def first_draft(
 ) -> Iterate:  # fmt: skip
     """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
     of the legs, zero where nothing is to be done. capped: joint moves known to meet a tool cap or a range."""
+    settings = axes.settings
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
-        T = leg.duration or max(float(times[k]), LEAST_DRAFT, leg.least)
+        T = leg.duration or max(float(times[k]), settings.least_start_time, leg.least)
         if leg.duration is None and times[k] == 0.0:
             legs.append(hold(0.0, q[k]))
         elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
             legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], grids.joints))
         elif leg.kind is LegKind.JOINT and k in capped:
-            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], FIRST_JOINT))
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], settings.first_joint_grid))
         elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(hold(leg.duration or 0.0, q[k]))
         else:
-            s, v, a = parabola(np.linspace(0, 1, FIRST + 1))
+            s, v, a = parabola(np.linspace(0, 1, settings.first_grid + 1))
             way = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
             d, w, b = q[k, axes.layout.rail] + way * s[:, None], way * v[:, None], way * a[:, None]
             legs.append(_path(axes, problem, k, T, q[k], cfx[k] if cfx[k] >= 0 else cfx[k + 1], (s, v, a, d, w, b)))
@@ -166,15 +146,15 @@ def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
     """A grid of N intervals for a path in three zones of even ones: run-up and run-out are where its rates change."""
     times = _looks(motion)
     rates = motion.progress(motion.T * times, right=True)[1]
-    change = _behind(rates / np.r_[max(motion.v.max(), LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
-    begin, end = np.interp([RAMPS, 1 - RAMPS], change, times)
-    edges = [0.0, np.clip(begin, LEAST_ZONE, 0.5 - LEAST_ZONE), np.clip(end, 0.5 + LEAST_ZONE, 1 - LEAST_ZONE), 1.0]
+    change = _behind(rates / np.r_[max(motion.v.max(), _LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
+    begin, end = np.interp([_RAMPS, 1 - _RAMPS], change, times)
+    edges = [0.0, np.clip(begin, _LEAST_ZONE, 0.5 - _LEAST_ZONE), np.clip(end, 0.5 + _LEAST_ZONE, 1 - _LEAST_ZONE), 1.0]
     return np.interp(np.linspace(0, 3, N + 1), [0, 1, 2, 3], edges)
 
 
 def _looks(motion: LegMotion) -> Array:
     """Scaled times (m,) at which a motion is looked at: evenly, and at its breaks."""
-    return np.unique(np.concatenate([np.linspace(0, 1, RATE_LOOKS), motion.breaks() / motion.T]))
+    return np.unique(np.concatenate([np.linspace(0, 1, _RATE_LOOKS), motion.breaks() / motion.T]))
 
 
 def _behind(x: Array) -> Array:
@@ -186,8 +166,9 @@ def _behind(x: Array) -> Array:
 def _with_switches(axes: Axes, leg: Leg, motion: JointProfiles, N: int) -> Array:
     """A grid of N intervals with nodes where axes switch that use all of their acceleration, so that the motion can be
     on it what it is."""
+    settings = axes.settings
     grid = np.linspace(0, 1, N + 1)
-    tight = np.abs(motion.accelerations).max(axis=1) > AT_LIMIT * axes.acceleration_on(leg)
+    tight = np.abs(motion.accelerations).max(axis=1) > settings.at_limit * axes.acceleration_on(leg)
     moved = np.isin(np.arange(N + 1), (0, N))
     for switch in np.unique(motion.times[tight, 1:3] / motion.T):
         k = int(np.argmin(np.abs(grid - switch)))
@@ -277,13 +258,13 @@ class Refiner:
         return [self._known[motion] if isinstance(motion, kind) else None for motion in draft.legs]
 
     def _solve(
-        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
+        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float | None = None,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
         """The answer from a draft; where that goes deep into something that the draft goes around, with rows about the
         draft that keep it out."""
         while True:
-            found = self._answer(draft, margins, mu, tolerance, warm)
+            found = self._answer(draft, margins, mu, tolerance or self.axes.settings.tolerance, warm)
             through = self.clearances.through(draft, found[0])
             if not through:
                 return found
@@ -293,15 +274,16 @@ class Refiner:
             draft, warm = self._with_grids(draft, margins), None
 
     def _answer(
-        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
+        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
+        settings = self.axes.settings
         if self.patience.over:
             raise Stopped
         start = perf_counter()
         tangents = self.clearances.tangents(draft, margins)
         if warm is not None and tangents.keys() != warm[0].tangents.keys():  # another program
-            warm, mu = None, BARRIER_REFINED
+            warm, mu = None, settings.barrier_refined
         t = Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
         if t.nlp.empty:
             return read(t, t.nlp.guess), t, None
@@ -312,7 +294,7 @@ class Refiner:
         middle = perf_counter()
         guess = warm[1] if warm else None
         stop = lambda: self.patience.over  # noqa: E731
-        result = t.nlp.solve(guess, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS, stop=stop)
+        result = t.nlp.solve(guess, mu=mu, tolerance=tolerance, most=settings.most_iterations, stop=stop)
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
@@ -362,7 +344,7 @@ class Refiner:
     def _grows(self, motion: LegMotion | None, n: int) -> bool:
         """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
         if isinstance(motion, JointNodes):
-            return 2 * n >= TOLD and self.grids.joints > motion.N
+            return 2 * n >= self.axes.settings.ranking_grid and self.grids.joints > motion.N
         return isinstance(motion, PathLeg) and self.grids.path > motion.N
 
     def _intervals(self, draft: Iterate, default: int) -> int:
@@ -371,10 +353,11 @@ class Refiner:
 
     def _finer(self, stage: Stage) -> Stage:
         """On the next grid, where there is one, with joint moves on grids that turned out to need one."""
+        settings = self.axes.settings
         draft, margins, last = stage.draft, [*stage.margins], self.grids.path
         n = self._intervals(draft, last)
         finer = [self._grows(motion, n) for motion in draft.legs]
-        opened = self._open_grids(draft, margins, self.grids if n >= TOLD else self.grids.rough)
+        opened = self._open_grids(draft, margins, self.grids if n >= settings.ranking_grid else self.grids.rough)
         if not (opened or any(finer)):
             return replace(stage, ended=True)
         draft = self._with_grids(draft, margins)
@@ -382,8 +365,10 @@ class Refiner:
         draft = replace(draft, legs=tuple(_halved(*one) for one in zip(draft.legs, finer, strict=True)))
         try:
             start = self._slowed(draft, margins)
-            mu = BARRIER_ROUGH if n == FIRST else BARRIER_REFINED
-            draft, *warm = self._solve(start, margins, mu, SHARP if 2 * n >= last else ROUGH)
+            mu = settings.barrier_rough if n == settings.first_grid else settings.barrier_refined
+            draft, *warm = self._solve(
+                start, margins, mu, settings.tolerance if 2 * n >= last else settings.rough_tolerance
+            )
         except NotConverged:
             # the coarser grid's answer is a motion too; cleaned, it is only a little slower
             return replace(stage, ended=True)
@@ -392,28 +377,31 @@ class Refiner:
     def again(self, draft: Iterate, before: Transcription, answer: NlpResult) -> Iterate:
         """From the clean draft of a program that differs in numbers only, with that program and its answer, to the
         clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        settings = self.axes.settings
         margins = deepcopy([*before.margins])
         try:
-            found, *warm = self._solve(draft, margins, BARRIER_AGAIN, warm=(before, answer))
+            found, *warm = self._solve(draft, margins, settings.barrier_again, warm=(before, answer))
         except NotConverged:
-            found, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
+            found, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_refined)
         return self._exchange(found, margins, warm)
 
     def _first(self, draft: Iterate, margins: list[Margins | None]) -> tuple[Iterate, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
+        settings = self.axes.settings
         gridded = any(isinstance(m, JointNodes) for m in draft.legs)
-        n = self._intervals(draft, self.grids.path if gridded else FIRST)
-        mu = BARRIER_REFINED if n >= self.grids.rough.path else BARRIER_FIRST
-        tolerance = SHARP if n >= self.grids.path else ROUGH
+        n = self._intervals(draft, self.grids.path if gridded else settings.first_grid)
+        mu = settings.barrier_refined if n >= self.grids.rough.path else settings.barrier_first
+        tolerance = settings.tolerance if n >= self.grids.path else settings.rough_tolerance
         try:
             out, *warm = self._solve(draft, margins, mu, tolerance)
         except NotConverged:
-            out, *warm = self._solve(draft, margins, BARRIER_DOUBT, tolerance)
+            out, *warm = self._solve(draft, margins, settings.barrier_doubt, tolerance)
         return out, warm
 
     def _exchange(self, draft: Iterate, margins: list[Margins | None], warm: Sequence[Any]) -> Iterate:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
-        for _ in range(ROUNDS):
+        settings = self.axes.settings
+        for _ in range(settings.rounds):
             worst, changed, opened = 0.0, False, self._open_grids(draft, margins, self.grids)
             draft = self._with_grids(draft, margins)
             every = self._ratios(draft)
@@ -424,19 +412,19 @@ class Refiner:
                 if m is not None:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
-                    changed |= back_off(m, ratios, motion, rail)
+                    changed |= back_off(m, ratios, motion, self.axes.settings, rail)
             changed |= self.clearances.make_room(draft, margins)
             if not (changed or opened):
                 self.solved = warm[0], warm[1]
                 return draft
             if opened:
-                draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
+                draft, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_refined)
             else:
                 try:
-                    draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
+                    draft, *warm = self._solve(draft, margins, settings.barrier_warm, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
-                    draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_COLD)
-        raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
+                    draft, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_cold)
+        raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {settings.rounds} rounds of tightening")
 
     def _slowed(self, draft: Iterate, margins: list[Margins | None]) -> Iterate:
         """The same motion so slow that no limit in force is reached: the solver keeps to them from where it begins."""
@@ -444,9 +432,9 @@ class Refiner:
         for r, m in zip(self._ratios(draft), margins, strict=True):
             if r is not None and m is not None:
                 most = max(most, r.times_slower(m))
-        if most > MOST_SLOWED or most == 1.0:
+        if most > _MOST_SLOWED or most == 1.0:
             return draft
-        return slowed(self.problem, draft, most * SLOWED)
+        return slowed(self.problem, draft, most * _SLOWED)
 
     def _open_grids(self, draft: Iterate, margins: list[Margins | None], grids: Grids) -> bool:
         """Joint moves whose closed-form profiles break a cap, a range or a torque limit, or touch something, go on a
@@ -457,7 +445,7 @@ class Refiner:
             if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
                 continue
             past = max(np.max(x) for x in (ratios.tool, ratios.position, ratios.torque))
-            if past > 1 + OVER or self.clearances.touches(k, motion):
+            if past > 1 + _OVER or self.clearances.touches(k, motion):
                 margins[k] = Margins.full(self.axes.limits, grids.joints, on_path=False)
                 opened = True
         return opened
@@ -469,7 +457,7 @@ class Refiner:
             if isinstance(motion, JointProfiles) and m is not None:
                 T, N = motion.T, len(m.tool) - 1
                 end = motion.sample(self.axes, np.array([T])).q[0]
-                if np.abs(end - draft.q[k + 1]).max() < ARRIVES:
+                if np.abs(end - draft.q[k + 1]).max() < _ARRIVES:
                     legs[k] = _on_grid(self.axes, motion, N)
                 else:  # the time alone was guessed
                     legs[k] = _smooth(T, draft.q[k : k + 2], draft.qd[k : k + 2], N)

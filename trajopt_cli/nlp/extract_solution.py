@@ -31,7 +31,7 @@ def read(program: Transcription, x: Array) -> Iterate:
         k = leg.start
         if motion is None:
             legs.append(None)
-        elif var is None and glides(leg):
+        elif var is None and glides(leg, axes.settings):
             assert isinstance(motion, PathLeg)
             legs.append(_glide(axes, motion, q[k : k + 2]))
         elif var is None:  # a dwell in which nothing moves, or no time for it
@@ -135,4 +135,6 @@ def _glide(axes: Axes, motion: PathLeg, q: Array) -> PathLeg:
 def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float, low: float) -> JointProfiles:
     # between given states the least time is known in closed form; the solver's T only comes near it
     least = T if leg.duration is not None else low
-    return profiles(q[0], qd[0], q[1], qd[1], axes.velocity_on(leg), axes.acceleration_on(leg), least, common=False)
+    return profiles(
+        q[0], qd[0], q[1], qd[1], axes.velocity_on(leg), axes.acceleration_on(leg), least, False, axes.settings
+    )

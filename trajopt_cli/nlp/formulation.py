@@ -29,7 +29,6 @@ from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.path.turning import TurningSymbols
 from trajopt_cli.robot.symbolic import Reached
-from trajopt_cli.settings import ELBOW, PAIRS, WRIST
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.joint_range import JointRange
 from trajopt_cli.trajectories.limits.limit import INF, Limit, NodeMotion, Row, Share
@@ -117,7 +116,8 @@ class Formulation:
 
     def _walls(self, at: Reached) -> list[tuple[ca.SX, float, float]]:
         """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
-        return [(at.elbow, -ELBOW, ELBOW), (at.wrist, WRIST, INF)]
+        settings = self.axes.settings
+        return [(at.elbow, -settings.elbow, settings.elbow), (at.wrist, settings.wrist, INF)]
 
     def sums(self) -> Relation:
         """Sums of axes in their ranges at a waypoint, or at a node of a joint move. room: as for a path's node."""
@@ -251,7 +251,8 @@ class Formulation:
 
     @property
     def _tangents(self) -> Shapes:
-        return {"gradient": (PAIRS, *self._all), "least": (PAIRS,)}
+        settings = self.axes.settings
+        return {"gradient": (settings.body_pairs, *self._all), "least": (settings.body_pairs,)}
 
     # ---- effort: what a motion of a given time is gentle by
 

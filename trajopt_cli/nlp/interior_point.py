@@ -24,25 +24,24 @@ import numpy as np
 import qdldl
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.settings import (
-    ALMOST,
-    ALMOST_FEASIBLE,
-    BACKTRACKS,
-    BARRIER_ERROR,
-    BARRIER_FACTOR,
-    BARRIER_POWER,
-    EQUATION_EPS,
-    FEASIBLE,
-    FEASIBLE_ROUGH,
-    FIRST_PUSH,
-    FIRST_SHIFT,
-    LEAST_TAU,
-    MENDED,
-    MENDINGS,
-    MOST_SHIFT,
-    REFINEMENTS,
-    WARM_PUSH,
-)
+
+_EQUATION_EPS = 1e-09  # regularisation of equations that depend on each other.
+_REFINEMENTS = 1  # of each solution of a linear system. Measured on 25 moves of a pallet: 2 take 449 iterations, 1 447.
+_WARM_PUSH = 1e-07  # how far a warm start is pushed off its bounds.
+_FIRST_PUSH = 0.01  # the same of a start without multipliers.
+_FEASIBLE_ROUGH = 1e-07  # the same on a grid that is refined afterwards.
+_FEASIBLE = 1e-10  # by which a row may be off in the end.
+_ALMOST = 1e-06  # error of a point that is the answer where the steps behind it fail.
+_ALMOST_FEASIBLE = 1e-08  # by which a row may be off there.
+_BARRIER_ERROR = 10.0  # times the barrier parameter that may be off before it falls.
+_BARRIER_FACTOR = 0.2  # times that it falls at least.
+_BARRIER_POWER = 1.2  # or to this power of itself, whichever falls less.
+_LEAST_TAU = 0.99  # share of the way to a bound that a step may go.
+_BACKTRACKS = 30  # halvings of a step.
+_MENDINGS = 20  # steps in a row that only mend rows, at most.
+_MENDED = 0.3  # share of what rows were off that may be left of it then.
+_FIRST_SHIFT = 0.0001  # first multiple of the identity where the program is not convex.
+_MOST_SHIFT = 1e40  # largest.
 
 Places = tuple[IndexArray, IndexArray]
 
@@ -145,7 +144,7 @@ class _System:
     def fill(self, hessian: Array, weights: Array, diagonal: Array) -> None:
         """The Hessian's nonzeros, weights of the rows that are no equations, what else stands on the diagonal (n,)."""
         products = self._squares.of(self.J_I.data, weights)
-        values = [hessian[self._in_hessian], products, self.J_E.data, diagonal, np.full(self.m, -EQUATION_EPS)]
+        values = [hessian[self._in_hessian], products, self.J_E.data, diagonal, np.full(self.m, -_EQUATION_EPS)]
         self._filled = self._sums @ np.concatenate(values)
 
     def factorise(self, shift: float) -> bool:
@@ -168,9 +167,9 @@ class _System:
         assert self._solver is not None
         wanted = np.concatenate([of_x, of_y])
         found = self._solver.solve(wanted)
-        for _ in range(REFINEMENTS):
+        for _ in range(_REFINEMENTS):
             rest = wanted - self._K @ found - self._K_T @ found + self._K.data[self._diagonal] * found
-            rest[self.n :] -= EQUATION_EPS * found[self.n :]
+            rest[self.n :] -= _EQUATION_EPS * found[self.n :]
             found = found + self._solver.solve(rest)
         return found[: self.n], found[self.n :]
 
@@ -310,7 +309,7 @@ class _Solve:
 
     def _begin(self, start: Array | NlpResult) -> _State:
         warm = isinstance(start, NlpResult)
-        push = WARM_PUSH if warm else FIRST_PUSH
+        push = _WARM_PUSH if warm else _FIRST_PUSH
         x = (start.x if isinstance(start, NlpResult) else start)[self.free]
         slacks = np.zeros(int((~self.equal).sum()))
         x = self._inside(np.concatenate([x, slacks]), push)[: self.n]
@@ -362,7 +361,7 @@ class _Solve:
             return self._answer(now, False, "no number at the start", 0)
         first = self._violation(now.g, now.v)
         self.worst, self.near = _WORST * max(1.0, first), 1e-4 * max(1.0, first)
-        feasible = FEASIBLE_ROUGH if self.tolerance > FEASIBLE_ROUGH else FEASIBLE
+        feasible = _FEASIBLE_ROUGH if self.tolerance > _FEASIBLE_ROUGH else _FEASIBLE
         system, program = self.system, self.program
         almost: _State | None = None
         for iteration in range(most + 1):
@@ -375,14 +374,14 @@ class _Solve:
             error, off = self._error(now, slope)
             if error(0.0) <= self.tolerance and off <= feasible:
                 return self._answer(now, True, "solved", iteration)
-            if error(0.0) <= ALMOST and off <= ALMOST_FEASIBLE:
+            if error(0.0) <= _ALMOST and off <= _ALMOST_FEASIBLE:
                 almost = now
             if stop is not None and stop():
                 return self._answer(now, False, "stopped", iteration)
             if iteration == most:
                 break
-            while self.mu > self.tolerance / 11 and error(self.mu) <= BARRIER_ERROR * self.mu:
-                self.mu = max(self.tolerance / 11, min(BARRIER_FACTOR * self.mu, self.mu**BARRIER_POWER))
+            while self.mu > self.tolerance / 11 and error(self.mu) <= _BARRIER_ERROR * self.mu:
+                self.mu = max(self.tolerance / 11, min(_BARRIER_FACTOR * self.mu, self.mu**_BARRIER_POWER))
                 self.filter = []
             after = self._step(now, x, gradient, slope) or self._mended(now)
             if after is None:
@@ -413,7 +412,7 @@ class _Solve:
         dv, dy, dw = direction(missed, slack)
         d_below = self.mu / to_low - now.below - now.below / to_low * dv
         d_above = self.mu / to_high - now.above + now.above / to_high * dv
-        tau = max(LEAST_TAU, 1 - self.mu)
+        tau = max(_LEAST_TAU, 1 - self.mu)
         dual = min(_most(now.below, d_below, tau), _most(now.above, d_above, tau))
         downhill = float(gradient @ dv[:n] + (self.mu / to_high - self.mu / to_low) @ dv)
         theta, phi = self._violation(now.g, now.v), self._merit(now.f, now.v)
@@ -425,7 +424,7 @@ class _Solve:
             return (v, g, self.program.cost(self._x(v))) if np.all(np.isfinite(g)) else None
 
         length = self._longest(now.v, dv, tau)
-        for k in range(BACKTRACKS):
+        for k in range(_BACKTRACKS):
             found = tried(dv, length)
             if found is not None:
                 if self._better(found, theta, phi, downhill, length):
@@ -452,7 +451,7 @@ class _Solve:
         self.filter.append(((1 - _FILTER) * theta, phi - _ARMIJO * theta))
         nothing = np.zeros(len(self.program.hessian(self._x(now.v), np.zeros(len(self.equal)))))
         v, g, left = now.v, now.g, theta
-        for _ in range(MENDINGS):
+        for _ in range(_MENDINGS):
             self.system.take(self.program.jacobian(self._x(v)))
             scale = 1 / np.minimum(1.0, np.minimum(v - self.low, self.high - v)) ** 2
             self.system.fill(nothing, scale[self.n :], scale[: self.n])
@@ -461,8 +460,8 @@ class _Solve:
             missed, slack = self._misses(g, v)
             dx, _ = self.system.solve(-self.system.J_I.transposed_times(scale[self.n :] * slack), -missed)
             dv = np.concatenate([dx, self.system.J_I.times(dx) + slack])
-            length = self._longest(v, dv, LEAST_TAU)
-            for _ in range(BACKTRACKS):
+            length = self._longest(v, dv, _LEAST_TAU)
+            for _ in range(_BACKTRACKS):
                 g_1 = self.program.constraints(self._x(v + length * dv))
                 if np.all(np.isfinite(g_1)) and self._violation(g_1, v + length * dv) <= (1 - 1e-4 * length) * left:
                     break
@@ -471,7 +470,7 @@ class _Solve:
                 return None
             v, g = v + length * dv, g_1
             left, f = self._violation(g, v), self.program.cost(self._x(v))
-            if left <= MENDED * theta and self._passes_filter(left, self._merit(f, v)):
+            if left <= _MENDED * theta and self._passes_filter(left, self._merit(f, v)):
                 below, above = (
                     self._kept(one, gap) for one, gap in ((now.below, v - self.low), (now.above, self.high - v))
                 )
@@ -482,9 +481,9 @@ class _Solve:
         """Factorise, with as much of the identity as it takes."""
         if self.system.factorise(0.0):
             return True
-        shift = FIRST_SHIFT if self.shift == 0 else self.shift / 3
+        shift = _FIRST_SHIFT if self.shift == 0 else self.shift / 3
         factor = 100.0 if self.shift == 0 else 8.0
-        while shift < MOST_SHIFT:
+        while shift < _MOST_SHIFT:
             if self.system.factorise(shift):
                 self.shift = shift
                 return True

@@ -21,20 +21,14 @@ from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
 from trajopt_cli.path_timing.smooth import rest_time
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.settings import (
-    FLIPPED,
-    JERK_ROOM,
-    LATE,
-    LONG_LINE,
-    LONG_TURN,
-    PAIR_NODES,
-    PAIRS_AT_ONCE,
-    SHORT_NODES,
-    SLACK,
-)
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes
+
+_SLACK = 1 + 0.0001  # times its least time that a wait must have, for limits are not used to the last hair.
+_LATE = 1000.0  # times what a leg would pass its programmed time by, added to the chain's.
+_JERK_ROOM = 1.1  # times what a straight way takes at least that a wait must have.
+_FLIPPED = 1.0  # rad, m by which axes in the middle of such a line may be elsewhere than at its ends.
 
 _SAME = 1e-9  # m between rail positions that are one
 _JUMP = 1e-4  # rad, m between axes that are not one place
@@ -56,17 +50,19 @@ class Pairs:
 
 def short(problem: Problem, k: int) -> bool:
     """Whether leg k is a short line or arc that is passed at both ends."""
+    settings = problem.plant.settings
     leg = problem.legs[k]
-    small = leg.chord < LONG_LINE and leg.angle < LONG_TURN
+    small = leg.chord < settings.long_line and leg.angle < settings.long_turn
     return leg.kind is LegKind.LINE and small and problem.passes(k) and problem.passes(k + 1)
 
 
 def _nodes(problem: Problem, k: int) -> Array:
     """Path parameters (m,) at which leg k is sampled to be timed: of a short one middles of even parts."""
+    settings = problem.plant.settings
     if not short(problem, k):
-        return spaced(PAIR_NODES)
-    share = max(problem.legs[k].chord / LONG_LINE, problem.legs[k].angle / LONG_TURN)
-    N = max(1, int(np.ceil(SHORT_NODES * share)))
+        return spaced(settings.pair_nodes, settings.end_spacing)
+    share = max(problem.legs[k].chord / settings.long_line, problem.legs[k].angle / settings.long_turn)
+    N = max(1, int(np.ceil(settings.short_nodes * share)))
     return (np.arange(N) + 0.5) / N
 
 
@@ -112,7 +108,7 @@ def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
         T = np.maximum(T, _straight_times(axes, leg, pairs.q_0[~rest], pairs.q_1[~rest]))
     if leg.kind is LegKind.DWELL:
         times = np.full(len(rest), leg.duration or 0.0)
-        fits = (leg.duration or np.inf) >= T * SLACK
+        fits = (leg.duration or np.inf) >= T * _SLACK
         times[~rest] = np.where(fits, T if leg.duration is None else leg.duration, np.inf)
         return times
     if leg.kind is LegKind.JOINT and not (
@@ -120,8 +116,8 @@ def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
     ):
         T = np.minimum(T, _own_times(axes, leg, pairs.q_0, pairs.q_1))
     if leg.duration is not None:  # too long is no answer, but the search can compare it
-        late = np.maximum(T * SLACK - leg.duration, 0.0)
-        T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
+        late = np.maximum(T * _SLACK - leg.duration, 0.0)
+        T = np.where(np.isfinite(T), leg.duration + _LATE * late, np.inf)
     return np.maximum(T, leg.least)
 
 
@@ -138,7 +134,7 @@ def _straight_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
     way = np.maximum(np.abs(q_1 - q_0), 1e-12)
     limits = axes.velocity_on(leg), axes.acceleration_on(leg), axes.jerk
     T = rest_time(np.ones(len(way)), *(np.min(limit / way, axis=1) for limit in limits))
-    return np.asarray(T * (JERK_ROOM if leg.duration is not None else 1.0))
+    return np.asarray(T * (_JERK_ROOM if leg.duration is not None else 1.0))
 
 
 def least_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> float:
@@ -156,6 +152,7 @@ def _own_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
 
 def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Array]:
     """The same, of what moves; legs of one tool and kind at once, as many as the memory takes."""
+    settings = axes.settings
     counts = np.array([len(one.q_0) for one in pairs], dtype=np.intp)
     out = [np.zeros(0)] * len(pairs)
     alike: dict[tuple[bytes, bool, int], list[int]] = {}
@@ -165,7 +162,7 @@ def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Ar
         alike.setdefault(key, []).append(i)
     for numbers in alike.values():
         behind = np.cumsum(counts[numbers])
-        for _, group in groupby(range(len(numbers)), key=lambda i: int(behind[i]) // PAIRS_AT_ONCE):
+        for _, group in groupby(range(len(numbers)), key=lambda i: int(behind[i]) // (3 * settings.batch // 16)):
             some = [numbers[i] for i in group]
             T = _timed_together(axes, problem, [pairs[i] for i in some])
             for i, times in zip(some, np.split(T, np.cumsum(counts[some])[:-1]), strict=True):
@@ -238,7 +235,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     with np.errstate(invalid="ignore"):
         ends = np.maximum(np.abs(every[:, 0] - q_0), np.abs(every[:, -1] - q_1)).max(axis=1)
         inside = axes.within(every).all(axis=1)
-        ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else FLIPPED)))
+        ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else _FLIPPED)))
     twist, bend = over_work(segments, [kept] * len(pairs), twist, bend)
     table = np.repeat([problem.legs[one.k].table for one in pairs], np.array(counts) * m, axis=0)
     return PathDerivatives(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3], table), ok

@@ -18,13 +18,15 @@ from trajopt_cli.path_timing.path_timing import Unresolved, least_times, time_pa
 from trajopt_cli.path_timing.sampled_path import sample_paths
 from trajopt_cli.path_timing.smooth import smooth
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.settings import ALONE_NODES, MOST_MARKS, OVER, PAIR_NODES, RUN_NODES
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_legs
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.trajectories.profiles import hold, profiles
 from trajopt_cli.trajectories.route import Route
+
+_MOST_MARKS = 6  # stops and fly-bys beside joint moves that a part of a run may span where stopping is tried.
+_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
 
 _SAME = 1e-9  # m between rail positions that are one
 
@@ -128,7 +130,7 @@ def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Seq
         joint = [problem.legs[k].kind is LegKind.JOINT and not problem.coordinated for k in range(first, last)]
         marks.append([first, *(first + k for k in range(1, last - first) if joint[k - 1] or joint[k]), last])
     spans = [
-        [(start, end) for at, end in enumerate(own) for start in own[max(0, at - MOST_MARKS) : at]]
+        [(start, end) for at, end in enumerate(own) for start in own[max(0, at - _MOST_MARKS) : at]]
         if len(own) > 2
         else []
         for own in marks
@@ -149,13 +151,16 @@ def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Seq
 def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:
     """How long runs (m,) take between stops, each between axes of its own, on a few nodes; infinite where they cannot
     be driven."""
+    settings = axes.settings
     names = [(run, own[run[0] : run[1] + 1].tobytes()) for run, own in zip(runs, q, strict=True)]
     distinct = dict(zip(names, zip(runs, q, strict=True), strict=True))
     simple = _simple(axes, problem, [run for run, _ in distinct.values()], [own for _, own in distinct.values()])
     times = {name: np.inf if one is None else one.T for name, one in zip(distinct, simple, strict=True)}
     left = {name: one for name, one in distinct.items() if times[name] == np.inf}
     some, every = [run for run, _ in left.values()], [own for _, own in left.values()]
-    paths = dict(zip(left, sample_paths(axes, problem, some, every, cfx, [PAIR_NODES] * len(left)), strict=True))
+    paths = dict(
+        zip(left, sample_paths(axes, problem, some, every, cfx, [settings.pair_nodes] * len(left)), strict=True)
+    )
     can = {name: path for name, path in paths.items() if path is not None}
     times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
     return np.array([times[name] for name in names])
@@ -165,6 +170,7 @@ def _timed_runs(
     axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
 ) -> list[dict[int, LegMotion] | NotDriven]:
     """The motions of each run in one go, or why there are none."""
+    settings = axes.settings
     out: dict[Run, dict[int, LegMotion] | NotDriven] = {}
     motions: dict[Run, PathLeg | JointNodes | JointProfiles | None] = {}  # of legs between two stops
     left = []
@@ -175,7 +181,7 @@ def _timed_runs(
             motions[run] = smooth(axes, problem, run[0], q, cfx)
         else:
             left.append(run)
-    nodes = [ALONE_NODES if last == first + 1 else RUN_NODES for first, last in left]
+    nodes = [settings.stop_to_stop_nodes if last == first + 1 else settings.run_nodes for first, last in left]
     paths = dict(zip(left, sample_paths(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
     can = {run: path for run, path in paths.items() if path is not None}
     found = dict(zip(can, time_paths(axes, problem, [*can.values()]), strict=True))
@@ -215,10 +221,12 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
             continue
         still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))
         with suppress(ValueError):  # an axis whose switches a file could not tell apart
-            tried[i] = profiles(q_0, still, q_1, still, *limits, leg.duration or leg.least, problem.coordinated)
+            tried[i] = profiles(
+                q_0, still, q_1, still, *limits, leg.duration or leg.least, problem.coordinated, axes.settings
+            )
     checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
     for (i, motion), ratios in zip(tried.items(), checked, strict=True):
-        if max(ratios.tool.max(), ratios.position.max(), ratios.torque.max()) <= 1 + OVER:
+        if max(ratios.tool.max(), ratios.position.max(), ratios.torque.max()) <= 1 + _OVER:
             out[i] = motion
     return out
 

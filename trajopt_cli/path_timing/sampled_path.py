@@ -25,19 +25,12 @@ from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.turning import Turning, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
-from trajopt_cli.settings import (
-    CORNER_PART,
-    END_CURVE,
-    LONG_LINE,
-    LONG_TURN,
-    SHRINK,
-    SHRINKS,
-    SPHERE,
-    SPHERE_SAMPLES,
-    ZONE_SAMPLES,
-)
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import unwound
+
+_SHRINKS = 12  # times at most.
+_SPHERE = 1 + 1e-06  # times the zone's radius that they may be away.
+_SHRINK = 0.8  # a corner of all axes that leaves its zone is made smaller by this.
 
 _SHORT = 1e-9  # of a path, or of its parameter: no part of it
 _SLIVER = 1e-6  # fraction of a path between two corners: no part of it; a corner goes on along its own segments
@@ -314,6 +307,7 @@ class _RunParts:
     # ---- a leg's parts
     def _leg(self, k: int, start: _Bend | None, end: _Bend | None, measure: float) -> Iterator[PathPart]:
         """The parts of leg k between the middles of its corners."""
+        settings = self._axes.settings
         t_0, t_1 = (start.after if start else 0.0), 1 - (end.before if end else 0.0)
         nodes = self._nodes * (self._part_of_long(k) if start and end else 1.0)
         cuts = {0.0, t_0, t_1, 1.0}
@@ -330,10 +324,10 @@ class _RunParts:
             elif end and middle > t_1:
                 segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
             corner = segment is not self._ways[k]
-            N = CORNER_PART if corner else max(CORNER_PART, round(nodes * (b - a)))
+            N = settings.corner_nodes if corner else max(settings.corner_nodes, round(nodes * (b - a)))
             joints = isinstance(segment, JointMove | JointCorner)
             rail = None if joints else self._rail(k, start, end, a, b)
-            u = spaced(N) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
+            u = spaced(N, self._axes.settings.end_spacing) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
             yield PathPart(
                 k,
                 segment,
@@ -346,8 +340,13 @@ class _RunParts:
 
     def _part_of_long(self, k: int) -> float:
         """What part of a line or an arc that has all its nodes a shorter one is; 1 of other legs."""
+        settings = self._axes.settings
         leg = self._problem.legs[k]
-        return min(1.0, max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)) if leg.kind is LegKind.LINE else 1.0
+        return (
+            min(1.0, max(leg.chord / settings.long_line, leg.angle / settings.long_turn))
+            if leg.kind is LegKind.LINE
+            else 1.0
+        )
 
     def _branch(self, k: int) -> int:
         return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]
@@ -398,6 +397,7 @@ class _RunParts:
         """A corner of all axes, small enough that the tool stays within its zone. Where another one takes over, the
         first stays within it in its half, and the other comes no farther from its point than where the corner begins.
         """
+        settings = self._axes.settings
         sides = ((k - 1, True), (k, False))
         tools = [self._problem.legs[leg].X_FT for leg, _ in sides]
         points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
@@ -408,13 +408,13 @@ class _RunParts:
                 shares.append(_reaching(self._axes, way, X_FT, point, radius, end))
             else:
                 shares.append(radius / self._measure(leg))
-        for _ in range(SHRINKS):
+        for _ in range(_SHRINKS):
             states = [self._state(k - 1, 1 - shares[0]), self._state(k, shares[1])]
             if any(np.isnan(q).any() for q, _ in states):
                 return None
             (q_0, rate_0), (q_1, rate_1) = states
             corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
-            halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))), 2)
+            halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, settings.sphere_samples))), 2)
             first, last = (
                 float(np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max())
                 for X_WF, X_FT, point in zip(halves, tools, points, strict=True)
@@ -422,9 +422,9 @@ class _RunParts:
             begins = 0.0
             if not np.array_equal(tools[0], tools[1]):
                 begins = float(np.linalg.norm((halves[0][0] @ tools[1])[:3, 3] - points[1]))
-            if first <= radius * SPHERE and last <= max(radius, begins) * SPHERE:
+            if first <= radius * _SPHERE and last <= max(radius, begins) * _SPHERE:
                 break
-            shares = [share * SHRINK for share in shares]
+            shares = [share * _SHRINK for share in shares]
         return _Bend(corner, *shares)
 
     def _state(self, k: int, share: float) -> tuple[Array, Array]:
@@ -441,10 +441,10 @@ class _RunParts:
         return along.q[0] + turns, along.dq[0]
 
 
-def spaced(N: int) -> Array:
+def spaced(N: int, closer: float) -> Array:
     """Path parameters (N+1,) between two stops, closer together where the tool speeds up and slows down."""
     x = np.linspace(0.0, 1.0, N + 1)
-    return np.asarray(x - END_CURVE * np.sin(2 * np.pi * x) / (2 * np.pi))
+    return np.asarray(x - closer * np.sin(2 * np.pi * x) / (2 * np.pi))
 
 
 def _distinct(cuts: set[float]) -> list[float]:
@@ -460,7 +460,7 @@ def _distinct(cuts: set[float]) -> list[float]:
 
 def _reaching(axes: Axes, move: JointMove, X_FT: Array, point: Array, radius: float, end: bool) -> float:
     """Which share of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
-    share = np.linspace(0, 0.5, ZONE_SAMPLES)
+    share = np.linspace(0, 0.5, axes.settings.zone_samples)
     away = np.linalg.norm((axes.forward(move.axes(1 - share if end else share)) @ X_FT)[:, :3, 3] - point, axis=1)
     outside = np.flatnonzero(away > radius)
     if not len(outside):

@@ -17,11 +17,13 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.path_timing.path_timing import but_torques, rows_on, stacked
 from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.problem.problem import LegKind, Problem
-from trajopt_cli.settings import SAFE, SAFE_JERK, SMOOTH_LAST, SMOOTH_NODES, SMOOTH_STEP, SWITCHES_APART
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
+
+_SMOOTH_STEP = 0.6  # by which its constants are scaled at first, one after the other.
+_SMOOTH_LAST = 0.9  # and at last.
 
 Shares = tuple[float, float, float]
 
@@ -53,18 +55,19 @@ def smooth(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
 
 def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
     """A joint move with a profile for each axis."""
+    settings = axes.settings
     leg, jerk = problem.legs[k], axes.jerk
     assert jerk is not None
-    V, A = axes.velocity_on(leg) * SAFE, axes.acceleration_on(leg) * SAFE
+    V, A = axes.velocity_on(leg) * settings.safe, axes.acceleration_on(leg) * settings.safe
     soft = 1.0
     for _ in range(_ATTEMPTS):
-        move = point_to_point(q[k], q[k + 1], V, A * soft, jerk * SAFE_JERK * soft)
-        if _apart(move):
+        move = point_to_point(q[k], q[k + 1], V, A * soft, jerk * settings.safe_jerk * soft)
+        if _apart(move, axes.settings.switches_apart):
             break
         soft *= 1 - 1e-3
     else:
         return None
-    grid = _grid(move)
+    grid = _grid(move, axes.settings.switches_apart)
     at, rates, _ = move.at(grid * move.duration)
     at[-1], rates[-1] = q[k + 1], 0.0
     v = rates * move.duration
@@ -75,15 +78,16 @@ def _each(axes: Axes, problem: Problem, k: int, q: Array) -> JointNodes | None:
 
 def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
     """One profile along the path, with the ratio of its constants that was found best."""
+    settings = axes.settings
     leg = problem.legs[k]
-    path = sample_path(axes, problem, (k, k + 1), q, cfx, SMOOTH_NODES)
+    path = sample_path(axes, problem, (k, k + 1), q, cfx, settings.smooth_nodes)
     if path is None:
         return None
     rows = stacked(rows_on(axes, problem, path, but_torques(axes)))
     L, dq = float(path.sigma[-1]), np.abs(path.along.dq).max(axis=0)
     assert axes.jerk is not None
     with np.errstate(divide="ignore"):
-        caps = np.array([rows.top.min(), 1 / np.abs(rows.slopes).max(), np.min(axes.jerk / dq)]) * SAFE
+        caps = np.array([rows.top.min(), 1 / np.abs(rows.slopes).max(), np.min(axes.jerk / dq)]) * settings.safe
     if not np.isfinite(caps).all() or not (caps > 0).all():
         return None
 
@@ -93,7 +97,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
         for _ in range(_ATTEMPTS):
             v, a, j = (caps * shares * np.array([1.0, soft, soft]))[:, None]
             move = point_to_point(np.zeros(1), np.array([L]), v, a, j)
-            if _apart(move):
+            if _apart(move, axes.settings.switches_apart):
                 break
             soft *= 1 - 1e-3
         else:
@@ -107,8 +111,8 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
 
     shares: Shares = 1.0, 1.0, 1.0
     known = {shares: tried(shares)}
-    best, step = known[shares], SMOOTH_STEP
-    while best is not None and best[1] > 1.0 and step < SMOOTH_LAST:
+    best, step = known[shares], _SMOOTH_STEP
+    while best is not None and best[1] > 1.0 and step < _SMOOTH_LAST:
         near = [(shares[0] * step**x, shares[1] * step**y, shares[2] * step**z) for x, y, z in _DIRECTIONS]
         for one in near:
             if one not in known:
@@ -129,7 +133,7 @@ def _motion_of(
     axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int], move: PointToPoint, L: float
 ) -> PathLeg | JointNodes:
     """Leg k with all axes on one profile over the length L."""
-    leg, T, grid = problem.legs[k], move.duration, _grid(move)
+    leg, T, grid = problem.legs[k], move.duration, _grid(move, axes.settings.switches_apart)
     at, rates, _ = move.at(grid * T)
     s, v = at[:, 0] / L, rates[:, 0] * T / L
     s[0], s[-1], v[0], v[-1] = 0.0, 1.0, 0.0, 0.0
@@ -145,15 +149,15 @@ def _motion_of(
     )  # fmt: skip
 
 
-def _grid(move: PointToPoint) -> Array:
+def _grid(move: PointToPoint, least: float) -> Array:
     """Its switches in scaled time."""
     times = move.switches / move.duration
-    grid = times[np.concatenate([[True], np.diff(times) > SWITCHES_APART / 2 / move.duration])]
+    grid = times[np.concatenate([[True], np.diff(times) > least / 2 / move.duration])]
     grid[-1] = 1.0
     return grid
 
 
-def _apart(move: PointToPoint) -> bool:
+def _apart(move: PointToPoint, least: float) -> bool:
     """Whether no two switches nearly but not quite coincide."""
     gaps = np.diff(move.switches)
-    return not np.any((gaps > 1e-12) & (gaps < SWITCHES_APART))
+    return not np.any((gaps > 1e-12) & (gaps < least))

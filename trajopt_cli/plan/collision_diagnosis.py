@@ -18,7 +18,6 @@ from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.detours import radii, zone_of
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem
-from trajopt_cli.settings import SEARCH_APART, SEARCH_COARSE
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 
@@ -39,9 +38,10 @@ def blocked_place(axes: Axes, problem: Problem) -> Infeasible | None:
 
 
 def _blocked_station(axes: Axes, problem: Problem, around: CollisionScene, first: int, last: int) -> Infeasible | None:
+    settings = axes.settings
     if first == last and problem.waypoints[first].q is not None:
         return _blocked_joints(problem, around, first)
-    d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+    d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
     if _serves_all(station_table(axes, problem, first, last, d, around)):
         return None
     free = station_table(axes, problem, first, last, d)
@@ -122,13 +122,14 @@ def _deepest_of_least(
 def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None) -> Infeasible:
     """The answer no where every motion that was found touches something: what the best one does, where its end was
     tried, and which zones would do where it is in a corner."""
+    settings = axes.settings
     assert failure.draft is not None
     problem, k = failure.problem, failure.legs[0]
     leg = problem.legs[k]
     motion, hit = problem.motion(leg.motion), hit_on(axes, problem, failure.draft, k)
     said = "touches something" if hit is None else f"cannot be driven clear: {hit.said}"
     first, last = next(one for one in problem.stations if one[0] <= k + 1 <= one[1])
-    d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+    d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
     if zones := _zones_that_do(axes, failure, runs):
         said += f"; {zones}"
     elif axes.layout.has_rail and len(d) > 1:

@@ -19,10 +19,13 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, about, timed
 from trajopt_cli.problem.detours import Detour, Via
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem
-from trajopt_cli.settings import TUNE_FIRST, TUNE_STEPS, TUNE_TRIES, ZONES
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.route import IkBranch, Route
+
+_TUNE_STEPS = (0.8, 0.5, 0.5, 0.3, 0.3, 0.15, 0.15)  # rad, m by which added points are moved, in turn.
+_TUNE_TRIES = 16  # places each is tried at.
+_TUNE_FIRST = 80  # the same in the first turn.
 
 Detoured = Callable[[frozenset[int], Sequence[Detour]], Problem]
 """The problem of the program with points, without the motions that are left out."""
@@ -58,6 +61,7 @@ def clear_motions(
     """Motions that touch nothing, in no order; none where no chain does and nobody knows where that ends. bound: the
     problem with one progress for all axes. straight: why joint moves can have no points; groups: those that must have
     the same. Raises NotDriven and NoClearPath."""
+    settings = axes.settings
     around = collision_scene_of(problem)
     assert around is not None
     avoid = EdgeCollision(axes, around, straight)
@@ -92,15 +96,18 @@ def clear_motions(
     found = False
 
     def made() -> tuple[Problem, Route, tuple[Detour, ...]]:
+        settings = axes.settings
         detours = tuple(
-            Detour(motion, tuple(Via(q, ZONES[radii[motion, i]]) for i, q in enumerate(way)), names[motion])
+            Detour(
+                motion, tuple(Via(q, settings.detour_zones[radii[motion, i]]) for i, q in enumerate(way)), names[motion]
+            )
             for motion, way in sorted(points.items())
         )
         with_points = detoured(problem.dropped, detours) if detours else problem
         return with_points, _route_with_points(axes, with_points, bound, chain, points), detours
 
     tuned = not points.keys() - shared
-    for _ in range(len(ZONES) * max(len(radii), 1) + 1):
+    for _ in range(len(settings.detour_zones) * max(len(radii), 1) + 1):
         with_points, through, detours = made()
         smaller, clear = set[tuple[int, int]](), False
         for one in [through, *shifted(with_points, through)]:
@@ -120,10 +127,10 @@ def clear_motions(
             tuned = True
             if _tune(axes, avoid, with_points, through, points, shared):
                 continue
-        if clear or not smaller or all(radii[one] == len(ZONES) - 1 for one in smaller):
+        if clear or not smaller or all(radii[one] == len(settings.detour_zones) - 1 for one in smaller):
             break
         for point in smaller:
-            radii[point] = min(radii[point] + 1, len(ZONES) - 1)
+            radii[point] = min(radii[point] + 1, len(settings.detour_zones) - 1)
     if not found and failure is not None:
         raise failure
 
@@ -139,11 +146,11 @@ def _tune(
     places = [
         (k + 1, motion, number) for motion, number, k in _numbered_points(problem, points) if motion not in shared
     ]
-    for turn, step in enumerate(TUNE_STEPS):
+    for turn, step in enumerate(_TUNE_STEPS):
         for k, motion, number in places:
             near = [run for run in problem.runs if run[0] <= k <= run[1]]
             spread = step * np.minimum(axes.velocity, 1.0)
-            tries = q[k] + random.normal(size=(TUNE_TRIES if turn else TUNE_FIRST, axes.n)) * spread
+            tries = q[k] + random.normal(size=(_TUNE_TRIES if turn else _TUNE_FIRST, axes.n)) * spread
             others = avoid.points(motion) if turn == 0 else tries[:0]
             tries = np.concatenate(
                 [tries, others, q[k] + 0.5 * step * np.eye(axes.n) * (q[k - 1] + q[k + 1] - 2 * q[k])]

@@ -17,7 +17,6 @@ from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.driver import first_draft
 from trajopt_cli.problem.problem import LegKind, Problem
-from trajopt_cli.settings import FIRST_JOINT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
 from trajopt_cli.trajectories.iterate import Iterate
@@ -103,9 +102,9 @@ def _leg_motion(axes: Axes, problem: Problem, k: int, state: State, then: State)
     ends, rest = np.stack([q_0, q_1]), np.zeros((2, axes.n))
     motion: LegMotion | None
     if leg.kind is LegKind.JOINT and not still:
-        grid = np.linspace(0, 1, FIRST_JOINT + 1)
+        grid = np.linspace(0, 1, axes.settings.first_joint_grid + 1)
         q, v, _ = integrate(np.array([0.0, 1.0]), ends, rest, grid)
-        motion = JointNodes(T, grid, q, v, np.diff(v, axis=0) * FIRST_JOINT)
+        motion = JointNodes(T, grid, q, v, np.diff(v, axis=0) * axes.settings.first_joint_grid)
     else:
         times = np.array([0.0 if still else T])
         motion = first_draft(axes, alone, ends, rest, (cfx_0, cfx_1), times).legs[0]

@@ -31,7 +31,6 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import HOPELESS, ROOMS
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.route import Route
@@ -248,9 +247,10 @@ def initial_plan_of(
     with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
     timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
     problems they are, to add points to its program. Raises NoCleanPlan."""
+    settings = axes.settings
     failure: tuple[Problem, NotDriven] | None = None
     touched: NoClearPath | None = None
-    for room in ROOMS:
+    for room in settings.range_shares:
         start = perf_counter()
         narrow, known = axes.narrowed(room), Times()
         chains = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
@@ -279,7 +279,9 @@ def initial_plan_of(
                     except NotDriven as said:
                         failure = failure or (problem, said)
                         wanted = problem.legs[said.run[0]].duration
-                        hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
+                        hopeless &= (
+                            said.least is not None and wanted is not None and said.least > settings.hopeless * wanted
+                        )
                         continue
                     if isinstance(draft, NoClearPath):
                         touched = touched or draft

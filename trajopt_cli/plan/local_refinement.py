@@ -29,13 +29,15 @@ from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import FEW_LEGS, LEAST_GAIN, SWEEP_GAIN, SWEEPS, WORTH_TRYING
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import cost
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointNodes
 from trajopt_cli.trajectories.route import Route
 from trajopt_cli.workers import in_turns
+
+_SWEEPS = 6  # of windows over one another's borders at most.
+_WORTH_TRYING = 1.005  # times what it takes at least that a joint move must take before axes of their own are tried.
 
 Tell = Callable[[float], None]
 
@@ -85,7 +87,7 @@ def refine(
     solved, best = problem, merged
     for one, base in bases:
         found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)), chain)
-        if duration(found) < duration(best) - LEAST_GAIN:
+        if duration(found) < duration(best) - axes.settings.least_gain:
             solved, best = one, found
     return solved, best, tuple(report.notes(best is not merged, patience))
 
@@ -187,11 +189,11 @@ class WindowSweeps:
             return base
         draft, (red, black) = base, red_black(problem)
         gained = dict.fromkeys((*red, *black), np.inf)  # over each window's borders since it was solved, as a share
-        for _ in range(SWEEPS):
-            if report.stopped or max(gained.values()) <= SWEEP_GAIN:
+        for _ in range(_SWEEPS):
+            if report.stopped or max(gained.values()) <= problem.plant.settings.sweep_gain:
                 break
             for spans, others in ((red, black), (black, red)):
-                due = [span for span in spans if gained[span] > SWEEP_GAIN]
+                due = [span for span in spans if gained[span] > problem.plant.settings.sweep_gain]
                 before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell, chain)
                 for first, last in due:
                     gained[first, last] = 0.0
@@ -205,7 +207,7 @@ class WindowSweeps:
         chain: Route | None,
     ) -> Iterate:  # fmt: skip
         """The motion after windows that share no leg, equal ones solved once."""
-        few = len(problem.legs) <= FEW_LEGS
+        few = len(problem.legs) <= problem.plant.settings.few_legs
         windows: list[tuple[Window, bytes]] = []
         tasks: dict[bytes, Callable[[Callable[[Any], None]], _Outcome]] = {}
         for window in (Window.of(problem, draft, span) for span in spans):
@@ -274,7 +276,7 @@ class WindowSweeps:
                     found = refiner.run(start) if isinstance(start, Iterate) else refiner.finished(start)
                     clean = True
                     gain = cost(self._axes, problem, own.legs) - cost(self._axes, problem, found.legs)
-                    if gain > LEAST_GAIN and clear(self._axes, problem, found):
+                    if gain > problem.plant.settings.least_gain and clear(self._axes, problem, found):
                         tell((key, gain))
                         return _Outcome(found, clean, seconds)
                 if clean and not initial:
@@ -344,7 +346,7 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
     if piece.coordinated and any(leg.kind is LegKind.JOINT for leg in piece.legs):
         return False
     if isinstance(piece.objective, LeastEffort):
-        return cost(axes, piece, legal.legs) > LEAST_GAIN
+        return cost(axes, piece, legal.legs) > axes.settings.least_gain
     if axes.jerk is not None and any(leg.kind is LegKind.LINE for leg in piece.legs):
         return True
     moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
@@ -354,7 +356,7 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
         or free
         or any(
             isinstance(motion, JointNodes)
-            and WORTH_TRYING * least_time(axes, leg, legal.q[k], legal.q[k + 1]) < motion.T
+            and _WORTH_TRYING * least_time(axes, leg, legal.q[k], legal.q[k + 1]) < motion.T
             for k, (leg, motion) in enumerate(zip(piece.legs, legal.legs, strict=True))
         )
     )

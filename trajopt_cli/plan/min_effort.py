@@ -27,7 +27,6 @@ from trajopt_cli.plan.min_effort_law import min_effort_law
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import EASE_NODES, EASE_ROUNDS, SWEEP_GAIN
 from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_legs
@@ -112,7 +111,7 @@ def with_min_effort_laws(
     """The motion of runs that share one progress, in so many seconds, with laws of least effort where they were found.
     Never more effort than time alone gives it."""
     best = slowed_to(axes, problem, draft, seconds)
-    for _ in range(EASE_ROUNDS):
+    for _ in range(axes.settings.effort_rounds):
         legs, known = list(best.legs), dict[bytes, dict[int, LegMotion]]()
         for span in _spans(axes, problem, best):
             if not span.effort:
@@ -135,7 +134,8 @@ def _min_effort_motions(
     axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span
 ) -> dict[int, LegMotion]:
     """A span's motions by the law of least effort; none where no gentler one is found."""
-    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, EASE_NODES)
+    settings = axes.settings
+    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, settings.effort_nodes)
     if path is None:
         return {}
 
@@ -195,14 +195,14 @@ def _swept(
 ) -> Iterate:
     """The motion with free axes made gentler window by window, and its time given anew to what it became."""
     asked = replace(problem, objective=LeastEffort(seconds))
-    for _ in range(EASE_ROUNDS):
+    for _ in range(axes.settings.effort_rounds):
         draft = sweeps.run(asked, draft, tally, lambda _: None)
         again = slowed_to(axes, problem, draft, seconds)
         before, after = (float(efforts(axes, one.legs).sum()) for one in (draft, again))
         if duration(draft) >= seconds * (1 - _SAME) and after >= before:
             return draft
         draft = again
-        if before - after < SWEEP_GAIN * before:
+        if before - after < axes.settings.sweep_gain * before:
             return draft
     return draft
 

@@ -15,7 +15,6 @@ from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path_timing.path_timing import PathMargins, in_force, time_optimal_law
 from trajopt_cli.path_timing.sampled_path import SampledPath
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.settings import BARRIER_REFINED, MOST_ITERATIONS, SHARP
 from trajopt_cli.timing.topp import TimeLaw
 from trajopt_cli.trajectories.axes import Axes
 
@@ -27,6 +26,7 @@ def min_effort_law(
 ) -> TimeLaw | None:
     """The law of a run's path that takes so many seconds with the least effort, from rest to rest; None where it
     takes longer, or hardly less, as fast as may be."""
+    settings = axes.settings
     fast = time_optimal_law(axes, problem, path, margins)
     if fast is None or fast.duration > seconds * (1 - _SPARE):
         return None
@@ -58,7 +58,7 @@ def min_effort_law(
         p |= {f"slope_{end}": slopes * slope / room, f"bend_{end}": bends * bend / room}
     z = {"r_0": r[:-1], "r_1": r[1:], "t_0": t[:-1], "t_1": t[1:], "e": e}
     formulation.law_interval(begins[0].shape[1]).holds(nlp, z, p)
-    result = nlp.solve(mu=BARRIER_REFINED, tolerance=SHARP, most=MOST_ITERATIONS)
+    result = nlp.solve(mu=settings.barrier_refined, tolerance=settings.tolerance, most=settings.most_iterations)
     if not result.converged:
         return None
     law = TimeLaw(path.sigma, result.x[r] * rate)

@@ -36,7 +36,6 @@ from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem, build_problem
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import AT_END, FELT, FIRST, JUMPED, LATER, LEAST_GAIN, OVER, PROJECTIONS, SHIFTS, SMALL
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg, check_legs
 from trajopt_cli.trajectories.iterate import Iterate
@@ -44,6 +43,15 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles,
 from trajopt_cli.trajectories.profiles import hold, profiles
 from trajopt_cli.trajectories.route import IkBranch, Route
 from trajopt_cli.trajectory import hermite
+
+# share by which a plan solved again may take longer before it begins on its own fine grid. Measured on one small cell
+# with eight rails: 2e-4 as a rule, 5e-3 in another optimum.
+_LATER = 0.001
+# m of rail that are tried in turn where a place was moved out of the arm's reach.
+_SHIFTS = (0.0, 0.002, -0.002, 0.005, -0.005, 0.01, -0.01, 0.02, -0.02, 0.05, -0.05)
+_AT_END = 0.998  # share of the rail's half stroke from which it stands at an end.
+_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
+_PROJECTIONS = 6  # steps towards the share of a way that a tool has reached.
 
 Changed = Callable[[float], tuple[Program, Plant]]
 """The program and its plant with a share of a change made, 1 for all of it."""
@@ -108,7 +116,7 @@ class PlanSensitivity:
             legs = tuple(_leg_motion(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
             return Iterate(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
 
-        draft = begun(FIRST)
+        draft = begun(plant.settings.first_grid)
         if not problem.coordinated and self._passed:
             problem = with_fixed_runs(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)
@@ -124,7 +132,7 @@ class PlanSensitivity:
                 if key not in known:
                     grids = Grids.of(problem)
                     found = _SolvedWindow.of(axes, self._formulation, grids, window)
-                    if found is None or found.duration > (1 + LATER) * duration(window.draft):
+                    if found is None or found.duration > (1 + _LATER) * duration(window.draft):
                         # the coarse grid led away from the plan; one of its own does not
                         nearer = Window.of(problem, begun(grids.path), span)
                         other = _SolvedWindow.of(axes, self._formulation, grids, nearer)
@@ -151,29 +159,42 @@ class PlanSensitivity:
     def answer(self, changed: Changed, loosens: bool) -> Effect:
         """What a change makes of the plan. loosens: whether every legal motion stays legal, so that nothing can be
         lost. What cannot be solved again is an answer, too."""
+        settings = self.motion.axes.settings
         try:
-            whole, small = (self._changed(*changed(share)) for share in (1.0, SMALL))
+            whole, small = (self._changed(*changed(share)) for share in (1.0, settings.small_change))
             active = [part for part in self._parts if part.affected_by(self.motion, whole)]
             slopes = [part.first_order(self.motion, small) for part in active]
             found: dict[bytes, float] = {}
             gain, why = 0.0, ""
             for part, slope in zip(active, slopes, strict=True):
-                if not part.rail_refined and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
+                if (
+                    not part.rail_refined
+                    and slope is not None
+                    and abs(slope / settings.small_change) < settings.least_gain
+                ):
                     continue  # it stays optimal where no multiplier says otherwise, and a law on its course
                 try:
                     gain += part.duration - part.again(self.motion, whole, found)
                 except (NotConverged, NotDriven) as no:
                     why = why or part.why(no)
-            predicted = _predicted_gain(slopes, SMALL)
-            if predicted is not None and abs(predicted - gain) > JUMPED * max(abs(predicted), abs(gain)) and not why:
-                nearer = self._changed(*changed(SMALL / 2))  # a law may jump where a corner takes another size
-                predicted = _predicted_gain([part.first_order(self.motion, nearer) for part in active], SMALL / 2)
+            predicted = _predicted_gain(slopes, settings.small_change)
+            if (
+                predicted is not None
+                and abs(predicted - gain) > settings.jumped * max(abs(predicted), abs(gain))
+                and not why
+            ):
+                nearer = self._changed(
+                    *changed(settings.small_change / 2)
+                )  # a law may jump where a corner takes another size
+                predicted = _predicted_gain(
+                    [part.first_order(self.motion, nearer) for part in active], settings.small_change / 2
+                )
         except NotResolvable as no:
             return Effect(None, None, why=str(no))
         if why and not (loosens and gain > 0):
             return Effect(None, predicted, why=why)
         gain = max(gain, 0.0) if loosens else gain
-        slept = not active or (predicted is not None and max(abs(predicted), abs(gain)) < LEAST_GAIN)
+        slept = not active or (predicted is not None and max(abs(predicted), abs(gain)) < settings.least_gain)
         return Effect(0.0 if slept else gain, predicted, not slept, why)
 
     def _problem(self, program: Program, plant: Plant) -> Problem:
@@ -203,7 +224,7 @@ class PlanSensitivity:
             for k, (old, new) in enumerate(zip(before.problem.waypoints, problem.waypoints, strict=True))
             if new.q is None and not np.array_equal(old.X_WF, new.X_WF)
         ]
-        for shift in SHIFTS if moved and axes.layout.has_rail else SHIFTS[:1]:
+        for shift in _SHIFTS if moved and axes.layout.has_rail else _SHIFTS[:1]:
             q, qd = _placed(axes, problem, before, moved, shift)
             legs_there = tuple(
                 None if motion is None else _leg_with_change(problem, k, motion, q)
@@ -434,8 +455,9 @@ def _differs(before: _Motion, after: _Motion, span: Span) -> BoolArray:
 def _candidates(ratios: Ratios, axes: Axes) -> BoolArray:
     """What a leg comes near to, in the columns of _caps. Where it stays away from a limit it does so after a small
     shift of the rail, too."""
-    reached = [one.max(axis=0) >= FELT for one in (ratios.velocity, ratios.acceleration, ratios.tool)]
-    rail = ratios.position[:, axes.layout.rail].max(axis=0) >= AT_END
+    settings = axes.settings
+    reached = [one.max(axis=0) >= settings.active for one in (ratios.velocity, ratios.acceleration, ratios.tool)]
+    rail = ratios.position[:, axes.layout.rail].max(axis=0) >= _AT_END
     return np.concatenate([*reached, rail, rail, [True]])
 
 
@@ -495,6 +517,7 @@ def _leg_motion(
     axes: Axes, problem: Problem, plan: Plan, k: int, chain: Route, qd: Array, times: Array, paths: int
 ) -> LegMotion:
     """The plan's motion on a leg as the nonlinear program may begin with it, on so many intervals of a path."""
+    settings = axes.settings
     leg, T, begin = problem.legs[k], float(times[k]), float(times[:k].sum())
     if leg.kind is LegKind.DWELL and not leg.rail_moves:
         return hold(leg.duration or 0.0, chain.q[k])
@@ -502,9 +525,9 @@ def _leg_motion(
         with suppress(ValueError):  # switches that a file could not tell apart
             V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
             ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
-            closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated)
+            closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated, problem.plant.settings)
             ratios = check_leg(axes, leg, closed)
-            if closed.T > T - LEAST_GAIN and max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
+            if T - settings.least_gain < closed.T and max(ratios.tool.max(), ratios.position.max()) <= 1 + _OVER:
                 return closed
     N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else paths
     grid = np.linspace(0.0, 1.0, N + 1)
@@ -535,7 +558,7 @@ def _path_parameters(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Ar
     """Shares of a way (m,) and their rates where the axes (m, n) have the tool on it."""
     X_WT = axes.forward(q) @ X_FT
     s = np.linspace(0.0, 1.0, len(q))
-    for _ in range(PROJECTIONS):
+    for _ in range(_PROJECTIONS):
         X, twist = segment.pose(s), segment.twist(s)
         turn = X_WT[:, :3, :3] @ np.swapaxes(X[:, :3, :3], 1, 2)
         skew = np.stack(

@@ -38,13 +38,15 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.settings import DENSER, HARDLY, LONGEST_MOTION, RESIDUAL, ROW_APART, ROWS_AT_ONCE, SLOWER
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts, rail_way
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.trajectory import Trajectory
+
+_DENSER = 6  # times that rows are put between rows where the cubic passes a limit.
+_RESIDUAL = 1e-14  # rad or m: rounding of a position in a row.
 
 _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
@@ -171,8 +173,8 @@ def _slower(legal: InitialPlan, problem: Problem, draft: Iterate, eased: Eased |
     initial plan, slower and slower."""
     yield _Rung(problem, draft, eased)
     if eased is None:
-        yield _Rung(problem, slowed(problem, draft, HARDLY))
-    for times in SLOWER:
+        yield _Rung(problem, slowed(problem, draft, problem.plant.settings.hardly))
+    for times in problem.plant.settings.slower:
         yield _Rung(legal.problem, slowed(legal.problem, legal.draft, times), notes=(_SLOWED,))
 
 
@@ -256,12 +258,13 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
 
 def _check_lengths(program: Program, problem: Problem, draft: Iterate) -> None:
     """Raise InputError for a motion on which something moves for longer than LONGEST_MOTION: its rows fill a disk."""
+    settings = problem.plant.settings
     for leg, motion, busy in zip(problem.legs, draft.legs, turning(problem), strict=True):
         under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting() | busy].sum())
-        if under_way > LONGEST_MOTION:
+        if under_way > settings.longest_motion:
             one = program.motions[leg.motion]
-            text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to {LONGEST_MOTION:g} s: give"
-            text += " it another speed or time, or a part of its way"
+            text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to"
+            text += f" {settings.longest_motion:g} s: give it another speed or time, or a part of its way"
             raise InputError(text, file=one.source.file, line=one.source.line, column=one.source.column)
 
 
@@ -270,13 +273,13 @@ def _rows(axes: Axes, problem: Problem, draft: Iterate) -> tuple[Trajectory, Arr
     where that does not help."""
     legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
     more = switches(problem, legs)
-    for _ in range(DENSER + 1):
+    for _ in range(_DENSER + 1):
         trajectory, bounds = rows_of(axes, legs, end, more, busy)
         over = _passing(axes, trajectory)
         if not len(over):
             return with_tables(problem, legs, trajectory, bounds), bounds
         gaps = np.diff(trajectory.t)[over]
-        if gaps.min() < 2 * ROW_APART:
+        if gaps.min() < 2 * axes.settings.least_row_step:
             return None
         more += list(trajectory.t[over] + gaps / 2)
     return None
@@ -287,14 +290,14 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     rounding does to rows that stand near each other: less than the judge grants for it, also late in a cycle."""
     assert trajectory.qd is not None
     eps, over = float(np.finfo(np.float64).eps), np.zeros(len(trajectory.t) - 1, dtype=bool)
-    for first in range(0, len(over), ROWS_AT_ONCE):
-        rows = slice(first, first + ROWS_AT_ONCE + 1)
+    for first in range(0, len(over), axes.settings.batch):
+        rows = slice(first, first + axes.settings.batch + 1)
         t, q, qd = trajectory.t[rows], trajectory.q[rows], trajectory.qd[rows]
         h = np.diff(t)[:, None]
         c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
         # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have
         # fewer digits, which matters as much as an axis moves meanwhile
-        off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
+        off, late = _RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
         noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
         most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
         # the mean acceleration between two speeds is judged by itself, too, and rounding does less to it

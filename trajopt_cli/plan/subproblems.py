@@ -18,7 +18,6 @@ from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
-from trajopt_cli.settings import OVERLAP, WINDOW
 from trajopt_cli.trajectories.iterate import Iterate
 
 Span = tuple[int, int]  # waypoints: the first and the last
@@ -124,11 +123,12 @@ def red_black(problem: Problem) -> tuple[list[Span], list[Span]]:
 
 def _borders(problem: Problem, first: int, last: int) -> Iterator[int]:
     """Where a piece is cut into windows of about one size, none of more than WINDOW legs where there may be borders."""
+    settings = problem.plant.settings
     at = first
-    while (count := -(-(last - at) // WINDOW)) > 1:
-        border = _border_near(problem, at, min(last, at + WINDOW + 1), at + (last - at) / count)
+    while (count := -(-(last - at) // settings.window_legs)) > 1:
+        border = _border_near(problem, at, min(last, at + settings.window_legs + 1), at + (last - at) / count)
         if border is None:
-            border = min(_possible_borders(problem, at + WINDOW, last), default=None)
+            border = min(_possible_borders(problem, at + settings.window_legs, last), default=None)
         if border is None:
             break
         yield border
@@ -137,8 +137,9 @@ def _borders(problem: Problem, first: int, last: int) -> Iterator[int]:
 
 def _over_borders(problem: Problem, borders: list[int], first: int, last: int) -> Span:
     """Within a span, the legs beside the borders in it: about OVERLAP of them, for one farther away changes little."""
+    settings = problem.plant.settings
     inside = [k for k in borders if first < k < last]
-    low, high = inside[0] - OVERLAP / 2, inside[-1] + OVERLAP / 2
+    low, high = inside[0] - settings.window_overlap / 2, inside[-1] + settings.window_overlap / 2
     near = [k for k in _possible_borders(problem, first, last) if low <= k <= high]
     return (
         first if first >= low else min((k for k in near if k < inside[0]), default=first),
@@ -156,7 +157,8 @@ def _border_near(problem: Problem, a: int, b: int, wanted: float) -> int | None:
     a joint move, where configurations meet. None where none may be a border."""
 
     def cost(k: int) -> float:
-        return abs(k - wanted) + WINDOW / 6 * (problem.legs[k].kind is not LegKind.JOINT)
+        settings = problem.plant.settings
+        return abs(k - wanted) + settings.window_legs / 6 * (problem.legs[k].kind is not LegKind.JOINT)
 
     return min(_possible_borders(problem, a, b), key=cost, default=None)
 

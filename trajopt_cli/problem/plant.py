@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trajopt_cli import settings as defaults
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, readonly
@@ -14,6 +15,7 @@ from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.robot.structure import NO_CONFDATA
+from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
@@ -37,7 +39,8 @@ class Plant:
     pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
     distance wanted between the robot and an obstacle [m]. tool_radius [m]: of the capsule from flange to TCP that
     stands for the tool of each motion; 0 for none, as where something is attached. grips: which obstacles the flange
-    takes and leaves, and when. See problem.bodies. turning: the external axes of positioners, 0 for eax_a.
+    takes and leaves, and when. See problem.bodies. turning: the external axes of positioners, 0 for eax_a. settings:
+    the planner's chosen numbers.
     """
 
     robot: RobotModel
@@ -56,6 +59,7 @@ class Plant:
     tool_radius: float = 0.0
     grips: tuple[Grip, ...] = ()
     turning: frozenset[int] = frozenset()
+    settings: Settings = field(default_factory=lambda: defaults.DEFAULT)
 
     @property
     def layout(self) -> AxisLayout:

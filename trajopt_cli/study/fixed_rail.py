@@ -23,7 +23,6 @@ from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
-from trajopt_cli.settings import RUN_NODES
 from trajopt_cli.study.case import Case
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples
@@ -184,7 +183,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
         if legs and (leg.motion not in passed or k + 1 == len(problem.legs)):
             run, path = StopToStop(tuple(legs.values())), None
             if len(legs) > 1 or run.legs[0].on_line:
-                nodes = RUN_NODES if len(legs) > 1 or run.legs[0].is_arc else _LINE_NODES
+                nodes = plant.settings.run_nodes if len(legs) > 1 or run.legs[0].is_arc else _LINE_NODES
                 path = sample_path(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes)
                 if path is None:
                     why = f"{motion_name(motion)} has no path, although the fixed-rail plan has one"

@@ -144,7 +144,6 @@ def order_of(
     from trajopt_cli.plan.initial_plan import PlanRequest
     from trajopt_cli.problem.decision_scope import EVERYTHING
     from trajopt_cli.problem.problem import Problem
-    from trajopt_cli.settings import EXACT_STATIONS
     from trajopt_cli.trajectories.axes import Axes
 
     job = group.job
@@ -164,7 +163,7 @@ def order_of(
     n = len(group.parts)
     written = tuple(range(n))
     nearest = written if steps is None else sequence.nearest_order(steps)
-    exact = n <= EXACT_STATIONS
+    exact = n <= axes.settings.exact_stations
     best, top = (math.inf, written) if steps is None else _best(sequence, steps, written, nearest, exact)
     if steps is None or not math.isfinite(best):
         last = group.parts[-1].motions[1] - 1

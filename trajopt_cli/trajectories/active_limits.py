@@ -9,26 +9,31 @@ import numpy as np
 
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import AT_LIMIT, BINDING_SAMPLES, CHECKED, FEWEST_SAMPLES, LOOK, STILL
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, sampled, shares
+
+_STILL = 1e-09  # rad or m: no way to go.
 
 
 def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[str]:
     """Of each motion the limit it stands at for the largest fraction of its time, as "joint_1 acceleration" or
     "programmed ..."; "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie
     below."""
+    settings = axes.settings
     out = [leg.waits_for if leg.least else "programmed duration" for leg in legs]
     asked = [i for i, leg in enumerate(legs) if leg.duration is None]
-    counts = [int(np.clip(motions[i].T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)) for i in asked]
+    counts = [
+        int(np.clip(motions[i].T / settings.sample_step, settings.fewest_samples, settings.active_limit_samples))
+        for i in asked
+    ]
     behind = np.cumsum(counts)
-    for _, group in groupby(range(len(asked)), key=lambda j: int(behind[j]) // CHECKED):
+    for _, group in groupby(range(len(asked)), key=lambda j: int(behind[j]) // (6 * settings.batch)):
         some = [*group]
         at = [asked[j] for j in some]
         found = _binding(axes, tcp, [legs[i] for i in at], [motions[i] for i in at], [counts[j] for j in some])
         for i, name in zip(at, found, strict=True):
-            out[i] = legs[i].waits_for if legs[i].least and legs[i].least / AT_LIMIT >= motions[i].T else name
+            out[i] = legs[i].waits_for if legs[i].least and legs[i].least / settings.at_limit >= motions[i].T else name
     return out
 
 
@@ -45,10 +50,10 @@ def _binding(
     asked = motion_samples(axes, legs, number, sample, first, progress)
     ratios = np.hstack([limit.used(asked) for limit in axes.limits])
     for leg, rows in zip(legs, np.split(np.arange(len(number)), first[1:]), strict=True):
-        if np.all(np.ptp(sample.q[rows], axis=0) < STILL) and (progress is None or not progress[:, rows].any()):
+        if np.all(np.ptp(sample.q[rows], axis=0) < _STILL) and (progress is None or not progress[:, rows].any()):
             yield "already there"
             continue
         names = [name for limit in axes.limits for name in limit.labels(leg, tcp)]
-        often = np.mean(ratios[rows] >= AT_LIMIT, axis=0)
+        often = np.mean(ratios[rows] >= axes.settings.at_limit, axis=0)
         best = int(np.argmax(often)) if np.any(often > 0) else int(np.argmax(np.max(ratios[rows], axis=0)))
         yield names[best]

@@ -15,6 +15,7 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
+from trajopt_cli.settings import DEFAULT, Settings
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.joint_torque import Torques
 from trajopt_cli.trajectories.limits.limit import Limit
@@ -48,7 +49,7 @@ class AxisLimits:
 class Axes:
     """Limits and names (n,) of all axes in the robot's order; jerk, torque: None where they are free. X_WB0: the arm's
     base in the world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings:
-    ranges of sums of axes."""
+    ranges of sums of axes. settings: chosen numbers."""
 
     robot: Robot
     layout: AxisLayout
@@ -62,6 +63,7 @@ class Axes:
     jerk: Array | None = None
     couplings: Couplings = _FREE
     torque: Torques | None = None
+    settings: Settings = DEFAULT
 
     @classmethod
     def of(cls, plant: Plant) -> Axes:
@@ -72,7 +74,7 @@ class Axes:
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
             robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
-            axis, limits.binding_jerk, limits.couplings, Torques.of(plant),
+            axis, limits.binding_jerk, limits.couplings, Torques.of(plant), plant.settings,
         )  # fmt: skip
 
     @property

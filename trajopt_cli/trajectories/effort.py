@@ -9,11 +9,12 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.settings import GAUSS
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, Sample, sampled
 
-_PLACES, _WEIGHTS = (x / 2 for x in np.polynomial.legendre.leggauss(GAUSS))
+_GAUSS = 4  # places of the quadrature of an effort between two breaks; exact for polynomials of the seventh degree.
+
+_PLACES, _WEIGHTS = (x / 2 for x in np.polynomial.legendre.leggauss(_GAUSS))
 
 
 def efforts(axes: Axes, motions: Sequence[LegMotion | None]) -> Array:

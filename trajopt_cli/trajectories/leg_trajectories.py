@@ -18,7 +18,6 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path.turning import over_work
-from trajopt_cli.settings import CLEAR_MOST, SAMPLED
 from trajopt_cli.trajectories.axes import Axes
 
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics tells joints 4 and 6 apart by convention only
@@ -397,34 +396,34 @@ def samples(
             else:
                 yield first + at, piece.sample(axes, when, right)
         first += len(own)
-    for group in _together(ways):
+    for group in _together(ways, axes.settings.batch // 4):
         numbers = np.concatenate([at for _, at, _ in group])
         yield numbers, _on_ways(axes, [leg for leg, _, _ in group], [when for _, _, when in group], right)
 
 
 def _together(
-    ways: Sequence[tuple[PathLeg, IndexArray, Array]],
+    ways: Sequence[tuple[PathLeg, IndexArray, Array]], batch: int
 ) -> Iterator[list[tuple[PathLeg, IndexArray, Array]]]:
     """Motions to be sampled at once: of one tool, and few enough for the memory."""
     behind = np.cumsum([len(t) for _, _, t in ways])
 
     def key(i: int) -> tuple[bytes, int]:
-        return ways[i][0].X_FT.tobytes(), int(behind[i]) // SAMPLED
+        return ways[i][0].X_FT.tobytes(), int(behind[i]) // batch
 
     for _, group in groupby(range(len(ways)), key=key):
         yield [ways[i] for i in group]
 
 
-def sample_times(motion: LegMotion, every: float, least: int) -> tuple[Array, IndexArray]:
+def sample_times(motion: LegMotion, every: float, least: int, most: int) -> tuple[Array, IndexArray]:
     """Times (m,) at which a motion is looked at, its last break at the end, and the number (N,) in them of the break
     that begins each interval.
 
-    Between two breaks they are no more than every [s] apart, but CLEAR_MOST parts at most: a motion may last for a day.
+    Between two breaks they are no more than every [s] apart, but most parts: a motion may last for a day.
     least: parts of any interval, and all there are of one in which nothing moves.
     """
     breaks = motion.breaks()
     steps = np.diff(breaks)
-    wanted = np.where(motion.resting(), 0.0, np.minimum(np.ceil(steps / every), CLEAR_MOST))
+    wanted = np.where(motion.resting(), 0.0, np.minimum(np.ceil(steps / every), most))
     parts = np.maximum(wanted.astype(np.intp), least)
     first = np.cumsum(parts) - parts
     number = np.arange(parts.sum()) - np.repeat(first, parts)

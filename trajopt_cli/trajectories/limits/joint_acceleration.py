@@ -10,7 +10,6 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import EXACT
 from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
@@ -20,7 +19,11 @@ class JointAcceleration(Limit):
     name = "acceleration"
     order = 2.0
     safe_on_grid = INF
-    start_on_grid = EXACT
+
+    @property
+    def start_on_grid(self) -> float:
+        """See Limit."""
+        return self.axes.settings.exact
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

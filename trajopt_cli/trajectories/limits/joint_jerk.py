@@ -10,7 +10,6 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import SAFE_JERK, START_JERK
 from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, Row
 
 
@@ -19,9 +18,22 @@ class JointJerk(Limit):
 
     name = "jerk"
     order = 3.0
-    safe = SAFE_JERK
     safe_on_grid = INF
-    start = start_on_grid = START_JERK
+
+    @property
+    def safe(self) -> float:
+        """See Limit."""
+        return self.axes.settings.safe_jerk
+
+    @property
+    def start(self) -> float:
+        """See Limit."""
+        return self.axes.settings.start_jerk
+
+    @property
+    def start_on_grid(self) -> float:
+        """See Limit."""
+        return self.axes.settings.start_jerk
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

@@ -10,8 +10,9 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import RANGE_ROUNDING
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, Row
+
+_RANGE_ROUNDING = 1e-09  # of half an axis' range by which it may be passed: rounding.
 
 
 class JointRange(Limit):
@@ -19,7 +20,7 @@ class JointRange(Limit):
 
     name = "position"
     order = 0.0
-    safe = 1.0 + RANGE_ROUNDING
+    safe = 1.0 + _RANGE_ROUNDING
     start = start_on_grid = 1.0
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:

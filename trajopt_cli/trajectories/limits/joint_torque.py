@@ -18,8 +18,9 @@ from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
-from trajopt_cli.settings import UNREACHED
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
+
+_UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail left the arm's reach between nodes.
 
 
 class Columns(NamedTuple):
@@ -173,7 +174,7 @@ def of_room(moving: Array, rest: Array) -> Array:
     it leaves nothing."""
     room = np.where(moving > 0, 1 - rest, 1 + rest)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.where(np.abs(rest) < 1, np.abs(moving) / room, UNREACHED))
+        return np.asarray(np.where(np.abs(rest) < 1, np.abs(moving) / room, _UNREACHED))
 
 
 def _by_load(legs: Sequence[Leg], number: IndexArray) -> Iterator[tuple[ToolLoad | None, IndexArray]]:

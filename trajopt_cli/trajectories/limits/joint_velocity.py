@@ -10,7 +10,6 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import EXACT
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
@@ -19,7 +18,11 @@ class JointVelocity(Limit):
 
     name = "velocity"
     safe_on_grid = 1.0
-    start_on_grid = EXACT
+
+    @property
+    def start_on_grid(self) -> float:
+        """See Limit."""
+        return self.axes.settings.exact
 
     def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
         """See Limit."""

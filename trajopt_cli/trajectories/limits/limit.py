@@ -21,7 +21,6 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.settings import SAFE, START
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -136,17 +135,26 @@ class Limit(ABC):
     apart = False
     """Whether its rows at nodes are evaluated in a block of their own, because their expressions are large or differ
     from leg to leg."""
-    safe = SAFE
-    """The ratio up to which a dense check is content."""
     safe_on_grid: float | None = None
     """The same for joint moves on a grid, where another; infinite where they keep it between nodes by construction."""
-    start = START
-    """The margin that nonlinear programs and path timing start with."""
-    start_on_grid = START
-    """The same for axes that move by polynomials on a grid."""
 
     def __init__(self, axes: Axes):
         self.axes = axes
+
+    @property
+    def safe(self) -> float:
+        """The ratio up to which a dense check is content."""
+        return self.axes.settings.safe
+
+    @property
+    def start(self) -> float:
+        """The margin that nonlinear programs and path timing start with."""
+        return self.axes.settings.start
+
+    @property
+    def start_on_grid(self) -> float:
+        """The same for axes that move by polynomials on a grid."""
+        return self.axes.settings.start
 
     @property
     def orders(self) -> Array:

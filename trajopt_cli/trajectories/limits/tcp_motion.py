@@ -11,7 +11,6 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg, LegKind
-from trajopt_cli.settings import STILL_NODE, STILL_TOOL, TOOL_DIRECTIONS
 from trajopt_cli.trajectories.limits.limit import (
     INF,
     Limit,
@@ -25,7 +24,13 @@ from trajopt_cli.trajectories.limits.limit import (
 if TYPE_CHECKING:
     from trajopt_cli.trajectories.axes import Axes
 
-_ANGLES = (np.arange(TOOL_DIRECTIONS) + 0.5) * np.pi / TOOL_DIRECTIONS - np.pi / 2
+# of the tool's acceleration on a half circle; the polygon passes the limit by 2 % at its corners, which the dense check
+# takes back where it is used.
+_TOOL_DIRECTIONS = 8
+_STILL_TOOL = 1e-09  # m/s: of a tool as slow nothing is along its path.
+_STILL_NODE = 0.001  # m/s of a tool at a node of a joint move, as above but smoothly.
+
+_ANGLES = (np.arange(_TOOL_DIRECTIONS) + 0.5) * np.pi / _TOOL_DIRECTIONS - np.pi / 2
 
 
 class ToolCap(IntEnum):
@@ -71,7 +76,7 @@ class TcpMotion(Limit):
         )
         used = acceleration / caps.a_tcp
         if caps.along:
-            along = np.sum(tool[:, 0, :3] * tool[:, 1, :3], axis=1) / np.maximum(speed, STILL_TOOL)
+            along = np.sum(tool[:, 0, :3] * tool[:, 1, :3], axis=1) / np.maximum(speed, _STILL_TOOL)
             used = np.maximum(used, np.max(along[:, None] * [1, -1] / caps.ramps, axis=1))
         return np.column_stack([speed / caps.v_tcp, used, turning / caps.v_ori])
 
@@ -151,7 +156,7 @@ class TcpMotion(Limit):
         for acc in accelerations if kind.along and not node.ends else []:
             # below STILL_NODE [m/s] it fades, so that it is smooth where the tool comes to rest
             squared = ca.sumsqr(rate) / T**2
-            size = squared + STILL_NODE**2
+            size = squared + _STILL_NODE**2
             along, share = ca.dot(rate, acc) / T**3 / ca.sqrt(size), squared / size
             out += [(along / p.ramps[0] - share, -INF, 0.0), (-along / p.ramps[1] - share, -INF, 0.0)]
         return out
