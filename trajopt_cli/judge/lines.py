@@ -37,7 +37,7 @@ def check_shapes(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) ->
         out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
-                case PathMove():
+                case PathMove() if run.paths[leg] is not None:
                     out.extend(_path_findings(run, leg))
                     out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))

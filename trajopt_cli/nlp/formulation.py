@@ -209,9 +209,14 @@ class Formulation:
 
     def _joined(self, z, at, qd, rail_acc, qdds, rail_jerks, qddds, share, ends):  # type: ignore[no-untyped-def]
         """A node's motion of rail and arm."""
-        second = [ca.vertcat(*both) for both in zip(rail_acc, qdds, strict=True)]
-        third = [ca.vertcat(*both) for both in zip(rail_jerks, qddds, strict=True)]
-        return NodeMotion(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), second, third, z.T, self.arm, share, ends)
+        second = [self._in_order(*both) for both in zip(rail_acc, qdds, strict=True)]
+        third = [self._in_order(*both) for both in zip(rail_jerks, qddds, strict=True)]
+        q, qd = self._in_order(z.d, at.q), self._in_order(z.w, qd)
+        return NodeMotion(q, qd, second, third, z.T, self.arm, share, ends)
+
+    def _in_order(self, rail: ca.SX, arm: ca.SX) -> ca.SX:
+        """All axes (n,) of rail and arm, in the robot's order."""
+        return ca.vertcat(arm, rail) if self.arm.start < self.rail.start else ca.vertcat(rail, arm)
 
     def _driving(self, sides: str, **shapes: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
         """Shapes of what drives a node: accelerations on its sides; where jerk is limited its own accelerations, and

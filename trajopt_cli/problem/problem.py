@@ -380,7 +380,7 @@ class _Build:
                 self._external(index, motion)
             case PathMove():
                 self._way(index, motion)
-            case _:
+            case MoveJ():
                 before, end = self.waypoints[-1], self._at_pose(index, motion)
                 there = before.q is None and np.allclose(before.X_WF, end.X_WF, rtol=0, atol=_POINT)
                 if motion.least and there and not _apart(before.rail, end.rail):
