@@ -16,7 +16,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.judge.geometry import Line, inverse_pose
 from trajopt_cli.judge.samples import look
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.motion import MoveL, _PoseMove
+from trajopt_cli.motion import MoveL, PoseMove
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import Box, Capsule, Solid
@@ -110,7 +110,7 @@ def test_poses_are_inverted() -> None:
     np.testing.assert_allclose(inverse_pose(X), np.linalg.inv(X), rtol=0, atol=1e-15)
 
 
-class MoveS(_PoseMove):
+class MoveS(PoseMove):
     """A spline, say."""
 
 

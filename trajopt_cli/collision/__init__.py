@@ -1,1 +1,1 @@
-"""Distances between placed bodies: the only room that knows the library that measures them."""
+"""What a program's motions touch, and joint moves around it: scenes, roadmaps, checks of edges and motions."""

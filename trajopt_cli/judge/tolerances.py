@@ -1,15 +1,15 @@
-"""What the judge lets pass, each number with its reason; and with it the smallest offence it promises to see.
+"""What the judge lets pass, each number with its reason; and with it the smallest offence that is sure to be seen.
 
 The promise holds for files as we write them: speeds, 17 digits, rows of 1 kHz and one at every motion boundary and
 every switch of an axis' acceleration. An offence 1.1 times a number below is called illegal there. A foreign file is
-judged with the same numbers plus what its printed digits and its missing rows leave open; see rows.py.
+judged with the same numbers plus what its printed digits and its missing rows leave open; see samples.py.
 """
 
 from __future__ import annotations
 
 JOINT = 1e-6
 """Relative excess of a joint limit (of the range for positions): solvers stop at 1e-8, drives are tuned to 1e-3.
-Between the rows of a line the Hermite's own truncation comes on top, 1e-4 at most; see rows.truncation."""
+Between the rows of a line the Hermite's own truncation comes on top, 1e-4 at most; see samples.truncation."""
 
 TORQUE = 1e-5
 """Relative excess of a torque limit, besides what printing and the Hermite between rows leave open of accelerations;

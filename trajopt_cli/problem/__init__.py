@@ -1,1 +1,1 @@
-"""The nouns between the engines: the plant, plans and their bounds, and the judge's findings."""
+"""The nouns between the engines: the plant, the problem, what may change, plans and their bounds."""

@@ -39,8 +39,8 @@ class Plant:
     pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
     distance wanted between the robot and an obstacle [m]. tool_radius [m]: of the capsule from flange to TCP that
     stands for the tool of each motion; 0 for none, as where something is attached. grips: which obstacles the flange
-    takes and leaves, and when. See problem.bodies. turning: the external axes of positioners, 0 for eax_a. settings:
-    the planner's chosen numbers.
+    takes and leaves, and when. See problem.collision_objects. turning: external axes of positioners, 0 for eax_a.
+    settings: the planner's chosen numbers.
     """
 
     robot: RobotModel

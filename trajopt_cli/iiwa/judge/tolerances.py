@@ -1,6 +1,6 @@
 """What the judge of the compliant job lets pass, each number with its reason; an offence 1.1 times one is called.
 
-Printed digits and rows farther apart than the controller's period come on top; see rows.py.
+Printed digits and rows farther apart than the controller's period come on top; see samples.py.
 """
 
 from __future__ import annotations

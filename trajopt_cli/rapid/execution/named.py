@@ -121,7 +121,7 @@ def fill_constant_speed(run: Context, modules: Modules) -> None:
     for motion, link in zip(run.motions, run.links, strict=True):
         if isinstance(motion, PathMove) and (found := around(link)):
             used |= found
-            object.__setattr__(motion, "constant_speed", True)  # still the run's own, as in once.py
+            object.__setattr__(motion, "constant_speed", True)  # still the run's own, as in problem/single_runs.py
     for number, entry in enumerate(entries):
         if number not in used:
             run.warn(WarningKind.UNUSED, f"constant_speed in the cell file: no line and no arc ran in {entry.text}")

@@ -37,7 +37,7 @@ def fill_holds(run: Context, modules: Modules) -> None:
     for index, motion in enumerate(run.motions if held or wish.waits else ()):
         hold = held.get(index, Hold.CELL if wish.waits and isinstance(motion, Wait) else None)
         if hold is not None:
-            object.__setattr__(motion, "hold", hold)  # still the run's own, as in once.py
+            object.__setattr__(motion, "hold", hold)  # still the run's own, as in problem/single_runs.py
     for wait in _after_outputs(run.motions) if wish.gripper else ():
         if wait.hold is None:
             object.__setattr__(wait, "hold", Hold.GRIPPER)
