@@ -13,6 +13,8 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.nlp.driver import Refiner, first_draft
 from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.path_timing.path_parameterized_plan import timed
+from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.active_limits import binding_limits
@@ -75,3 +77,20 @@ def test_a_limit_that_is_one_class_more_is_kept_and_reported() -> None:
     assert worst <= 1.0
     assert "calm joint_1" in names
     assert all(motion is not None and motion.T > 0 for motion in found.legs)
+
+
+def test_path_timing_drives_more_slowly_by_a_limit_that_has_no_rows_on_a_path() -> None:
+    """Joint 1 turns with the path's rate: twice as slowly it keeps half the limit."""
+    plant = plant_with_rail()
+    problem = problem_of(rapid("MoveJ p_in, v5000, fine, tool0; MoveL p_low, v500, fine, tool0;"), plant, Target.RAPID)
+    free, calm = Axes.of(plant), Axes.of(plant)
+    calm.__dict__["limits"] = (*calm.limits, Calm(calm))
+    chain = search(free, problem)
+    assert chain is not None
+    fast, slow = (timed(axes, problem, chain) for axes in (free, calm))
+    top = [
+        max(float(np.abs(sampled(free, [m], [np.linspace(0, m.T, 400)]).qd[:, 1]).max()) for m in one.legs if m)
+        for one in (fast, slow)
+    ]
+    assert top[0] > 1.1 * TOP
+    assert 0.8 * TOP < top[1] <= TOP

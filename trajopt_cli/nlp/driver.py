@@ -444,8 +444,7 @@ class Refiner:
         for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, draft.legs, closed, strict=True)):
             if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
                 continue
-            past = max(np.max(x) for x in (ratios.tool, ratios.position, ratios.torque))
-            if past > 1 + _OVER or self.clearances.touches(k, motion):
+            if ratios.worst > 1 + _OVER or self.clearances.touches(k, motion):
                 margins[k] = Margins.full(self.axes.limits, grids.joints, on_path=False)
                 opened = True
         return opened

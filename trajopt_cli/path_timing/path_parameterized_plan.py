@@ -226,7 +226,7 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
             )
     checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
     for (i, motion), ratios in zip(tried.items(), checked, strict=True):
-        if max(ratios.tool.max(), ratios.position.max(), ratios.torque.max()) <= 1 + _OVER:
+        if ratios.worst <= 1 + _OVER:
             out[i] = motion
     return out
 

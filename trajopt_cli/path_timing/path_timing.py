@@ -77,6 +77,20 @@ class PathMargins:
                 changed |= over
         return changed
 
+    def slow(self, seen: Ratios, law: TimeLaw, settings: Settings) -> BoolArray:
+        """A lower rate for the intervals (N,) where a limit that has no rows on a path is exceeded: which."""
+        changed = np.zeros(len(self.rate), dtype=bool)
+        for limit in seen.limits:
+            if limit.slows_paths:
+                timed = limit.orders > 0
+                excess = seen.by_name[limit.name][:, timed] / (limit.safe - settings.beyond)
+                over = np.max(excess, axis=1, initial=0.0) * (limit.safe - settings.beyond) > limit.safe
+                times = np.max(excess ** (1 / limit.orders[timed]), axis=1, initial=0.0)
+                rates = np.maximum(law.rates[:-1], law.rates[1:])
+                self.rate[over] = np.minimum(self.rate[over], rates[over] / times[over])
+                changed |= over
+        return changed
+
     def wait(self, problem: Problem, path: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
         """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
         and these too. A run that passes a limit, as over says, comes when it no longer does."""
@@ -256,6 +270,7 @@ def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law:
                 np.flatnonzero(new), sampled_ratios(axes, problem, every, law, np.unique(every.part[new]).tolist())
             )
         over = margins.tighten(used_by(axes, problem, every, law), seen, axes.settings)
+        over |= margins.slow(seen, law, axes.settings)
         over = margins.wait(problem, every, law, over)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE

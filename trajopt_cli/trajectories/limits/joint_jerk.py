@@ -18,6 +18,7 @@ class JointJerk(Limit):
 
     name = "jerk"
     order = 3.0
+    slows_paths = False  # laws with limited jerk are made apart, see path_timing/smooth.py
     safe_on_grid = INF
 
     @property

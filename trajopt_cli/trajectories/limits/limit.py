@@ -142,6 +142,11 @@ class Limit(ABC):
         self.axes = axes
 
     @property
+    def slows_paths(self) -> bool:
+        """Whether path timing drives more slowly where it is exceeded, because `path_rows` does not ask for it."""
+        return type(self).path_rows is Limit.path_rows and bool(np.any(self.orders > 0))
+
+    @property
     def safe(self) -> float:
         """The ratio up to which a dense check is content."""
         return self.axes.settings.safe
