@@ -9,7 +9,7 @@ import pytest
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import cell_of_results, read_job, read_results_job
-from trajopt_cli.pipeline.optimize import Optimised, inputs_of, optimise, robot_place
+from trajopt_cli.pipeline.optimize import OptimizedJob, inputs_of, optimize_job, robot_place
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import build_plant
 
@@ -69,8 +69,8 @@ def test_a_urdf_that_results_could_not_keep_is_refused(cell):
 
 def test_a_results_folder_keeps_the_robot_and_is_judged_with_it(cell, tmp_path, unrefined):
     job = read_job(cell.with_name("one.mod"))
-    done = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
-    assert isinstance(done, Optimised)
+    done = optimize_job(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
+    assert isinstance(done, OptimizedJob)
     assert (tmp_path / "results/input/robot/mine.yaml").read_bytes() == (cell.parent / "robots/mine.yaml").read_bytes()
     shutil.rmtree(cell.parent)
     again = read_results_job(tmp_path / "results")

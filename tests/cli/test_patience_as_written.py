@@ -8,7 +8,7 @@ import pytest
 
 from trajopt_cli.cli.tables import saving_line
 from trajopt_cli.job import Job, read_job
-from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.plan import PlanCache
 from trajopt_cli.problem.plan import Plan, Target
@@ -70,8 +70,8 @@ def test_the_answer_says_that_it_was_not_timed(tmp_path: Path) -> None:
         if (label, progress.phase) == ("rapid", "as written"):
             patience.interrupt()
 
-    answer = optimise(job, Target.STREAM, tmp_path / "out", listen, patience=patience, jobs=1)
-    assert isinstance(answer, Optimised)
+    answer = optimize_job(job, Target.STREAM, tmp_path / "out", listen, patience=patience, jobs=1)
+    assert isinstance(answer, OptimizedJob)
     assert saving_line(answer).startswith("as written it was not timed: stopped by Ctrl-C → ")
     assert "not timed: stopped by Ctrl-C" in (tmp_path / "out/report.html").read_text()
     assert "cannot be driven" not in (tmp_path / "out/report.html").read_text()

@@ -144,7 +144,7 @@ def workspace(folder: Path) -> Workspace:
     """Make it, in a second of processor."""
     from trajopt_cli.iiwa.job.segments import make_segments
     from trajopt_cli.job import read_job
-    from trajopt_cli.pipeline.optimize import Optimised, optimise
+    from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
     from trajopt_cli.problem.plan import Target
 
     here = Workspace(folder)
@@ -154,8 +154,8 @@ def workspace(folder: Path) -> Workspace:
     (folder / "cube.stl").write_text(CUBE)
     (folder / "poses.csv").write_text(POSES)
     (folder / "tiny.pgf").write_text(LIST)
-    answer = optimise(read_job(here.program), Target.STREAM, here.results, lambda *_: None, jobs=1)
-    assert isinstance(answer, Optimised), answer
+    answer = optimize_job(read_job(here.program), Target.STREAM, here.results, lambda *_: None, jobs=1)
+    assert isinstance(answer, OptimizedJob), answer
     make_segments(folder / "task.yaml", here.task_results, None, None)
     (folder / "log.csv").write_text(_log())
     for one in ("irb140.yaml", "irb140.urdf"):

@@ -22,7 +22,7 @@ from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.folder import rapid_export, verify_file, verify_results
-from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.runs.results import CSV
@@ -206,12 +206,12 @@ def round_trip(small: Small, folder: Path) -> str:
         if "has no circle" not in str(said):  # all that may be wrong with a program made up here
             raise
         return "refused"
-    answer = optimise(job, Target.STREAM, results, lambda *_: None, jobs=1)
+    answer = optimize_job(job, Target.STREAM, results, lambda *_: None, jobs=1)
     if isinstance(answer, Infeasible):
         assert not results.exists(), "an answer no has left a folder"
         assert answer.message, "an answer no does not say why"
         return "infeasible"
-    assert isinstance(answer, Optimised), f"no plan: {answer}"
+    assert isinstance(answer, OptimizedJob), f"no plan: {answer}"
     _check_times(answer)
     judged_job, reports = verify_results(results, advice=False)  # the run itself has asked for that
     assert len(judged_job.program.motions) == len(job.program.motions)
@@ -254,7 +254,7 @@ def _commands() -> Callable[..., int | None]:
     return get_command(app)
 
 
-def _check_times(answer: Optimised) -> None:
+def _check_times(answer: OptimizedJob) -> None:
     """Bound <= stream <= RAPID controller <= as written."""
     stream, rapid = (answer.judged[target].plan for target in (Target.STREAM, Target.RAPID))
     for plan in (stream, rapid):

@@ -14,7 +14,7 @@ from small_programs import Small, check_same_motions, program, round_trip
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.job import read_job
 from trajopt_cli.pipeline.folder import verify_file
-from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import Freedom
 from trajopt_cli.problem.editable import everything
@@ -134,8 +134,8 @@ def test_another_program_is_seen_when_it_is_read_back(tmp_path: Path) -> None:
     (tmp_path / "small.mod").write_text(ENDS_WITH_A_WAIT.text)
     (tmp_path / "small.yaml").write_text(ENDS_WITH_A_WAIT.cell)
     job = read_job(tmp_path / "small.mod")
-    answer = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
-    assert isinstance(answer, Optimised)
+    answer = optimize_job(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
+    assert isinstance(answer, OptimizedJob)
     plan = answer.judged[Target.RAPID].plan
     check_same_motions(job, plan, job.program)
     for old, new, said in (

@@ -19,7 +19,7 @@ from trajopt_cli.page.cell import program_section
 from trajopt_cli.page.compared import compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
-from trajopt_cli.page.optimized import Provenance, optimised_page
+from trajopt_cli.page.optimized import Provenance, optimized_page
 from trajopt_cli.page.samples import GAP, sample_times
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Dip, Stretch, Why
@@ -48,7 +48,7 @@ def made(case: Any = RAIL, program: Program | None = None, written: Plan | str |
     rapid = replace(case.plan, target=Target.RAPID)
     plans = {Target.STREAM: Judged(case.plan, RowsFile(), LEGAL), Target.RAPID: Judged(rapid, RowsFile(), LEGAL)}
     before = slower(case.plan) if written is None else written
-    return optimised_page(
+    return optimized_page(
         "t.mod",
         program or case.program,
         case.plant,

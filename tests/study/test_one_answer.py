@@ -11,7 +11,7 @@ import pytest
 
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline import planning
-from trajopt_cli.pipeline.optimize import Optimised, optimise
+from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
 from trajopt_cli.plan import initial_plan
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
@@ -116,7 +116,7 @@ def test_both_commands_ask_for_the_same_problems(
     tmp_path: Path,
 ) -> None:
     job = jobs[seed]
-    answer = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, loops=loops)
+    answer = optimize_job(job, Target.STREAM, tmp_path / "results", lambda *_: None, loops=loops)
     assert isinstance(answer, Infeasible)
     optimised = dict(asked)
     asked.clear()
@@ -157,8 +157,8 @@ ENDMODULE
 def test_both_commands_find_the_same_time(body: str, tmp_path: Path) -> None:
     """Approach points that are computed: compare used to hold their rail where the program has it."""
     job = job_of(APPROACH.format(home=HOME, body=body), tmp_path)
-    answer = optimise(job, Target.RAPID, tmp_path / "results", lambda *_: None)
-    assert isinstance(answer, Optimised)
+    answer = optimize_job(job, Target.RAPID, tmp_path / "results", lambda *_: None)
+    assert isinstance(answer, OptimizedJob)
     plan = answer.judged[Target.RAPID].plan
     (row,) = compare(job, lambda *_: None).rows
     assert isinstance(row.result, Tried)

@@ -162,7 +162,7 @@ def _browser() -> Check:
 def _solved() -> Check:
     """One joint there and back, whose time is known in closed form, from program text to judged files."""
     from trajopt_cli.job import read_job
-    from trajopt_cli.pipeline.optimize import Optimised, optimise
+    from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
     from trajopt_cli.problem.plan import Target
 
     begin = perf_counter()
@@ -172,12 +172,12 @@ def _solved() -> Check:
         (folder / "small.yaml").write_text(_CELL, encoding="ascii")
         try:
             job = read_job([folder / "small.mod"])
-            answer = optimise(job, Target.STREAM, folder / "results", lambda *_: None, jobs=1)
+            answer = optimize_job(job, Target.STREAM, folder / "results", lambda *_: None, jobs=1)
         except (ImportError, InputError, OSError) as error:
             return Check("self-test", State.WRONG, str(error), "reinstall; if that does not help, report this output")
     acceleration = float(job.plant.limits.acceleration[0])
     least = 4 * (20 * 3.141592653589793 / 180 / acceleration) ** 0.5
-    if not isinstance(answer, Optimised):
+    if not isinstance(answer, OptimizedJob):
         return Check("self-test", State.WRONG, str(answer), "an error in trajopt; please report this output")
     times = [answer.judged[one].plan.duration for one in Target]
     spent = f"{perf_counter() - begin:.1f} s"

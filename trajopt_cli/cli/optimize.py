@@ -68,9 +68,9 @@ def optimize(
     from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import told_first
-    from trajopt_cli.cli.tables import motions_table, optimised_lines, optimised_record, saving_line
+    from trajopt_cli.cli.tables import motions_table, optimized_lines, optimized_record, saving_line
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.pipeline.optimize import Optimised, optimise
+    from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
     from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
     from trajopt_cli.problem.plan import Target
@@ -85,12 +85,12 @@ def optimize(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView(patience, quiet) as view:
-        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs, objective)
-    if not isinstance(answer, Optimised):
+        answer = optimize_job(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs, objective)
+    if not isinstance(answer, OptimizedJob):
         answer_no(answer, as_json)
     wrote(answer.folder)
     if as_json:
-        print_json(optimised_record(answer, patience.interrupted))
+        print_json(optimized_record(answer, patience.interrupted))
     elif quiet:
         result(saving_line(answer))
         for line in answer.warnings:
@@ -99,7 +99,7 @@ def optimize(
         console = stdout()
         tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), ""])
         show(console, motions_table(answer))
-        tell(console, optimised_lines(answer))
+        tell(console, optimized_lines(answer))
     if patience.interrupted:
         best = answer.judged[answer.target].plan.duration
         warn(f"interrupted: the best plan so far, {best:.3f} s, was completed, judged and written to {answer.folder}")

@@ -9,7 +9,7 @@ from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.judge.clearance import least_clearance
-from trajopt_cli.pipeline.optimize import Optimised
+from trajopt_cli.pipeline.optimize import OptimizedJob
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import Detour, way_told
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
@@ -37,7 +37,7 @@ def cycle_line(label: str, plan: Plan) -> str:
     )
 
 
-def saving_line(answer: Optimised) -> str:
+def saving_line(answer: OptimizedJob) -> str:
     """The answer in one line: as written, and what the plans make of it."""
     plans = [answer.judged[one].plan for one in (Target.STREAM, Target.RAPID)]
     names = ("as a joint stream", "by the RAPID controller")
@@ -54,7 +54,7 @@ def saving_line(answer: Optimised) -> str:
     return f"as written {before.duration:.3f} s → {told}"
 
 
-def optimised_lines(answer: Optimised) -> Iterator[str]:
+def optimized_lines(answer: OptimizedJob) -> Iterator[str]:
     """What stands below the table of motions: cycle times, clearance, what was not looked at, remarks, the files."""
     job, target = answer.job, answer.target.value
     files = (*job.program.files, str(job.cell_path))
@@ -79,7 +79,7 @@ def optimised_lines(answer: Optimised) -> Iterator[str]:
     )
 
 
-def optimised_record(answer: Optimised, interrupted: bool) -> dict[str, Any]:
+def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
     """The answer in short as plain data, SI; all of it is in the folder's summary.json. interrupted: by
     Ctrl-C."""
     before = answer.written
@@ -153,7 +153,7 @@ def _count(number: int, what: str, plural: str = "s") -> str:
     return f"{number} {what}{plural if number > 1 else ''}"
 
 
-def motions_table(answer: Optimised) -> TextTable:
+def motions_table(answer: OptimizedJob) -> TextTable:
     """Every motion as written and on both targets; binding limits are those of the target in trajectory.csv."""
     program, chosen, before = answer.job.program, answer.target, answer.written
     plans = {one: answer.judged[one].plan for one in Target}

@@ -48,10 +48,12 @@ class CasadiProgram:
         """Arguments of a solver: x0, lbx, ubx, lbg, ubg."""
         return {"x0": self.x0, "lbx": self.lbx, "ubx": self.ubx, "lbg": self.lbg, "ubg": self.ubg}
 
-    def solve(self, tolerance: float = 1e-8) -> dict[str, Any]:
+    def solve(self, tolerance: float | None = None) -> dict[str, Any]:
         """What trajopt's own interior point finds from the same start, as CasADi's solvers give it: x, f, g, lam_x,
         lam_g; and status, in words."""
-        found = self.transcription.nlp.solve(tolerance=tolerance)
+        found = self.transcription.nlp.solve(
+            tolerance=self.transcription.axes.settings.tolerance if tolerance is None else tolerance
+        )
         values = ca.Function("values", [self.nlp["x"]], [self.nlp["f"], self.nlp["g"]])
         f, g = values(found.x)
         return {"x": found.x, "f": float(f), "g": np.asarray(g).ravel(), "lam_x": found.lam_x, "lam_g": found.lam_g,

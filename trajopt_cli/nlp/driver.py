@@ -31,11 +31,9 @@ from trajopt_cli.trajectories.profiles import hold
 
 _LEAST_RATE = 1e-09  # of a share's rate by scaled time.
 _RAMPS = 0.45  # share of a path's changes that its first zone and its last have each.
-_LEAST_ZONE = 0.01  # share of a leg that each of them lasts at least.
 _RATE_LOOKS = 401  # at a motion for which a grid is made, besides its breaks.
 _MOST_SLOWED = 3.0  # times; what passes limits by more is no motion to begin with.
 _SLOWED = 1.002  # times as long as it must be a motion is made for another grid to begin with.
-_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
 _ARRIVES = 1e-06  # rad or m by which a profile may miss its end: rounding.
 
 
@@ -148,7 +146,8 @@ def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
     rates = motion.progress(motion.T * times, right=True)[1]
     change = _behind(rates / np.r_[max(motion.v.max(), _LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
     begin, end = np.interp([_RAMPS, 1 - _RAMPS], change, times)
-    edges = [0.0, np.clip(begin, _LEAST_ZONE, 0.5 - _LEAST_ZONE), np.clip(end, 0.5 + _LEAST_ZONE, 1 - _LEAST_ZONE), 1.0]
+    least = axes.settings.least_zone
+    edges = [0.0, np.clip(begin, least, 0.5 - least), np.clip(end, 0.5 + least, 1 - least), 1.0]
     return np.interp(np.linspace(0, 3, N + 1), [0, 1, 2, 3], edges)
 
 
@@ -444,7 +443,7 @@ class Refiner:
         for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, draft.legs, closed, strict=True)):
             if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
                 continue
-            if ratios.worst > 1 + _OVER or self.clearances.touches(k, motion):
+            if ratios.worst > 1 + self.axes.settings.closed_form_excess or self.clearances.touches(k, motion):
                 margins[k] = Margins.full(self.axes.limits, grids.joints, on_path=False)
                 opened = True
         return opened

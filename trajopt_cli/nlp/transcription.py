@@ -34,7 +34,6 @@ from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.trajectories.limits.limit import INF
 
-_LEAST_ZONE = 0.01  # share of a leg that each of them lasts at least.
 _MOST_ZONES = 0.6  # and at most.
 # s of a joint move on a grid up to which it has DAMPING; a slower one has more in proportion. Measured on joint moves
 # of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to 125 that is 0.05 to 0.1 % slower.
@@ -337,7 +336,7 @@ class Transcription:
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
         if self.axes.settings.free_zones != motion.N or self._weighed:
             return self.nlp.variables(lengths, lengths, lengths)
-        h = self.nlp.variables(lengths, _LEAST_ZONE / per_zone, _MOST_ZONES / per_zone)
+        h = self.nlp.variables(lengths, self.axes.settings.least_zone / per_zone, _MOST_ZONES / per_zone)
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 

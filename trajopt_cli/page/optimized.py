@@ -31,7 +31,7 @@ class Provenance:
     files: Mapping[str, str]
 
 
-def optimised_page(
+def optimized_page(
     title: str,
     program: Program,
     plant: Plant,

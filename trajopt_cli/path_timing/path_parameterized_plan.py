@@ -26,7 +26,6 @@ from trajopt_cli.trajectories.profiles import hold, profiles
 from trajopt_cli.trajectories.route import Route
 
 _MOST_MARKS = 6  # stops and fly-bys beside joint moves that a part of a run may span where stopping is tried.
-_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
 
 _SAME = 1e-9  # m between rail positions that are one
 
@@ -226,7 +225,7 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
             )
     checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
     for (i, motion), ratios in zip(tried.items(), checked, strict=True):
-        if ratios.worst <= 1 + _OVER:
+        if ratios.worst <= 1 + axes.settings.closed_form_excess:
             out[i] = motion
     return out
 

@@ -71,7 +71,7 @@ def refused(target: Target, report: Report) -> Illegal | Collides:
 
 
 @dataclass(frozen=True, eq=False)
-class Optimised:
+class OptimizedJob:
     """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
 
     written: the program as it stands, driven under the same limits, or why it cannot be.
@@ -92,7 +92,7 @@ class Optimised:
     seconds: Mapping[str, float]
 
 
-def optimise(
+def optimize_job(
     job: Job,
     target: Target,
     folder: Path,
@@ -102,7 +102,7 @@ def optimise(
     patience: Patience | None = None,
     jobs: int | None = None,
     objective: Objective = LEAST_TIME,
-) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
+) -> OptimizedJob | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
     target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
@@ -189,7 +189,9 @@ def optimise(
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    return Optimised(job, target, judged, written, kept_speed, notices, notes, folder, modules, no_rapid, clock.seconds)
+    return OptimizedJob(
+        job, target, judged, written, kept_speed, notices, notes, folder, modules, no_rapid, clock.seconds
+    )
 
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
@@ -259,12 +261,12 @@ def _page(
     kept_speed: Mapping[Target, tuple[Stretch, ...]],
 ) -> bytes:
     """report.html, which shows all of this."""
-    from trajopt_cli.page.optimized import Provenance, optimised_page
+    from trajopt_cli.page.optimized import Provenance, optimized_page
 
     made = made_by("optimize", PlanRecord, options)
     files = {path: sha256(given.content) for path, given in inputs.items()}
     given = Provenance(made, files)
-    return optimised_page(job.title, job.program, job.plant, target, judged, written, notices, notes, given, kept_speed)
+    return optimized_page(job.title, job.program, job.plant, target, judged, written, notices, notes, given, kept_speed)
 
 
 def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list[tuple[str, str]]:

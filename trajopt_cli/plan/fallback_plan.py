@@ -25,7 +25,6 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, int
 _MOST = 1000  # legs that are tried before it is given up
 _TIMES = 8  # looks at a leg that is made slower and slower
 _SAME = 1e-9  # rad, m
-_WITHIN = 1 - 1e-5  # of every limit
 
 State = tuple[Array, int]  # axes (k,), branch
 
@@ -114,12 +113,10 @@ def _leg_motion(axes: Axes, problem: Problem, k: int, state: State, then: State)
         ratios = check_leg(axes, leg, motion)
         if not ratios.position.max() <= 1.0:
             return None
-        speed = max(ratios.velocity.max(), ratios.tool[:, 0].max(), ratios.tool[:, 2].max())
-        acceleration = max(ratios.acceleration.max(), ratios.tool[:, 1].max())
-        slower = max(float(speed), float(np.sqrt(acceleration))) / _WITHIN
-        if slower <= 1.0 and ratios.torque.max() <= _WITHIN:
+        slower = ratios.times_slower()
+        if slower <= 1.0:
             return motion
         if leg.duration is not None:
             return None
-        motion = motion.slowed(max(slower, 1.2 if ratios.torque.max() > _WITHIN else 1.0) * (1 + 1e-9))
+        motion = motion.slowed(slower * (1 + 1e-9))
     return None

@@ -50,7 +50,6 @@ _LATER = 0.001
 # m of rail that are tried in turn where a place was moved out of the arm's reach.
 _SHIFTS = (0.0, 0.002, -0.002, 0.005, -0.005, 0.01, -0.01, 0.02, -0.02, 0.05, -0.05)
 _AT_END = 0.998  # share of the rail's half stroke from which it stands at an end.
-_OVER = 1e-06  # share by which a closed-form joint move may pass a cap before it goes on a grid.
 _PROJECTIONS = 6  # steps towards the share of a way that a tool has reached.
 
 Changed = Callable[[float], tuple[Program, Plant]]
@@ -527,7 +526,7 @@ def _leg_motion(
             ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
             closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated, problem.plant.settings)
             ratios = check_leg(axes, leg, closed)
-            if T - settings.least_gain < closed.T and max(ratios.tool.max(), ratios.position.max()) <= 1 + _OVER:
+            if T - settings.least_gain < closed.T and ratios.worst <= 1 + settings.closed_form_excess:
                 return closed
     N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else paths
     grid = np.linspace(0.0, 1.0, N + 1)

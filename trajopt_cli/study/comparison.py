@@ -82,7 +82,7 @@ class Comparison:
 def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loops = Loops.KEEP) -> Comparison:
     """Every baseline on this job, judged, in the table's order, and the saving by cause.
 
-    rule: of the row `thesis`. loops: as in optimise.
+    rule: of the row `thesis`. loops: as in optimize_job.
     """
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES

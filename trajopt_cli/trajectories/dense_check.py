@@ -20,11 +20,6 @@ from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, Sample, sampled
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples
 
-# times as many where the tool's acceleration along its path is limited: in a corner it rises and falls within an
-# interval. Measured on an arc, a corner of 20 mm and a line at 0.8 m/s2: without, 0.803 m/s2 were missed.
-_ALONG_LOOKS = 9
-_UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail left the arm's reach between nodes.
-
 
 @dataclass(frozen=True, eq=False)
 class Ratios:
@@ -97,7 +92,7 @@ def check_legs(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]) ->
     settings = axes.settings
     out: list[Ratios] = []
     samples = [
-        _sample_times(motion, _ALONG_LOOKS if leg.along else 1, settings)
+        _sample_times(motion, settings.along_path_samples if leg.along else 1, settings)
         for leg, motion in zip(legs, motions, strict=True)
     ]
     behind = np.cumsum([len(t) for t, _ in samples])
@@ -138,7 +133,7 @@ def ratios_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sampl
     motion = motion_samples(axes, legs, number, sample, first)
 
     def fold(x: Array) -> Array:
-        return np.asarray(np.maximum.reduceat(np.where(np.isnan(x), _UNREACHED, x), first))
+        return np.asarray(np.maximum.reduceat(np.where(np.isnan(x), Limit.unreached, x), first))
 
     return Ratios(axes.limits, {limit.name: fold(limit.ratios(motion)) for limit in axes.limits})
 

@@ -14,7 +14,7 @@ from window import Window
 
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.motion import TextFile
-from trajopt_cli.page.optimized import Provenance, optimised_page
+from trajopt_cli.page.optimized import Provenance, optimized_page
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
@@ -38,7 +38,7 @@ def page(written: Callable[[str, bytes], Path]) -> Path:
     plans = {one: Judged(replace(DRAWN.plan, target=one), RowsFile(), report) for one in Target}
     program = replace(DRAWN.program, files={"t.mod": TextFile("t.mod", TEXT, "utf-8")})
     made = Provenance([("made by", "a test")], {"t.mod": "abc"})
-    content = optimised_page("t.mod", program, DRAWN.plant, Target.STREAM, plans, before, ["a warning"], [], made)
+    content = optimized_page("t.mod", program, DRAWN.plant, Target.STREAM, plans, before, ["a warning"], [], made)
     return written("cycle.html", content)
 
 

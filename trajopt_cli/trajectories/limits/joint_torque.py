@@ -20,8 +20,6 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
-_UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail left the arm's reach between nodes.
-
 
 class Columns(NamedTuple):
     """At places of a course (m, n): |slopes u + bends x + rest| <= 1 with u the second derivative of the course's
@@ -174,7 +172,7 @@ def of_room(moving: Array, rest: Array) -> Array:
     it leaves nothing."""
     room = np.where(moving > 0, 1 - rest, 1 + rest)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.where(np.abs(rest) < 1, np.abs(moving) / room, _UNREACHED))
+        return np.asarray(np.where(np.abs(rest) < 1, np.abs(moving) / room, Limit.unreached))
 
 
 def _by_load(legs: Sequence[Leg], number: IndexArray) -> Iterator[tuple[ToolLoad | None, IndexArray]]:

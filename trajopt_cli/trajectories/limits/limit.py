@@ -130,6 +130,8 @@ class Limit(ABC):
 
     name: str
     """In Ratios and Margins."""
+    unreached = 2.0
+    """The ratio where there is none: the rail left the arm's reach between nodes, or gravity alone passes a torque."""
     order = 1.0
     """How a ratio falls with time: driven k times as slowly it is 1 / k^order as large."""
     apart = False
