@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from trajopt_cli.motion import Source
 
@@ -119,23 +118,3 @@ def closeness(finding: Finding) -> tuple[bool, float]:
     margin = good_side(finding)
     relative = margin / abs(finding.limit) if finding.limit else margin
     return finding.passed, relative if math.isfinite(relative) else -math.inf
-
-
-def finding_record(finding: Finding) -> dict[str, Any]:
-    """A finding as plain data for JSON; null for a number that could not be computed."""
-    return {
-        "check": finding.check,
-        "subject": finding.subject,
-        "value": _finite(finding.value),
-        "limit": _finite(finding.limit),
-        "margin": _finite(finding.margin),
-        "unit": finding.unit,
-        "passed": finding.passed,
-        "time_s": finding.time,
-        "source": str(finding.source) if finding.source else None,
-        "message": finding.message,
-    }
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

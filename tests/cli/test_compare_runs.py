@@ -16,7 +16,8 @@ from fake_planner import ACCELERATION, CELL, TEXT, Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.compared import Motion, _in_step
+from trajopt_cli.runs.compared import _in_step
+from trajopt_cli.runs.summary import MotionRow
 
 _FAR = "    CONST jointtarget j_far:=[[15,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n\n"
 OTHER = TEXT.replace("WaitTime 0.5;", "WaitTime 0.8;").replace("    PROC main()", f"{_FAR}    PROC main()")
@@ -161,10 +162,9 @@ def test_the_page_draws_every_motion_where_it_is(folders: list[str], capsys: pyt
     assert page == Path("p.html").read_text(encoding="utf-8")
 
 
-def motion(name: str, k: int) -> Motion:
-    return Motion(
-        source=f"p.mod:{k}:1", instruction=name[:4], target=name[4:], start_s=k, time_s=1, binding="", dropped=False
-    )
+def motion(name: str, k: int) -> MotionRow:
+    said = {"instruction": name[:4], "target": name[4:], "start_s": k, "time_s": 1, "dropped": False}
+    return MotionRow(index=k, source=f"p.mod:{k}:1", axes_at_end=[], **said)
 
 
 def test_rows_keep_every_motion_of_every_run_once_and_in_order() -> None:

@@ -16,7 +16,7 @@ from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import changes_of, may_change
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Target
-from trajopt_cli.runs.results import Judged
+from trajopt_cli.runs.summary import Judged
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")
 DATA = """MODULE work

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from report.drawn_plans import PAUSE, TOOL, drawn
+from report.drawn_plans import PAUSE, TOOL, drawn, summarized
 
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
@@ -24,8 +24,8 @@ from trajopt_cli.page.samples import GAP, sample_times
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Dip, Stretch, Why
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.summary import Judged
 from trajopt_cli.trajectory import Trajectory, hermite
 
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
@@ -48,18 +48,9 @@ def made(case: Any = RAIL, program: Program | None = None, written: Plan | str |
     rapid = replace(case.plan, target=Target.RAPID)
     plans = {Target.STREAM: Judged(case.plan, RowsFile(), LEGAL), Target.RAPID: Judged(rapid, RowsFile(), LEGAL)}
     before = slower(case.plan) if written is None else written
-    return optimized_page(
-        "t.mod",
-        program or case.program,
-        case.plant,
-        Target.STREAM,
-        plans,
-        before,
-        ["a warning"],
-        ["a note"],
-        MADE,
-        kept,
-    ).decode()
+    own = program or case.program
+    told = summarized(own, case.plant, plans, before, ["a note"])
+    return optimized_page("t.mod", own, case.plant, told, plans, before, MADE, kept).decode()
 
 
 def data_of(page: str) -> dict[str, Any]:

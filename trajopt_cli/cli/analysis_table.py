@@ -10,7 +10,7 @@ from rich.table import Table
 from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.motion import Program
 from trajopt_cli.report.stepwise import Analysis, StepMove, StepWait
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.table import place
 from trajopt_cli.units import DEG, MM
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from trajopt_cli.measured.align import Alignment
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.study.estimate import Estimate, EstimatedMotion
 from trajopt_cli.table import TextTable, place, seconds, tabulate
 

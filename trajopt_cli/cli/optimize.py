@@ -92,17 +92,17 @@ def optimize(
     if as_json:
         print_json(optimized_record(answer, patience.interrupted))
     elif quiet:
-        result(saving_line(answer))
-        for line in answer.warnings:
+        result(saving_line(answer.summary))
+        for line in answer.summary.warnings:
             warn(f"warning: {line}")
     else:
         console = stdout()
-        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), ""])
+        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer.summary), ""])
         show(console, motions_table(answer))
         tell(console, optimized_lines(answer))
     if patience.interrupted:
-        best = answer.judged[answer.target].plan.duration
+        best = answer.summary.plans.of(answer.summary.target).cycle_time_s
         warn(f"interrupted: the best plan so far, {best:.3f} s, was completed, judged and written to {answer.folder}")
-    if answer.no_rapid is not None and answer.target is Target.RAPID:
+    if answer.no_rapid is not None and answer.summary.target is Target.RAPID:
         warn(f"no RAPID text: {answer.no_rapid}")
         raise typer.Exit(1)

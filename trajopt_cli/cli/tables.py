@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
-from trajopt_cli.findings import Report, finding_record
+from trajopt_cli.findings import Report
 from trajopt_cli.judge.clearance import least_clearance
 from trajopt_cli.pipeline.optimize import OptimizedJob
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
-from trajopt_cli.problem.detours import Detour, way_told
-from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
-from trajopt_cli.runs.results import NOT_TIMED, motion_label
-from trajopt_cli.table import TextTable, change, place, seconds, tabulate
+from trajopt_cli.problem.detours import way_told
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs.summary import NOT_TIMED, MotionRow, Plans, PlanSummary, Summary, finding_record
+from trajopt_cli.table import TextTable, place, seconds, tabulate
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
@@ -22,59 +22,53 @@ _NAME = 50  # characters of a motion's name: many targets are written in numbers
 _DIPS = 10  # of constant speed, in text; summary.json has them all
 
 
-def cycle_line(label: str, plan: Plan) -> str:
+def cycle_line(label: str, plan: PlanSummary) -> str:
     """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
-    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %)"
-    bound += "" if plan.suspicion is None else ", SUSPICIOUS: see the warning"
-    if plan.eased is None:
-        return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
-    now, fast = plan.eased.planned, plan.eased.fastest
-    rail = f", rail {now.rail_way:.3f} m" if fast.rail_way else ""
-    before = f", rail {fast.rail_way:.3f} m" if fast.rail_way else ""
+    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound_s:.3f} s, gap {100 * plan.gap:.1f} %)"
+    bound += "" if plan.suspicious is None else ", SUSPICIOUS: see the warning"
+    if plan.least_effort is None:
+        return f"{label}: T = {plan.cycle_time_s:.3f} s{bound}, grid {plan.grid}"
+    now, fast = plan.least_effort["planned"], plan.least_effort["fastest"]
+    rail, before = (f", rail {one['rail_way_m']:.3f} m" if fast["rail_way_m"] else "" for one in (now, fast))
     return (
-        f"{label}: T = {plan.duration:.3f} s, effort {now.effort:.3f} s{rail}; fastest found T = "
-        f"{plan.eased.least_time:.3f} s{bound}, effort {fast.effort:.3f} s{before}; grid {plan.grid}"
+        f"{label}: T = {plan.cycle_time_s:.3f} s, effort {now['effort_s']:.3f} s{rail}; fastest found T = "
+        f"{plan.least_effort['least_time_s']:.3f} s{bound}, effort {fast['effort_s']:.3f} s{before}; grid {plan.grid}"
     )
 
 
-def saving_line(answer: OptimizedJob) -> str:
+def saving_line(told: Summary) -> str:
     """The answer in one line: as written, and what the plans make of it."""
-    plans = [answer.judged[one].plan for one in (Target.STREAM, Target.RAPID)]
-    names = ("as a joint stream", "by the RAPID controller")
-    before = answer.written
-    if isinstance(before, str):
-        told = ", ".join(f"{plan.duration:.3f} s {name}" for plan, name in zip(plans, names, strict=True))
-        if before == NOT_TIMED:
-            return f"as written it was {before} → {told}"
-        return f"as written it cannot be driven ({before}) → {told}"
-    told = ", ".join(
-        f"{plan.duration:.3f} s ({change(before.duration, plan.duration)}) {name}"
-        for plan, name in zip(plans, names, strict=True)
-    )
-    return f"as written {before.duration:.3f} s → {told}"
+    names = {Target.STREAM: "as a joint stream", Target.RAPID: "by the RAPID controller"}
+    changes = {one: f" ({changed})" if (changed := told.change(one)) else "" for one in names}
+    plans = ", ".join(f"{told.plans.of(one).cycle_time_s:.3f} s{changes[one]} {name}" for one, name in names.items())
+    before = told.as_written
+    if before.why_not is None:
+        return f"as written {before.cycle_time_s:.3f} s → {plans}"
+    why = f"was {NOT_TIMED}" if before.why_not == NOT_TIMED else f"cannot be driven ({before.why_not})"
+    return f"as written it {why} → {plans}"
 
 
 def optimized_lines(answer: OptimizedJob) -> Iterator[str]:
     """What stands below the table of motions: cycle times, clearance, what was not looked at, remarks, the files."""
-    job, target = answer.job, answer.target.value
+    job, told = answer.job, answer.summary
     files = (*job.program.files, str(job.cell_path))
     for one in Target:
-        yield cycle_line(one.value, answer.judged[one].plan)
-    yield from speed_lines(target, answer.kept_speed[answer.target])
+        yield cycle_line(one.value, told.plans.of(one))
+    yield from speed_lines(told.target.value, answer.kept_speed[told.target])
     for one in Target:
         nearest = least_clearance(answer.judged[one].report.findings)
         if nearest is not None:
             yield f"{one.value}: {by_name(nearest.message, files)}"
-    yield from (*job.plant.unchecked, *job.program.without_effect)
+    yield from (*told.unchecked, *job.program.without_effect)
     first = {str(one) for one in job.program.warnings if one.kind is WarningKind.NOT_CHECKED}
-    warnings = [one for one in answer.warnings if one not in first]
-    said = (("warning", warnings), ("limits", job.plant.notes), ("note", answer.notes))
+    warnings = [one for one in told.warnings if one not in first]
+    said = (("warning", warnings), ("limits", told.limits), ("note", told.notes))
     for label, lines in said:
         yield from remarks(label, lines, files, "all in summary.json")
     rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
     plots = "" if not (answer.folder / "plots").is_dir() else ", plots/"
     yield (
-        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {target} plan), "
+        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {told.target} plan), "
         f"stream.csv, rapid.csv, {rapid}summary.json, run.json{plots}"
     )
 
@@ -82,28 +76,21 @@ def optimized_lines(answer: OptimizedJob) -> Iterator[str]:
 def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
     """The answer in short as plain data, SI; all of it is in the folder's summary.json. interrupted: by
     Ctrl-C."""
-    before = answer.written
+    told, before = answer.summary, answer.summary.as_written.cycle_time_s
     plans = {}
     for one in Target:
-        judged = answer.judged[one]
-        plan = judged.plan
+        plan = told.plans.of(one)
         plans[one.value] = {
-            "cycle_time_s": plan.duration,
-            "lower_bound_s": plan.lower_bound,
-            "gap": plan.gap,
-            "suspicious": plan.suspicion,
-            "saving": None if isinstance(before, str) or not before.duration else 1 - plan.duration / before.duration,
-            "legal": judged.report.legal,
-            "checks": len(judged.report.findings),
+            **plan.model_dump(include={"cycle_time_s", "lower_bound_s", "gap", "grid", "suspicious"}),
+            "saving": 1 - plan.cycle_time_s / before if before else None,
+            "legal": plan.judge.legal,
+            "checks": len(plan.judge.findings),
         }
     return {
         "feasible": True,
         "program": str(answer.job.program_path),
-        "target": answer.target.value,
-        "as_written": {
-            "cycle_time_s": None if isinstance(before, str) else before.duration,
-            "why_not": before if isinstance(before, str) else None,
-        },
+        "target": told.target.value,
+        "as_written": told.as_written.model_dump(include={"cycle_time_s", "why_not"}),
         "plans": plans,
         "folder": str(answer.folder),
         "files": sorted(
@@ -111,10 +98,7 @@ def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
         ),
         "no_rapid": answer.no_rapid,
         "interrupted": interrupted,
-        "warnings": list(answer.warnings),
-        "limits": list(answer.job.plant.notes),
-        "unchecked": list(answer.job.plant.unchecked),
-        "notes": list(answer.notes),
+        **told.model_dump(include={"warnings", "limits", "unchecked", "notes"}),
     }
 
 
@@ -155,46 +139,47 @@ def _count(number: int, what: str, plural: str = "s") -> str:
 
 def motions_table(answer: OptimizedJob) -> TextTable:
     """Every motion as written and on both targets; binding limits are those of the target in trajectory.csv."""
-    program, chosen, before = answer.job.program, answer.target, answer.written
-    plans = {one: answer.judged[one].plan for one in Target}
-    told = ways_told({one: plan.detours for one, plan in plans.items()})
+    told = answer.summary
+    written, ways = told.written_times, ways_told(told.plans)
+    plans = {one: {row.index: row for row in told.plans.of(one).motions} for one in Target}
 
-    def name(motion: PlannedMotion) -> str:
-        way = f" ({told[motion.index]})" if motion.index in told else ""
-        return f"{motion_label(program, motion.index)[1]}{way}"
+    def name(row: MotionRow) -> str:
+        return f"{row.target} ({ways[row.index]})" if row.index in ways else row.target
 
-    def time(plan: Plan | str, motion: PlannedMotion) -> str:
-        if isinstance(plan, str):
-            return "-"
-        same = next(one for one in plan.motions if one.index == motion.index)
-        return "dropped" if same.dropped else seconds(same.t_1 - same.t_0)
+    def time(target: Target) -> Callable[[MotionRow], str]:
+        def cell(row: MotionRow) -> str:
+            return "dropped" if plans[target][row.index].dropped else seconds(plans[target][row.index].time_s)
 
-    written = "-" if isinstance(before, str) else seconds(before.duration)
+        return cell
+
     return tabulate(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
-        plans[chosen].motions,
+        told.plans.of(told.target).motions,
         {
-            "~place": lambda motion: place(motion.source),
-            "instruction": lambda motion: motion_label(program, motion.index)[0],
+            "~place": lambda row: row.place,
+            "instruction": lambda row: row.instruction,
             "~target": name,
-            ">written [s]": lambda motion: time(before, motion),
-            ">stream [s]": lambda motion: time(plans[Target.STREAM], motion),
-            ">rapid [s]": lambda motion: time(plans[Target.RAPID], motion),
-            f"what limits the {chosen.value} plan": lambda motion: motion.binding,
+            ">written [s]": lambda row: seconds(written.get(row.index), "-"),
+            **{f">{one} [s]": time(one) for one in Target},
+            f"what limits the {told.target} plan": lambda row: row.binding,
         },
-        ("cycle", "", "", written, seconds(plans[Target.STREAM].duration), seconds(plans[Target.RAPID].duration), ""),
+        (
+            *("cycle", "", "", seconds(told.as_written.cycle_time_s, "-")),
+            *(seconds(told.plans.of(one).cycle_time_s) for one in Target),
+            "",
+        ),
     )
 
 
-def ways_told(detours: Mapping[Target, Sequence[Detour]]) -> dict[int, str]:
+def ways_told(plans: Plans) -> dict[int, str]:
     """The ways around by motion, in words; with the target where the plans of both do not go alike."""
     found: dict[int, dict[Target, str]] = {}
-    for target, ways in detours.items():
-        for way in ways:
-            found.setdefault(way.motion, {})[target] = way_told(way)
+    for target in Target:
+        for way in plans.of(target).detours:
+            found.setdefault(way.motion, {})[target] = way_told(len(way.points), way.around)
     return {
         motion: words.pop()
-        if len(by_target) == len(detours) and len(words := {*by_target.values()}) == 1
+        if len(by_target) == len(Target) and len(words := {*by_target.values()}) == 1
         else "; ".join(f"{target.value} {way}" for target, way in by_target.items())
         for motion, by_target in found.items()
     }

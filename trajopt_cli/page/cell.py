@@ -24,7 +24,7 @@ from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.scene import plan_cycle, program_points
 from trajopt_cli.table import place, seconds
 
@@ -130,7 +130,8 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         f"what limits the {shown[-1].name}",
     ]
     found = [{m.index: m for m in one.plan.motions} if one.program is user else {} for one in shown]
-    told = {detour.motion: way_told(detour) for detour in shown[-1].plan.detours} if shown[-1].program is user else {}
+    detours = shown[-1].plan.detours if shown[-1].program is user else ()
+    told = {detour.motion: way_told(len(detour.points), detour.around) for detour in detours}
     rows = []
     for index in range(min(len(user.motions), MOST_MOTIONS)):
         planned = [one.get(index) for one in found]

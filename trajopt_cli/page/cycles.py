@@ -19,7 +19,7 @@ from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.table import place
 from trajopt_cli.trajectories.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.trajectory import Trajectory
@@ -168,7 +168,7 @@ def _legs(program: Program, course: PlanSeries) -> dict[str, list[Any]]:
     ends = {motion.t_1: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
     legs = [leg for leg in course.legs if not leg.added]  # points that are added are part of the way to their motion's
     planned = [ends[leg.t_1] for leg in legs]
-    told = {detour.motion: way_told(detour) for detour in course.plan.detours}
+    told = {detour.motion: way_told(len(detour.points), detour.around) for detour in course.plan.detours}
     start = float(course.plan.trajectory.t[0])
     return {
         "index": [motion.index for motion in planned],

@@ -16,8 +16,8 @@ from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.runs.results import NOT_TIMED, Judged, motion_label
-from trajopt_cli.table import change, place, seconds, signed
+from trajopt_cli.runs.summary import NOT_TIMED, Judged, Summary
+from trajopt_cli.table import seconds, signed
 
 WRITTEN = "as written"
 _MACHINES = {Target.STREAM: "a joint stream", Target.RAPID: "the RAPID controller"}
@@ -35,20 +35,18 @@ def optimized_page(
     title: str,
     program: Program,
     plant: Plant,
-    target: Target,
+    told: Summary,
     plans: Mapping[Target, Judged],
     written: Plan | str,
-    warnings: Sequence[str],
-    notes: Sequence[str],
     made: Provenance,
     kept_speed: Mapping[Target, Sequence[Stretch]] | None = None,
 ) -> bytes:
-    """The page's bytes, the same for the same arguments. target: the plan that is shown; the other one can be chosen.
+    """The page's bytes, the same for the same arguments. told: its target's plan is shown; the other one can be chosen.
 
-    title: the program's name for people. written: the program as it stands, with all its rows, or why it cannot be
-    driven so. warnings, notes: as printed. kept_speed: the stretches that should keep their speed, if any. Raises
-    ValueError for a trajectory without speeds.
+    title: the program's name for people. plans, written: the motions of told, with all their rows. kept_speed: the
+    stretches that should keep their speed, if any. Raises ValueError for a trajectory without speeds.
     """
+    target = told.target
     other = next(one for one in Target if one is not target)
     before = [Shown(WRITTEN, program, written)] if isinstance(written, Plan) else []
     kept = kept_speed or {}
@@ -64,7 +62,7 @@ def optimized_page(
     data = cell_data(plant, program, shown, at_first, chosen)
     sections = [
         motion_section(),
-        *_saving(program, target, chosen, written),
+        *_saving(told),
         program_section(program, shown, at_first),
         *chart_sections(plant, data, shown),
         Section(
@@ -77,37 +75,36 @@ def optimized_page(
         Section(
             "trust",
             "Assumptions",
-            doubts(plant.notes, plant.unchecked, warnings, notes) + limits(plant),
+            doubts(told.limits, told.unchecked, told.warnings, told.notes) + limits(plant),
             f"Estimated, unchecked and assumed. {GRADES}",
         ),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
-    head = _head(title, plant, target, other, plans, written)
+    head = _head(title, plant, told, other)
     return document(f"{title} · trajopt", head, sections, data, SCRIPTS_OF_CELL)
 
 
-def _head(
-    title: str, plant: Plant, target: Target, other: Target, plans: Mapping[Target, Judged], written: Plan | str
-) -> str:
-    chosen, second = plans[target].plan, plans[other].plan
-    tiles = []
-    if isinstance(written, Plan):
-        tiles.append(tile("before", WRITTEN, f"{seconds(written.duration)} s", "the program under the same limits"))
+def _head(title: str, plant: Plant, told: Summary, other: Target) -> str:
+    target, before = told.target, told.as_written
+    chosen, second = told.plans.of(target), told.plans.of(other)
+    if before.why_not is None:
+        tiles = [tile("before", WRITTEN, f"{seconds(before.cycle_time_s)} s", "the program under the same limits")]
     else:
-        tiles.append(tile("before", WRITTEN, "–", written if written == NOT_TIMED else f"cannot be driven: {written}"))
-    changed = f"{_change(written, chosen)}, for {_MACHINES[target]}".removeprefix(", ")
-    tiles.append(tile("after", f"{target} plan", f"{seconds(chosen.duration)} s", changed))
-    if chosen.lower_bound is not None and chosen.gap is not None:
+        why = before.why_not if before.why_not == NOT_TIMED else f"cannot be driven: {before.why_not}"
+        tiles = [tile("before", WRITTEN, "–", why)]
+    changed = f"{told.change(target)}, for {_MACHINES[target]}".removeprefix(", ")
+    tiles.append(tile("after", f"{target} plan", f"{seconds(chosen.cycle_time_s)} s", changed))
+    if chosen.gap is not None:
         gap = f"no legal motion is faster; gap {100 * chosen.gap:.1f} %"
-        gap += "" if chosen.suspicion is None else f"; suspicious: {chosen.suspicion}"
-        tiles.append(tile("bound", f"lower bound, {target}", f"{seconds(chosen.lower_bound)} s", gap))
+        gap += "" if chosen.suspicious is None else f"; suspicious: {chosen.suspicious}"
+        tiles.append(tile("bound", f"lower bound, {target}", f"{seconds(chosen.lower_bound_s)} s", gap))
     gap = "" if second.gap is None else f", gap {100 * second.gap:.1f} %"
-    told = f"{_change(written, second)}, for {_MACHINES[other]}{gap}".removeprefix(", ")
-    tiles.append(tile("", f"{other} plan", f"{seconds(second.duration)} s", told))
+    changed = f"{told.change(other)}, for {_MACHINES[other]}{gap}".removeprefix(", ")
+    tiles.append(tile("", f"{other} plan", f"{seconds(second.cycle_time_s)} s", changed))
     verdicts = " · ".join(
-        f'{one} plan <span class="verdict {"good" if plans[one].report.legal else "bad"}">'
-        f"{'legal' if plans[one].report.legal else 'not legal'}</span>, {len(plans[one].report.findings)} checks"
-        for one in (target, other)
+        f'{one} plan <span class="verdict {"good" if plan.judge.legal else "bad"}">'
+        f"{'legal' if plan.judge.legal else 'not legal'}</span>, {len(plan.judge.findings)} checks"
+        for one, plan in ((target, chosen), (other, second))
     )
     return (
         f'<h1>{text(title)}</h1><p class="sub">{text(plant.robot.name)} · {verdicts}</p>'
@@ -115,26 +112,25 @@ def _head(
     )
 
 
-def _saving(program: Program, target: Target, plan: Plan, written: Plan | str) -> list[Section]:
-    if isinstance(written, str):
+def _saving(told: Summary) -> list[Section]:
+    plan, before = told.plans.of(told.target), told.as_written.cycle_time_s
+    if before is None:
         return []
-    times = {motion.index: motion.t_1 - motion.t_0 for motion in written.motions}
-    saved = [
-        (" ".join(motion_label(program, m.index)), place(m.source), times.get(m.index, 0.0) - (m.t_1 - m.t_0))
-        for m in plan.motions
-    ]
+    times = told.written_times
+    saved = [(one.name, one.place, times.get(one.index, 0.0) - one.time_s) for one in plan.motions]
     drawn = waterfall(
-        Bar(WRITTEN, written.duration, total=True, cycle="before"),
-        by_motion(saved, written.duration, plan.duration),
-        Bar(f"{target} plan", plan.duration, total=True, cycle="after"),
-        plan.lower_bound,
+        Bar(WRITTEN, before, total=True, cycle="before"),
+        by_motion(saved, before, plan.cycle_time_s),
+        Bar(f"{told.target} plan", plan.cycle_time_s, total=True, cycle="after"),
+        plan.lower_bound_s,
         "Saving by motion",
     )
-    changed = _change(written, plan)
+    changed = told.change(told.target)
     share = changed.capitalize()
     if changed != "unchanged":
-        share = f"{signed(plan.duration - written.duration)} s, {changed}"
-    bound = "" if plan.lower_bound is None else f" The dashed line is the lower bound, {seconds(plan.lower_bound)} s."
+        share = f"{signed(plan.cycle_time_s - before)} s, {changed}"
+    least = plan.lower_bound_s
+    bound = "" if least is None else f" The dashed line is the lower bound, {seconds(least)} s."
     lead = f"{share}, by motion.{bound} trajopt compare baseline tells it by cause."
     return [Section("saving", "Saving", drawn, lead)]
 
@@ -145,8 +141,3 @@ def tile(kind: str, name: str, big: str, small: str) -> str:
         f'<div class="tile {kind}"><dt>{text(name)}</dt><dd class="big">{text(big)}</dd>'
         f'<dd class="small">{text(small)}</dd></div>'
     )
-
-
-def _change(before: Plan | str, after: Plan) -> str:
-    """What becomes of a time, in per cent; nothing where there is none to begin with."""
-    return "" if isinstance(before, str) or before.duration <= 0 else change(before.duration, after.duration)

@@ -44,23 +44,27 @@ def _modules(run: OneRun) -> str:
 def _cycles(answer: ComparedRuns) -> str:
     """Bars of both targets' cycle times with their bounds, and the same as a table."""
     bars = [(target, run) for target in Target for run in answer.runs]
-    scale = (_WIDE - _LEFT - 190) / max(max(run.plans[target].cycle for target, run in bars), 1e-9)
+    scale = (_WIDE - _LEFT - 190) / max(max(run.plans[target].cycle_time_s for target, run in bars), 1e-9)
     drawn_, left = [], _LEFT + 60
     for i, (target, run) in enumerate(bars):
         plan, y = run.plans[target], i * (_BAR + _GAP) + (i >= len(answer.runs)) * _GAP
         kind = "joint" if target is answer.target else "wait"
         drawn_.append(f'<text x="0" y="{y + 16}">{target} {run.letter}</text>')
-        drawn_.append(f'<rect class="{kind}" x="{left}" y="{y}" width="{plan.cycle * scale:.2f}" height="{_BAR}"/>')
-        if plan.bound is not None:
-            drawn_.append(f'<path class="least" d="M{left + plan.bound * scale:.2f} {y - 3}v{_BAR + 6}"/>')
-        drawn_.append(f'<text x="{left + plan.cycle * scale + 8:.2f}" y="{y + 16}">{plan.cycle:.3f} s</text>')
+        drawn_.append(
+            f'<rect class="{kind}" x="{left}" y="{y}" width="{plan.cycle_time_s * scale:.2f}" height="{_BAR}"/>'
+        )
+        if plan.lower_bound_s is not None:
+            drawn_.append(f'<path class="least" d="M{left + plan.lower_bound_s * scale:.2f} {y - 3}v{_BAR + 6}"/>')
+        drawn_.append(
+            f'<text x="{left + plan.cycle_time_s * scale + 8:.2f}" y="{y + 16}">{plan.cycle_time_s:.3f} s</text>'
+        )
     high = len(bars) * (_BAR + _GAP) + _GAP
     return _svg(drawn_, high, "Cycle times of all runs") + drawn(cycles_table(answer))
 
 
 def _gantt(answer: ComparedRuns) -> str:
     """The motions of each run over one time, a row per run."""
-    longest = max(run.plans[answer.target].cycle for run in answer.runs)
+    longest = max(run.plans[answer.target].cycle_time_s for run in answer.runs)
     scale = (_WIDE - _LEFT) / max(longest, 1e-9)
     high = len(answer.runs) * (_BAR + _GAP)
     drawn = []

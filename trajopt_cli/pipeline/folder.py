@@ -18,11 +18,10 @@ from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
-    DetourRow,
-    MotionRow,
     RapidModule,
     read_results,
 )
+from trajopt_cli.runs.summary import DetourRow, MotionRow
 
 if TYPE_CHECKING:
     from trajopt_cli.findings import Report
@@ -71,7 +70,7 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
     for target in Target:
         trajectory, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
         motions, q = [], trajectory.q[0]
-        for row in results.motions[target]:
+        for row in results.summary.plans.of(target).motions:
             motion, end = job.program.motions[row.index], np.array(row.axes_at_end)
             t_1 = row.start_s + row.time_s
             via = results.passings(target, row.index)
@@ -107,12 +106,12 @@ def rapid_export(folder: Path) -> RapidFiles:
             except UnicodeDecodeError as error:
                 why = f"byte {error.start} of the optimised {one.place} is no {given[path].encoding}, as the program is"
                 raise InputError(f"{why}; make the folder again", file=str(folder)) from error
-    rows = results.motions[Target.RAPID]
-    cycle = max((row.start_s + row.time_s for row in rows), default=0.0)
-    lines = (_way_line(way, rows) for way in results.ways[Target.RAPID])
+    rapid = results.summary.plans.rapid
+    cycle = max((row.start_s + row.time_s for row in rapid.motions), default=0.0)
+    lines = (_way_line(way, rapid.motions) for way in rapid.detours)
     ways = tuple(dict.fromkeys(lines))  # passes of one text say the same
     difference = unified_diff(given, texts, new)
-    return RapidFiles(results.rapid, patch(given, texts, new), difference, results.kept, cycle, ways)
+    return RapidFiles(results.rapid, patch(given, texts, new), difference, tuple(results.summary.kept), cycle, ways)
 
 
 def _way_line(way: DetourRow, motions: Sequence[MotionRow]) -> str:

@@ -25,18 +25,17 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
-from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, sha256
+from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
     AddedModule,
-    Judged,
     PlanOptions,
     PlanRecord,
     distinct_names,
-    summary,
 )
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.summary import Judged, Summary, summary
 from trajopt_cli.warnings import WarningKind
 from trajopt_cli.workers import cores
 
@@ -72,20 +71,18 @@ def refused(target: Target, report: Report) -> Illegal | Collides:
 
 @dataclass(frozen=True, eq=False)
 class OptimizedJob:
-    """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
+    """The answer of optimize: what summary.json says, the motions behind it, and where the files are.
 
-    written: the program as it stands, driven under the same limits, or why it cannot be.
+    judged: both targets' plans. written: the program as it stands, driven under the same limits, or why it cannot be.
     kept_speed: the stretches that should keep their programmed speed, with the dips of each target's plan.
     no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
     """
 
     job: Job
-    target: Target
+    summary: Summary
     judged: Mapping[Target, Judged]
     written: Plan | str
     kept_speed: Mapping[Target, tuple[Stretch, ...]]
-    warnings: tuple[str, ...]
-    notes: tuple[str, ...]
     folder: Path
     rapid_files: tuple[str, ...]
     no_rapid: str | None
@@ -151,9 +148,20 @@ def optimize_job(
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
         kept_speed = {one: constant_speed(job.program, judged[one].plan, job.plant) for one in Target}
-        files = _files(
-            job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written, kept_speed
+        told = summary(
+            job.program,
+            job.plant,
+            target,
+            judged,
+            written,
+            kept_speed,
+            corners_of(job.program, job.plant),
+            {one: len(passed_in(job.program, job.plant, judged[one].plan)) for one in Target},
+            notices,
+            notes,
+            changes[Target.RAPID].kept,
         )
+        files = _files(job, told, judged, inputs, export)
     options = PlanOptions(
         program=[str(path) for path in job.paths],
         cell=str(job.cell_path),
@@ -164,7 +172,7 @@ def optimize_job(
         cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
     )
     with clock.phase("page"):
-        files[REPORT] = _page(job, target, judged, written, notices, notes, inputs, options, kept_speed)
+        files[REPORT] = _page(job, told, judged, written, inputs, options, kept_speed)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -189,9 +197,7 @@ def optimize_job(
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    return OptimizedJob(
-        job, target, judged, written, kept_speed, notices, notes, folder, modules, no_rapid, clock.seconds
-    )
+    return OptimizedJob(job, told, judged, written, kept_speed, folder, modules, no_rapid, clock.seconds)
 
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
@@ -208,36 +214,16 @@ def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, st
 
 def _files(
     job: Job,
-    target: Target,
+    told: Summary,
     judged: Mapping[Target, Judged],
     inputs: Mapping[str, InputFile],
     export: RapidExport | None,
-    notices: tuple[str, ...],
-    notes: tuple[str, ...],
-    kept: tuple[str, ...],
-    written: Plan | str,
-    kept_speed: Mapping[Target, tuple[Stretch, ...]],
 ) -> dict[str, bytes | BufferedRandom]:
-    """The results folder's files but run.json."""
-    plant = job.plant
+    """The results folder's files but run.json and the page."""
     rows = {one: judged[one].rows.content for one in Target}
     files: dict[str, bytes | BufferedRandom] = {
-        SUMMARY: summary(
-            job.program,
-            plant,
-            target,
-            judged,
-            written,
-            kept_speed,
-            corners_of(job.program, plant),
-            {one: len(passed_in(job.program, plant, judged[one].plan)) for one in Target},
-            notices,
-            plant.notes,
-            plant.unchecked,
-            notes,
-            kept,
-        ),
-        CHOSEN: rows[target],
+        SUMMARY: as_json(told),
+        CHOSEN: rows[told.target],
         **{CSV[one]: rows[one] for one in Target},
     }
     for given in inputs.values():
@@ -251,11 +237,9 @@ def _files(
 
 def _page(
     job: Job,
-    target: Target,
+    told: Summary,
     judged: Mapping[Target, Judged],
     written: Plan | str,
-    notices: tuple[str, ...],
-    notes: tuple[str, ...],
     inputs: Mapping[str, InputFile],
     options: PlanOptions,
     kept_speed: Mapping[Target, tuple[Stretch, ...]],
@@ -263,10 +247,10 @@ def _page(
     """report.html, which shows all of this."""
     from trajopt_cli.page.optimized import Provenance, optimized_page
 
-    made = made_by("optimize", PlanRecord, options)
-    files = {path: sha256(given.content) for path, given in inputs.items()}
-    given = Provenance(made, files)
-    return optimized_page(job.title, job.program, job.plant, target, judged, written, notices, notes, given, kept_speed)
+    given = Provenance(
+        made_by("optimize", PlanRecord, options), {path: sha256(one.content) for path, one in inputs.items()}
+    )
+    return optimized_page(job.title, job.program, job.plant, told, judged, written, given, kept_speed)
 
 
 def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list[tuple[str, str]]:

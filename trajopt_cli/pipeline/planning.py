@@ -19,8 +19,9 @@ from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.results import CSV, NOT_TIMED, Judged
+from trajopt_cli.runs.results import CSV
 from trajopt_cli.runs.rows import RowsFile, without_rows
+from trajopt_cli.runs.summary import NOT_TIMED, Judged
 from trajopt_cli.workers import Worker, give_back
 
 if TYPE_CHECKING:

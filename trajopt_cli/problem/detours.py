@@ -121,10 +121,9 @@ def point_names(program: Program, plant: Plant, detours: Sequence[Detour]) -> li
     return out
 
 
-def way_told(detour: Detour) -> str:
+def way_told(points: int, around: Sequence[str]) -> str:
     """A detour in a table, behind the motion's name: "by 2 points around 'column'"."""
-    count = len(detour.points)
-    return f"by {count} point{'s' if count > 1 else ''} around {quoted(detour.around)}"
+    return f"by {points} point{'s' if points > 1 else ''} around {quoted(around)}"
 
 
 def quoted(around: Sequence[str]) -> str:

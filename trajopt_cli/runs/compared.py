@@ -7,10 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from itertools import combinations
-from pathlib import Path, PurePath
-from typing import Annotated
-
-from pydantic import Field
+from pathlib import Path
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.problem.plan import Target
@@ -24,89 +21,14 @@ from trajopt_cli.runs.inputs_compared import (
     differences,
     inputs_of,
 )
-from trajopt_cli.runs.record import Section
 from trajopt_cli.runs.results import PlanRecord
+from trajopt_cli.runs.summary import MotionRow, PlanSummary, Summary
 
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 """What runs are called, in the order they were given."""
 EQUAL = 5e-4  # s: two times this close are printed alike
 _LIMITS = ("joint speed", "joint acceleration", "joint jerk", "joint torque", "TCP speed", "TCP acceleration")
 _ALIKE = 0.5  # of the motions: two runs with fewer in common are of different programs
-
-
-class Motion(Section):
-    """A motion of a plan: where it is written, what it is, from when on and how long [s], what holds it back."""
-
-    source: str
-    instruction: str
-    target: str
-    start_s: float
-    time_s: float
-    binding: str
-    dropped: bool
-
-    @property
-    def place(self) -> str:
-        """The file's name and the line."""
-        path, _, line = self.source.removesuffix(":" + self.source.rsplit(":", 1)[-1]).rpartition(":")
-        return f"{PurePath(path).name}:{line}" if path else self.source
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """What it is called."""
-        return self.instruction, self.target
-
-    @property
-    def name(self) -> str:
-        """The same, for people."""
-        return " ".join(self.key).strip()
-
-
-class Finding(Section):
-    """What one check of the judge held a plan against."""
-
-    check: str
-    subject: str
-    limit: float | None
-    unit: str
-
-
-class Verdict(Section):
-    """The judge's word on a plan."""
-
-    legal: bool
-    findings: list[Finding]
-
-
-class RunPlan(Section):
-    """One target's plan. bound: no legal motion is faster [s], None where none was asked for."""
-
-    cycle: float = Field(alias="cycle_time_s")
-    bound: float | None = Field(alias="lower_bound_s")
-    gap: float | None
-    motions: list[Motion]
-    judge: Verdict
-
-    @property
-    def limits(self) -> dict[str, tuple[float, str]]:
-        """The speed and acceleration limits that were in force, with their units, by name."""
-        found = [one for one in self.judge.findings if one.check in _LIMITS and one.limit is not None]
-        return {_limit_name(one): (float(one.limit or 0.0), one.unit) for one in found}
-
-
-class _Plans(Section):
-    stream: RunPlan
-    rapid: RunPlan
-
-
-class _Written(Section):
-    cycle_time_s: float | None = None
-
-
-class _Summary(Section):
-    target: Annotated[Target, Field(strict=False)]
-    plans: _Plans
-    as_written: _Written = _Written()
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,19 +39,19 @@ class OneRun:
     letter: str
     folder: Path
     target: Target
-    plans: Mapping[Target, RunPlan]
+    plans: Mapping[Target, PlanSummary]
     written: float | None
     inputs: RunInputs
 
 
 @dataclass(frozen=True, eq=False)
-class MotionRow:
+class AlignedMotion:
     """A motion as each run has it; None where the run's program does not have it."""
 
-    motions: tuple[Motion | None, ...]
+    motions: tuple[MotionRow | None, ...]
 
     @property
-    def any(self) -> Motion:
+    def any(self) -> MotionRow:
         """As the first run has it that does."""
         return next(one for one in self.motions if one is not None)
 
@@ -157,20 +79,20 @@ class ComparedRuns:
 
     runs: tuple[OneRun, ...]
     target: Target
-    rows: tuple[MotionRow, ...]
+    rows: tuple[AlignedMotion, ...]
     limits: tuple[Difference, ...]
     inputs: tuple[Difference, ...]
     modules: Mapping[str, tuple[ModuleChange, ...]]
     notes: tuple[str, ...]
 
     @property
-    def by_difference(self) -> tuple[MotionRow, ...]:
+    def by_difference(self) -> tuple[AlignedMotion, ...]:
         """The rows whose times differ, the largest difference first."""
         differ = [row for row in self.rows if row.spread >= EQUAL]
         return tuple(sorted(differ, key=lambda row: -row.spread))
 
     @property
-    def bound_otherwise(self) -> tuple[MotionRow, ...]:
+    def bound_otherwise(self) -> tuple[AlignedMotion, ...]:
         """The rows that different limits hold back."""
         return tuple(row for row in self.rows if len({one for one in row.bindings if one is not None}) > 1)
 
@@ -199,8 +121,8 @@ def _read(folder: Path, letter: str) -> OneRun:
     if made != PLAN:
         raise InputError(f"is a folder of kind {made}; compare runs reads folders of optimize", file=str(folder))
     run = read_run(folder, PlanRecord, (SUMMARY,))
-    told = run.summary(_Summary)
-    plans = {Target.STREAM: told.plans.stream, Target.RAPID: told.plans.rapid}
+    told = run.summary(Summary)
+    plans = {one: told.plans.of(one) for one in Target}
     return OneRun(letter, folder, told.target, plans, told.as_written.cycle_time_s, inputs_of(run))
 
 
@@ -214,27 +136,25 @@ def _inputs(runs: Sequence[OneRun]) -> tuple[Difference, ...]:
     )
 
 
-def _limits(plan: RunPlan) -> dict[str, str]:
-    return {name: f"{value:.6g} {unit}" for name, (value, unit) in sorted(plan.limits.items())}
+def _limits(plan: PlanSummary) -> dict[str, str]:
+    """The speed and acceleration limits that were in force, by name: "joint_1 speed", "TCP speed"."""
+    found = (one for one in plan.judge.findings if one.check in _LIMITS and one.limit is not None)
+    kinds = ((one, one.check.removeprefix("joint ")) for one in found)
+    named = {kind if kind.startswith("TCP") else f"{one.subject} {kind}": one for one, kind in kinds}
+    return {name: f"{one.limit:.6g} {one.unit}" for name, one in sorted(named.items())}
 
 
-def _limit_name(one: Finding) -> str:
-    """ "joint_1 speed", "TCP speed"."""
-    kind = one.check.removeprefix("joint ")
-    return kind if kind.startswith("TCP") else f"{one.subject} {kind}"
-
-
-def _in_step(columns: Sequence[Sequence[Motion]]) -> tuple[MotionRow, ...]:
+def _in_step(columns: Sequence[Sequence[MotionRow]]) -> tuple[AlignedMotion, ...]:
     """Rows of the same motions, in order: of equal name; where names differ of equal target, or waits.
 
     Each run is put beside the rows of those before it; a motion that they lack has a row of its own.
     """
-    rows: list[list[Motion | None]] = [[one] for one in columns[0]]
+    rows: list[list[MotionRow | None]] = [[one] for one in columns[0]]
     for n, column in enumerate(columns[1:], start=1):
         keys = [next(one for one in row if one is not None).key for row in rows]
         own = [one.key for one in column]
-        out: list[list[Motion | None]] = []
-        empty: list[Motion | None] = [None] * n
+        out: list[list[MotionRow | None]] = []
+        empty: list[MotionRow | None] = [None] * n
         for what, a, b, c, d in SequenceMatcher(None, keys, own, autojunk=False).get_opcodes():
             if what == "equal":
                 out += [[*row, one] for row, one in zip(rows[a:b], column[c:d], strict=True)]
@@ -248,7 +168,7 @@ def _in_step(columns: Sequence[Sequence[Motion]]) -> tuple[MotionRow, ...]:
                 out.append([*row, None if found is None else column[found]])
             out += [[*empty, one] for one in column[at:d]]
         rows = out
-    return tuple(MotionRow(tuple(row)) for row in rows)
+    return tuple(AlignedMotion(tuple(row)) for row in rows)
 
 
 def _alike(one: tuple[str, str], other: tuple[str, str]) -> bool:
@@ -264,7 +184,7 @@ def _same(runs: Sequence[OneRun]) -> list[str]:
     return out
 
 
-def _strangers(runs: Sequence[OneRun], rows: Sequence[MotionRow]) -> list[str]:
+def _strangers(runs: Sequence[OneRun], rows: Sequence[AlignedMotion]) -> list[str]:
     """Runs that have little in common with the first."""
     out = []
     for n, run in enumerate(runs[1:], start=1):

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.compared import ComparedRuns, Motion, MotionRow, OneRun
+from trajopt_cli.runs.compared import AlignedMotion, ComparedRuns, OneRun
 from trajopt_cli.runs.inputs_compared import Difference
+from trajopt_cli.runs.summary import MotionRow
 from trajopt_cli.table import Bad, Good, TextTable, percent, seconds, signed, tabulate
 
 
@@ -17,9 +18,17 @@ def cycles_table(answer: ComparedRuns) -> TextTable:
 
     def row(run: OneRun, target: Target) -> tuple[str, ...]:
         plan = run.plans[target]
-        against = "" if run is first else difference(plan.cycle, first.plans[target].cycle)
+        against = "" if run is first else difference(plan.cycle_time_s, first.plans[target].cycle_time_s)
         legal = Good("yes") if plan.judge.legal else Bad("no")
-        return str(target), run.letter, seconds(plan.cycle), seconds(plan.bound), percent(plan.gap), against, legal
+        return (
+            str(target),
+            run.letter,
+            seconds(plan.cycle_time_s),
+            seconds(plan.lower_bound_s),
+            percent(plan.gap),
+            against,
+            legal,
+        )
 
     def written(run: OneRun) -> tuple[str, ...]:
         counts = run is not first and run.written is not None and first.written is not None
@@ -31,11 +40,11 @@ def cycles_table(answer: ComparedRuns) -> TextTable:
     return TextTable("cycle times", heads, tuple(rows))
 
 
-def motions_table(answer: ComparedRuns, rows: Sequence[MotionRow]) -> TextTable:
+def motions_table(answer: ComparedRuns, rows: Sequence[AlignedMotion]) -> TextTable:
     """Times of motions in each run; a motion that a run does not have, or drops, says so."""
     two = len(answer.runs) == 2
 
-    def time(motion: Motion | None) -> str:
+    def time(motion: MotionRow | None) -> str:
         return (
             ("not there" if two else "–") if motion is None else "dropped" if motion.dropped else seconds(motion.time_s)
         )
@@ -80,10 +89,10 @@ def inputs_lines(answer: ComparedRuns, diff: bool = False) -> Iterator[str]:
 
 def runs_line(answer: ComparedRuns) -> str:
     """The cycle times of the plans that are put side by side, in a line."""
-    first = answer.runs[0].plans[answer.target].cycle
-    told = [f"{run.letter} {run.plans[answer.target].cycle:.3f} s" for run in answer.runs]
+    first = answer.runs[0].plans[answer.target].cycle_time_s
+    told = [f"{run.letter} {run.plans[answer.target].cycle_time_s:.3f} s" for run in answer.runs]
     told[1:] = [
-        f"{text}, {difference(run.plans[answer.target].cycle, first)} against A"
+        f"{text}, {difference(run.plans[answer.target].cycle_time_s, first)} against A"
         for text, run in zip(told[1:], answer.runs[1:], strict=True)
     ]
     return f"{answer.target} plans: {', '.join(told)}"
@@ -101,11 +110,9 @@ def runs_record(answer: ComparedRuns) -> dict[str, Any]:
                 "as_written_s": run.written,
                 "plans": {
                     target.value: {
-                        "cycle_time_s": plan.cycle,
-                        "lower_bound_s": plan.bound,
-                        "gap": plan.gap,
+                        **plan.model_dump(include={"cycle_time_s", "lower_bound_s", "gap"}),
                         "legal": plan.judge.legal,
-                        "against_first_s": plan.cycle - answer.runs[0].plans[target].cycle,
+                        "against_first_s": plan.cycle_time_s - answer.runs[0].plans[target].cycle_time_s,
                     }
                     for target, plan in run.plans.items()
                 },
@@ -136,17 +143,17 @@ def named(one: Difference) -> str:
     return one.what if one.kind else f"limit {one.what}"
 
 
-_NAMED: dict[str, Callable[[MotionRow], str]] = {
+_NAMED: dict[str, Callable[[AlignedMotion], str]] = {
     "place": lambda row: row.any.place,
     "~motion": lambda row: row.any.name,
 }
 
 
-def _of_run(n: int, text: Callable[[Motion | None], str]) -> Callable[[MotionRow], str]:
+def _of_run(n: int, text: Callable[[MotionRow | None], str]) -> Callable[[AlignedMotion], str]:
     return lambda row: text(row.motions[n])
 
 
-def _binding(n: int) -> Callable[[MotionRow], str]:
+def _binding(n: int) -> Callable[[AlignedMotion], str]:
     return lambda row: _known(row.bindings[n])
 
 
@@ -162,7 +169,7 @@ def _difference(one: Difference) -> dict[str, Any]:
     return {"kind": one.kind or "limit", "name": one.name, "values": list(one.values)}
 
 
-def _motion(row: MotionRow) -> dict[str, Any]:
+def _motion(row: AlignedMotion) -> dict[str, Any]:
     return {
         "instruction": row.any.instruction,
         "target": row.any.target,

@@ -3,45 +3,30 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from glob import escape
 from pathlib import Path
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.joint_csv import FARTHEST
-from trajopt_cli.motion import Program, SignalEvent, Wait, as_written, without_name
-from trajopt_cli.problem.constant_speed import Stretch, stretch_record
-from trajopt_cli.problem.corners import Corners
-from trajopt_cli.problem.detours import Detour, Via, point_names
+from trajopt_cli.problem.detours import Detour, Via
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.plan import Eased, Passing, Plan, Target
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.plan import Passing, Target
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.folder import PLAN, ResultsFolder, read_bytes, read_run
-from trajopt_cli.runs.record import RunRecord, Section, UserPath, as_json, quoted
-from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.record import RunRecord, Section, UserPath, quoted
+from trajopt_cli.runs.summary import Summary
 from trajopt_cli.runs.transaction import replace_files
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
-NOT_TIMED = "not timed: stopped by Ctrl-C"
-
-
-@dataclass(frozen=True, eq=False)
-class Judged:
-    """A plan, the file of its rows, and what the judge said of their text."""
-
-    plan: Plan
-    rows: RowsFile
-    report: Report
 
 
 def _as_list(value: object) -> object:
@@ -116,66 +101,6 @@ class PlanRecord(RunRecord[PlanOptions]):
         return self
 
 
-class MotionRow(Section):
-    """A motion in summary.json, as far as it is read back; times in s from the start. until: the condition that ends a
-    wait, None for none."""
-
-    index: int
-    source: str = ""
-    instruction: str
-    target: str
-    until: str | None = None
-    start_s: float
-    time_s: float
-    dropped: bool
-    axes_at_end: list[float]
-
-
-class PointRow(Section):
-    """An additional point in summary.json: its name in the RAPID text, all axes there, the radius of its zone [m] or
-    None for a stop, and when it is passed [s]."""
-
-    target: str
-    axes: list[float]
-    radius_m: float | None
-    time_s: float
-    binding: str
-
-
-class DetourRow(Section):
-    """A way around in summary.json. motion: index of the one that its points are before."""
-
-    motion: int
-    around: list[str]
-    points: list[PointRow]
-
-
-class PlanSummary(Section):
-    """A plan in summary.json, as far as it is read back."""
-
-    motions: list[MotionRow]
-    detours: list[DetourRow] = Field(default_factory=list)
-
-
-class Plans(Section):
-    """The plans of both targets."""
-
-    stream: PlanSummary
-    rapid: PlanSummary
-
-    def of(self, target: Target) -> PlanSummary:
-        """The plan of one of them."""
-        return self.stream if target is Target.STREAM else self.rapid
-
-
-class Summary(Section):
-    """summary.json, as far as it is read back. kept: what the RAPID text keeps as programmed, and why."""
-
-    target: Annotated[Target, Field(strict=False)]
-    plans: Plans
-    kept: list[str] = Field(default_factory=list)
-
-
 @dataclass(frozen=True)
 class RapidModule:
     """A module with the rapid plan in it. path: as the user gave it, or beside the program for a new one. place: in a
@@ -192,13 +117,11 @@ class Results:
     """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
     robot: the copy of the robot's own YAML file, None for a robot that ships. entry, assume_identity, loops: as the
-    run was asked for. texts: the three CSV files by name. motions, ways: of each target's plan, and around what it
-    goes. holds: when the chosen plan stands still until a signal comes [s], and for what. rapid: the optimised modules;
-    none where no_rapid says why. kept: what they keep as programmed, and why. cycle_time: as in PlanOptions.
+    run was asked for. texts: the three CSV files by name. rapid: the optimised modules; none where no_rapid says why.
+    cycle_time: as in PlanOptions.
     """
 
     folder: Path
-    target: Target
     modules: tuple[Path, ...]
     cell: Path
     robot: Path | None
@@ -206,28 +129,41 @@ class Results:
     assume_identity: tuple[str, ...]
     loops: Loops
     texts: Mapping[str, str]
-    motions: Mapping[Target, tuple[MotionRow, ...]]
-    ways: Mapping[Target, tuple[DetourRow, ...]]
-    holds: tuple[tuple[float, str], ...]
+    summary: Summary
     rapid: tuple[RapidModule, ...]
     no_rapid: str | None = None
-    kept: tuple[str, ...] = ()
     cycle_time: float | None = None
+
+    @property
+    def target(self) -> Target:
+        """Whose plan was chosen."""
+        return self.summary.target
+
+    @property
+    def holds(self) -> tuple[tuple[float, str], ...]:
+        """When the chosen plan stands still until a signal comes [s], and for what."""
+        return tuple(
+            (row.start_s + row.time_s, until)
+            for row in self.summary.plans.of(self.target).motions
+            if (until := row.target if row.instruction == "Wait" else row.until) is not None  # Wait: older runs
+        )
 
     def dropped(self, target: Target) -> tuple[int, ...]:
         """The motions that a target's plan leaves out."""
-        return tuple(row.index for row in self.motions[target] if row.dropped)
+        return tuple(row.index for row in self.summary.plans.of(target).motions if row.dropped)
 
     def detours(self, target: Target) -> tuple[Detour, ...]:
         """The ways around obstacles in a target's plan."""
         return tuple(
             Detour(row.motion, tuple(Via(np.array(one.axes), one.radius_m) for one in row.points), tuple(row.around))
-            for row in self.ways[target]
+            for row in self.summary.plans.of(target).detours
         )
 
     def passings(self, target: Target, motion: int) -> tuple[Passing, ...]:
         """The additional points of one motion of a target's plan."""
-        points = [point for row in self.ways[target] if row.motion == motion for point in row.points]
+        points = [
+            point for row in self.summary.plans.of(target).detours if row.motion == motion for point in row.points
+        ]
         return tuple(Passing(point.time_s, np.array(point.axes), point.binding) for point in points)
 
 
@@ -242,134 +178,6 @@ def distinct_names(paths: Sequence[str]) -> dict[str, str]:
     return {path: Path(place).relative_to(above).as_posix() for path, place in real.items()}
 
 
-def motion_label(program: Program, index: int) -> tuple[str, str]:
-    """The instruction's name and its target (or signal, condition, duration) of one motion, for tables."""
-    motion = program.motions[index]
-    match motion:
-        case Wait(condition=None, duration=0.0, in_position=True):  # WaitRob \\InPos, ActUnit and the like
-            return as_written(program, motion)
-        case Wait(condition=None):
-            return "WaitTime", f"{motion.programmed:g} s{' beside' * (motion.beside is not None)}"
-        case Wait():
-            name = as_written(program, motion)[0]
-            return name, without_name(motion.condition or "", name)
-        case SignalEvent():
-            return "Signal", f"{motion.signal} = {motion.value:g}"
-    return type(motion).__name__, motion.target
-
-
-def summary(
-    program: Program,
-    plant: Plant,
-    target: Target,
-    judged: Mapping[Target, Judged],
-    written: Plan | str,
-    kept_speed: Mapping[Target, Sequence[Stretch]],
-    corners: Corners,
-    passed: Mapping[Target, int],
-    warnings: Iterable[str],
-    limits: Iterable[str],
-    unchecked: Iterable[str],
-    notes: Iterable[str] = (),
-    kept: Iterable[str] = (),
-) -> bytes:
-    """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
-
-    written: the program as it stands, or why it cannot be driven so, or NOT_TIMED. kept_speed: the stretches that
-    should keep their programmed speed, by target. corners: of the whole program. passed: at how many fly-bys a plan
-    does not stop. limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against.
-    notes: what the RAPID text changes, and what it could not; kept: those of the latter.
-    """
-    return as_json(
-        {
-            "target": target.value,
-            "plans": {one.value: _plan(program, plant, judged[one], kept_speed[one]) for one in Target},
-            "as_written": _as_written(written),
-            "fly_bys_passed": {one.value: passed[one] for one in Target},
-            "fly_bys_stopped": [
-                {"index": index, "source": str(program.motions[index].source), "why": why}
-                for index, why in corners.stopped.items()
-            ],
-            "warnings": list(warnings),
-            "limits": list(limits),
-            "unchecked": list(unchecked),
-            "notes": list(notes),
-            "kept": list(kept),
-        }
-    )
-
-
-def _as_written(written: Plan | str) -> dict[str, Any]:
-    if isinstance(written, str):
-        return {"cycle_time_s": None, "motion_times_s": [], "why_not": written}
-    times = [motion.t_1 - motion.t_0 for motion in written.motions]
-    return {"cycle_time_s": written.duration, "motion_times_s": times, "why_not": None}
-
-
-def _plan(program: Program, plant: Plant, judged: Judged, stretches: Sequence[Stretch]) -> dict[str, Any]:
-    plan = judged.plan
-    motions = []
-    for motion in plan.motions:
-        instruction, target = motion_label(program, motion.index)
-        motions.append(
-            {
-                "index": motion.index,
-                "source": str(motion.source),
-                "instruction": instruction,
-                "target": target,
-                "until": getattr(program.motions[motion.index], "condition", None),
-                "start_s": motion.t_0,
-                "time_s": motion.t_1 - motion.t_0,
-                "binding": motion.binding,
-                "dropped": motion.dropped,
-                "axes_at_end": motion.q_1.tolist(),
-            }
-        )
-    return {
-        "cycle_time_s": plan.duration,
-        "lower_bound_s": plan.lower_bound,
-        "gap": plan.gap,
-        "least_effort": None if plan.eased is None else _eased(plan.eased),
-        "grid": plan.grid,
-        "axes": list(plan.trajectory.names),
-        "motions": motions,
-        "detours": _detours(program, plant, plan),
-        "constant_speed": [stretch_record(program, one) for one in stretches],
-        "judge": {
-            "legal": judged.report.legal,
-            "findings": [finding_record(finding) for finding in judged.report.findings],
-        },
-    }
-
-
-def _detours(program: Program, plant: Plant, plan: Plan) -> list[dict[str, Any]]:
-    names = point_names(program, plant, plan.detours)
-    via = {motion.index: motion.via for motion in plan.motions}
-    return [
-        {
-            "motion": detour.motion,
-            "around": list(detour.around),
-            "points": [
-                {
-                    "target": name,
-                    "axes": point.q.tolist(),
-                    "radius_m": point.radius,
-                    "time_s": passing.t,
-                    "binding": passing.binding,
-                }
-                for name, point, passing in zip(called, detour.points, via[detour.motion], strict=True)
-            ],
-        }
-        for detour, called in zip(plan.detours, names, strict=True)
-    ]
-
-
-def _eased(eased: Eased) -> dict[str, Any]:
-    strains = (("fastest", eased.fastest), ("planned", eased.planned))
-    told = {name: {"effort_s": one.effort, "rail_way_m": one.rail_way} for name, one in strains}
-    return {"least_time_s": eased.least_time, **told}
-
-
 def read_results(folder: Path, judged: bool = False) -> Results:
     """Read a results folder; judged: its CSV files as they stand, for who decides whether they are legal.
 
@@ -377,10 +185,9 @@ def read_results(folder: Path, judged: bool = False) -> Results:
     """
     plans = (CHOSEN, *CSV.values())
     run = read_run(folder, PlanRecord, (SUMMARY, *plans), plans if judged else ())
-    inputs, options, digest = run.record.inputs, run.record.options, run.summary(Summary)
+    inputs, options = run.record.inputs, run.record.options
     return Results(
         folder=folder,
-        target=digest.target,
         modules=tuple(folder / one.place for one in inputs.files if one.module),
         cell=folder / str(inputs.cell),
         robot=None if inputs.robot is None else folder / inputs.robot,
@@ -389,16 +196,9 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         loops=options.loops,
         cycle_time=options.cycle_time,
         texts={name: run.text(name) for name in plans},
-        motions={one: tuple(digest.plans.of(one).motions) for one in Target},
-        ways={one: tuple(digest.plans.of(one).detours) for one in Target},
-        holds=tuple(
-            (row.start_s + row.time_s, until)
-            for row in digest.plans.of(digest.target).motions
-            if (until := row.target if row.instruction == "Wait" else row.until) is not None  # Wait: older runs
-        ),
+        summary=run.summary(Summary),
         rapid=tuple(_rapid(run)),
         no_rapid=run.record.no_rapid,
-        kept=tuple(digest.kept),
     )
 
 

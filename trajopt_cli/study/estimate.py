@@ -15,7 +15,7 @@ from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.report.stepwise import StepMove, analyse
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.summary import motion_label
 
 _STANDS = 1e-9  # m
 _OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk|torque)")

@@ -9,15 +9,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from report.drawn_plans import drawn
+from report.drawn_plans import drawn, summarized
 from window import Window
 
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.motion import TextFile
 from trajopt_cli.page.optimized import Provenance, optimized_page
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.summary import Judged
 from trajopt_cli.trajectory import Trajectory, hermite
 
 TEXT = "MoveJ p_one; ! </script><script>document.title='no'</script>\nWaitTime 0.4;\nMoveJ p_two;\nMoveAbsJ j_home;\n"
@@ -38,7 +38,9 @@ def page(written: Callable[[str, bytes], Path]) -> Path:
     plans = {one: Judged(replace(DRAWN.plan, target=one), RowsFile(), report) for one in Target}
     program = replace(DRAWN.program, files={"t.mod": TextFile("t.mod", TEXT, "utf-8")})
     made = Provenance([("made by", "a test")], {"t.mod": "abc"})
-    content = optimized_page("t.mod", program, DRAWN.plant, Target.STREAM, plans, before, ["a warning"], [], made)
+    content = optimized_page(
+        "t.mod", program, DRAWN.plant, summarized(program, DRAWN.plant, plans, before), plans, before, made
+    )
     return written("cycle.html", content)
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trajopt_cli.findings import finding_record
 from trajopt_cli.iiwa.job.folder import JOINTS, Opened, add_to_folder, open_folder
+from trajopt_cli.runs.summary import finding_record
 
 if TYPE_CHECKING:
     from trajopt_cli.iiwa.task.arm_plan import ArmFigures, ArmPlan, Goal
