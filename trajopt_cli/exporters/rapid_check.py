@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_targets import is_nearest
 from trajopt_cli.exporters.rapid_text import refusal
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import (
@@ -26,6 +25,7 @@ from trajopt_cli.motion import (
     motion_name,
 )
 from trajopt_cli.problem.editable_text import confdata_counts
+from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics

@@ -14,6 +14,7 @@ from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, PoseMove, Program, Span
 from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.move_call import read_move
+from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.program_text import declared_name
@@ -21,15 +22,13 @@ from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.parser import parse_statement
 from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number, ProcedureCall
-from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
+from trajopt_cli.robot.inverse import confdata, confdata_admits
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _SAME_RAIL = 5e-4  # mm: half of the last decimal that is written
 _TURNED = 5e-7  # rad: half of what the judge lets pass; written with six decimals an orientation turns by up to 2e-6
 _RAIL_STILL = 1e-9  # m
-_NEARER = 1e-9  # rad: below, two configurations are equally near
-_MEASURES = (1, 2, np.inf)  # of joint turns: their sum, Euclid's length, the largest
 
 
 @dataclass(frozen=True)
@@ -370,23 +369,6 @@ class Targets:
 def same_rail(one: float, other: float) -> bool:
     """Whether two rail positions [mm] are one as far as the text tells."""
     return abs(one - other) <= _SAME_RAIL or same_num(one, other)
-
-
-def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
-    """Whether no other joints reach a motion's end, at its rail position, nearer to its start than the planned ones.
-
-    With confdata switched off the controller takes the nearest; nobody says in which measure, so nearest counts in the
-    largest turn of a joint, in the sum of all, and in the sum of squares.
-    """
-    q_0, q_1 = (np.asarray(q[plant.layout.arm]) for q in (planned.q_0, planned.q_1))
-    rail = float(plant.layout.place(planned.q_1)) if plant.robot.has_rail else None
-    others = [q for _, q in solutions(plant.robot, plant.robot.forward(planned.q_1), rail, plant.limits)]
-    planned_turns = [float(np.linalg.norm(q_1 - q_0, measure)) for measure in _MEASURES]
-    return all(
-        mine <= np.linalg.norm(q - q_0, measure) + _NEARER
-        for q in others
-        for mine, measure in zip(planned_turns, _MEASURES, strict=True)
-    )
 
 
 def base_name(target: str) -> str:

@@ -8,8 +8,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes
+from trajopt_cli.problem.nearest import nearest
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
+from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
 
 
@@ -39,12 +40,8 @@ class PlantKinematics:
 
     def inverse(self, X_WF: Array, extax: ExternalAxes, conf: ConfData | None, near: Array | None) -> Array | None:
         """Arm joints (6,) [rad] that bring the flange to X_WF in configuration conf, of several the nearest to near."""
-        robot = self.plant.robot
-        found = [q for _, q in solutions(robot, X_WF, self._rail(extax), self.plant.limits)]
-        if conf is not None:
-            found = [q for q in found if confdata_admits(robot, conf, q)]
         centre = self.plant.start[self.plant.layout.arm] if near is None else near
-        return min(found, key=lambda q: float(np.linalg.norm(q - centre)), default=None)
+        return next(iter(nearest(self.plant, X_WF, self._rail(extax), centre[None], conf)), None)
 
     def confdata(self, q: Array) -> ConfData:
         """Configuration of arm joints q (6,) [rad]."""
