@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from small_cells import plant_without_rail
 
 from trajopt_cli.cli import run
+from trajopt_cli.motion import Source
+from trajopt_cli.study.estimate import EstimatedMotion, _rests_on
 
 TEXT = """MODULE Tiny
     CONST jointtarget j_home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -91,6 +95,13 @@ def test_cycle_naive_figure_waits_and_guesses(tiny: Path, capsys: pytest.Capture
     out = capsys.readouterr().out
     assert "guesses: joint_2 acceleration 15 rad/s²" in out
     assert "uncalibrated" in out
+
+
+def test_no_limit_holds_a_wait_back() -> None:
+    motions = [EstimatedMotion(i, Source("a.mod", i, 1), wait, 0.1, 0.5, "joint_1 acceleration")
+               for i, wait in enumerate([False, True])]  # fmt: skip
+    (one,) = _rests_on(SimpleNamespace(plant=plant_without_rail()), motions)  # type: ignore[arg-type]
+    assert one.seconds == 0.5
 
 
 def test_waits_are_told_by_their_instruction_and_what_they_wait_for(

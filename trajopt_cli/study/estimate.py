@@ -43,7 +43,7 @@ class EstimatedMotion:
 @dataclass(frozen=True)
 class RestsOn:
     """A limit of an axis that holds motions back: its value [SI], where it comes from, for how many seconds of motions
-    it is the first to bind; guess: nobody at hand confirms it (grade C or D)."""
+    but waits it is the first to bind; guess: nobody at hand confirms it (grade C or D)."""
 
     limit: str
     value: float
@@ -124,7 +124,7 @@ def _rests_on(job: Job, motions: list[EstimatedMotion]) -> Iterator[RestsOn]:
     limits = job.plant.limits
     seconds: dict[str, float] = {}
     for one in motions:
-        if _OF_AXIS.fullmatch(one.binding) and one.binding.split()[0] in limits.names:
+        if not one.wait and _OF_AXIS.fullmatch(one.binding) and one.binding.split()[0] in limits.names:
             seconds[one.binding] = seconds.get(one.binding, 0.0) + one.driven
     for name in sorted(seconds, key=lambda name: (-seconds[name], name)):
         axis, kind = name.split()
