@@ -133,11 +133,8 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
 def test_what_binds_many_legs_binds_each_alone() -> None:
     axes, problem, chain = chain_of(BODY.replace("p_low, v500, fine", "p_low, v20, fine"))
     motions = [one for one in timed(axes, problem, chain).legs if one is not None]
-    found = binding_limits(axes, problem.plant.tcp, problem.legs, motions)
-    alone = [
-        binding_limits(axes, problem.plant.tcp, [leg], [motion])[0]
-        for leg, motion in zip(problem.legs, motions, strict=True)
-    ]
+    found = binding_limits(axes, problem.legs, motions)
+    alone = [binding_limits(axes, [leg], [motion])[0] for leg, motion in zip(problem.legs, motions, strict=True)]
     assert found == alone
     assert found[3] == "programmed TCP speed"
     assert len({*found}) > 1

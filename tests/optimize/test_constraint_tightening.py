@@ -65,20 +65,20 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     ratios = check_leg(axes, problem.legs[1], leg)
     ratios.acceleration[:] = 0.5
     ratios.acceleration[2, 4] = 1.25
-    margins = Margins.full(axes.limits, 6, on_path=True)
+    margins = Margins.full(axes, 6, on_path=True)
     assert back_off(margins, ratios, leg, DEFAULT, rail=np.array([3.0]))
     own = abs(leg.b[2, 0]) / (3.0 * 0.8**2)
     assert margins.push[2] == pytest.approx(own * (1 - 1.5 * (1 - 1 / 1.25)), rel=3e-4)
     assert np.all(np.delete(margins.push, 2) == 1.0)
     assert np.all(margins.acceleration == DEFAULT.start)
-    assert back_off(Margins.full(axes.limits, 6, on_path=True), ratios, leg, DEFAULT)  # elsewhere the nodes are
+    assert back_off(Margins.full(axes, 6, on_path=True), ratios, leg, DEFAULT)  # elsewhere the nodes are
 
 
 def test_one_round_leaves_half_of_a_limit_however_much_it_is_passed() -> None:
     axes = Axes.of(plant_with_rail())
     spike = Spike(0.5, 0.2, 1e6)
     problem = problem_of(rapid(PROGRAM), plant_with_rail())
-    margins = Margins.full(axes.limits, 1, on_path=True)
+    margins = Margins.full(axes, 1, on_path=True)
     s, v, a = parabola(np.linspace(0, 1, 2))
     d = np.zeros((2, 1))
     X = np.eye(4)
@@ -92,7 +92,7 @@ def test_a_range_is_not_passed_by_rounding() -> None:
     d = np.zeros((2, 1))
     X, rest = np.eye(4), np.zeros(2)
     path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), rest, rest, d[0], d, d, d[1:])
-    margins, ratios = Margins.full(axes.limits, 1, on_path=True), Ratios.none(axes, 1)
+    margins, ratios = Margins.full(axes, 1, on_path=True), Ratios.none(axes, 1)
     ratios.position[:] = 1.0 + 2.3e-16
     assert not back_off(margins, ratios, path, DEFAULT)
     ratios.position[:] = 1.0 + 1e-6

@@ -20,7 +20,7 @@ from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.joint_torque import JointTorque
-from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
+from trajopt_cli.trajectories.limits.tool_limit import ToolCap, ToolKind, ToolLimit
 
 X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
 
@@ -100,7 +100,7 @@ def test_path_rows_are_the_motion_over_its_limits(
 ) -> None:
     rng, track, n, k = np.random.default_rng(11), LineSymbols(turning), len(sides), axes.n
     node = formulation.node(track, sides)
-    tool = formulation.limit_node(TcpMotion(axes), ToolKind((*ToolCap,), along=False), track, sides)
+    tool = formulation.limit_node(ToolLimit(axes), ToolKind((*ToolCap,), along=False), track, sides)
     assert len(node.block.shape.lower) == 2 + k + k * n + 6
     for X_0, X_1, d, cfx in lines(axes, rng, turning):
         s, v, w, T = rng.uniform(0.2, 0.8), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
@@ -127,7 +127,7 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
     rng, k = np.random.default_rng(17), axes.n
     symbols = ArcSymbols(turning)
     node = formulation.node(symbols, "l")
-    tool = formulation.limit_node(TcpMotion(axes), ToolKind((*ToolCap,), along=False), symbols, "l")
+    tool = formulation.limit_node(ToolLimit(axes), ToolKind((*ToolCap,), along=False), symbols, "l")
     for X_0, X_1, d, cfx in lines(axes, rng, turning, 6):
         aside = np.cross(X_1[:3, 3] - X_0[:3, 3], rng.normal(size=3))
         arc = Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + 0.01 * aside / np.linalg.norm(aside), X_1)
@@ -172,12 +172,12 @@ def test_torque_rows_are_pins_forces_and_torques(way: str) -> None:
     """On a rail at a slant, whose force has a row, too: what is beyond gravity by the share of what gravity leaves."""
     slant = rotation_about([0.6, 0, 0.8], 0.4)
     axes, rng = Axes.of(heavy_on_rail(pose(slant, [0.1, 0.2, 0.3]))), np.random.default_rng(21)
-    assert axes.torque is not None
+    torque = JointTorque(axes)
     load = ToolLoad(3.0, np.array([0.1, 0.02, 0.05]), np.diag([0.02, 0.03, 0.04]))
-    standing = Dynamics(axes.robot, load, rotor=axes.torque.plant.robot.rotor)
+    standing = Dynamics(axes.robot, load, rotor=axes.plant.robot.rotor)
     formulation, track = Formulation(axes, Maps()), LineSymbols(True)
     place = DWELL if way == "dwell" else track
-    rows = formulation.limit_node(JointTorque(axes), axes.torque.limited, place, "lr", way == "tied")
+    rows = formulation.limit_node(torque, torque.limited, place, "lr", way == "tied")
     for X_0, X_1, d, cfx in lines(axes, rng, True, 4):
         s, v, w, T = rng.uniform(0.3, 0.7), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
         acc, rail_acc = rng.normal(size=2) * 3, rng.normal(size=2)
@@ -186,7 +186,7 @@ def test_torque_rows_are_pins_forces_and_torques(way: str) -> None:
         tie = {"d_0": np.array([d - s * 0.3]), "way": np.array([0.3])} if way == "tied" else {}
         if tie:
             w, rail_acc = 0.3 * v, 0.3 * acc
-        share, limit = rng.uniform(0.5, 1, 7), axes.torque.limit
+        share, limit = rng.uniform(0.5, 1, 7), torque.limit
         wanted = []
         for a, b in zip(acc, rail_acc, strict=True):
             q, qd, qdd = motion_at(axes, X_0, X_1, cfx, s, d, v, w, a, b)
@@ -225,7 +225,7 @@ def test_waypoint_rows_vanish_at_the_self_motion_and_nowhere_else(axes: Axes, fo
 def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> None:
     axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
     rng, n, formulation = np.random.default_rng(14), axes.n, Formulation(axes, Maps())
-    row = formulation.limit_node(TcpMotion(axes), ToolKind((cap,), along=False), JOINTS, "l")
+    row = formulation.limit_node(ToolLimit(axes), ToolKind((cap,), along=False), JOINTS, "l")
 
     def share(q: Array, v: Array, a: Array, T: float, limit: float) -> float:
         V, A = forward_velocity(axes.robot, q, v / T, X_FT), forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)
@@ -246,7 +246,7 @@ def test_rows_along_the_tools_path_are_shares_of_speeding_up_and_slowing_down(na
     v a / |v| is within its caps."""
     axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
     rng, n, kind = np.random.default_rng(15), axes.n, ToolKind((ToolCap.ACCELERATION,), along=True)
-    row = Formulation(axes, Maps()).limit_node(TcpMotion(axes), kind, JOINTS, "lr")
+    row = Formulation(axes, Maps()).limit_node(ToolLimit(axes), kind, JOINTS, "lr")
     for arm in safe_arm(rng, axes, 10):
         q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
         T, ramps = rng.uniform(0.3, 2), rng.uniform(0.5, 5, 2)

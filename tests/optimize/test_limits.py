@@ -6,17 +6,18 @@ from collections.abc import Hashable, Mapping
 from typing import Any
 
 import numpy as np
+import pytest
 from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.nlp.driver import Refiner, first_draft
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path_timing.path_parameterized_plan import timed
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.trajectories import limits
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
@@ -36,7 +37,7 @@ class Calm(Limit):
     def orders(self) -> Array:
         return np.ones(1)
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         return ["calm joint_1"]
 
     def ratios(self, motion: MotionSamples) -> Array:
@@ -64,14 +65,13 @@ def fastest(axes: Axes) -> tuple[Iterate, float, list[str], float]:
     motions = [motion for motion in found.legs if motion is not None]
     speeds = sampled(axes, motions, [np.linspace(0, motion.T, 400) for motion in motions]).qd[:, 1]
     worst = max(check_leg(axes, *both).worst for both in zip(problem.legs, motions, strict=True))
-    return found, float(np.abs(speeds).max()), binding_limits(axes, plant.tcp, problem.legs, motions), worst
+    return found, float(np.abs(speeds).max()), binding_limits(axes, problem.legs, motions), worst
 
 
-def test_a_limit_that_is_one_class_more_is_kept_and_reported() -> None:
-    free, calm = Axes.of(plant_with_rail()), Axes.of(plant_with_rail())
-    calm.__dict__["limits"] = (*calm.limits, Calm(calm))
-    _, fast, _, _ = fastest(free)
-    found, slow, names, worst = fastest(calm)
+def test_a_limit_that_is_one_class_more_is_kept_and_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    _, fast, _, _ = fastest(Axes.of(plant_with_rail()))
+    monkeypatch.setattr(limits, "KINDS", (*limits.KINDS, Calm))
+    found, slow, names, worst = fastest(Axes.of(plant_with_rail()))
     assert fast > 1.2 * TOP
     assert slow <= TOP
     assert worst <= 1.0
@@ -79,15 +79,16 @@ def test_a_limit_that_is_one_class_more_is_kept_and_reported() -> None:
     assert all(motion is not None and motion.T > 0 for motion in found.legs)
 
 
-def test_path_timing_drives_more_slowly_by_a_limit_that_has_no_rows_on_a_path() -> None:
+def test_path_timing_drives_more_slowly_by_a_limit_that_has_no_rows_on_a_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """Joint 1 turns with the path's rate: twice as slowly it keeps half the limit."""
     plant = plant_with_rail()
     problem = problem_of(rapid("MoveJ p_in, v5000, fine, tool0; MoveL p_low, v500, fine, tool0;"), plant, Target.RAPID)
     free, calm = Axes.of(plant), Axes.of(plant)
-    calm.__dict__["limits"] = (*calm.limits, Calm(calm))
     chain = search(free, problem)
     assert chain is not None
-    fast, slow = (timed(axes, problem, chain) for axes in (free, calm))
+    fast = timed(free, problem, chain)
+    monkeypatch.setattr(limits, "KINDS", (*limits.KINDS, Calm))
+    slow = timed(calm, problem, chain)
     top = [
         max(float(np.abs(sampled(free, [m], [np.linspace(0, m.T, 400)]).qd[:, 1]).max()) for m in one.legs if m)
         for one in (fast, slow)

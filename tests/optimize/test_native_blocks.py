@@ -25,7 +25,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.limits.joint_torque import JointTorque
-from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
+from trajopt_cli.trajectories.limits.tool_limit import ToolCap, ToolKind, ToolLimit
 
 SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
@@ -42,7 +42,7 @@ NO_ARGUMENTS = (
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
     "limit_node": [
-        *((TcpMotion, ToolKind((*ToolCap,), along=True), place, "lr") for place in (JOINTS, TRACKS[0], TRACKS[-1])),
+        *((ToolLimit, ToolKind((*ToolCap,), along=True), place, "lr") for place in (JOINTS, TRACKS[0], TRACKS[-1])),
         (JointTorque, tuple(range(7)), TRACKS[-1], "l", True),
         (JointTorque, tuple(range(7)), DWELL, "lr"),
         (JointTorque, tuple(range(7)), JOINTS, "lr"),
@@ -131,7 +131,7 @@ def test_a_program_has_one_answer_whoever_evaluates_it() -> None:
     assert chain is not None
     cfx = tuple(label.cfx for label in chain.labels)
     draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
-    margins = [Margins.full(axes.limits, m.N, on_path=True) if hasattr(m, "N") else None for m in draft.legs]
+    margins = [Margins.full(axes, m.N, on_path=True) if hasattr(m, "N") else None for m in draft.legs]
 
     def solved(library: Library) -> NlpResult:
         return Transcription(axes, Formulation(axes, library), problem, draft, margins).nlp.solve(mu=1e-2)

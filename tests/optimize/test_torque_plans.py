@@ -146,14 +146,14 @@ def test_a_posture_that_the_drives_cannot_hold_is_not_chosen() -> None:
 def test_rows_at_a_node_are_pins_torques(sides: str) -> None:
     """moving / (T^2 share limit) + gravity / limit: 1 where what gravity leaves is used up to the share."""
     axes, rng = Axes.of(heavy()), np.random.default_rng(5)
-    assert axes.torque is not None
+    torque = JointTorque(axes)
     load = ToolLoad(3.0, np.array([0.1, 0.02, 0.05]), np.diag([0.02, 0.03, 0.04]))
     q, v, a = rng.uniform(-1, 1, (3, 6))
-    T, share, limit = 0.7, rng.uniform(0.5, 1, 6), axes.torque.limit
+    T, share, limit = 0.7, rng.uniform(0.5, 1, 6), torque.limit
     z = {"q": q, "v": v, **{f"a_{side}": a * (1 + i) for i, side in enumerate(sides)}, "T": T}
-    node = Formulation(axes).limit_node(JointTorque(axes), axes.torque.limited, "joints", sides)
+    node = Formulation(axes).limit_node(torque, torque.limited, "joints", sides)
     rows = node.value(z, {"load": load_parameters(load), "limit": limit, "share": share})
-    standing = Dynamics(axes.robot, load, GRAVITY, axes.torque.plant.robot.rotor)
+    standing = Dynamics(axes.robot, load, GRAVITY, axes.plant.robot.rotor)
     rest = standing.gravity_torque(q)
     wanted = []
     for i in range(len(sides)):

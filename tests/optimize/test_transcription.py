@@ -22,7 +22,7 @@ from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg
-from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion, ToolCap, ToolKind
+from trajopt_cli.trajectories.limits.tool_limit import ToolCap, ToolKind, ToolLimit
 
 N_JOINT = 5
 
@@ -45,7 +45,7 @@ def program() -> Transcription:
             grid = np.linspace(0, 1, N_JOINT + 1)
             motion = JointNodes(1.0, grid, *(np.zeros((k, n)) for k in (N_JOINT + 1, N_JOINT + 1, N_JOINT)))
         legs.append(motion)
-        m = Margins.full(axes.limits, motion.N, isinstance(motion, PathLeg))
+        m = Margins.full(axes, motion.N, isinstance(motion, PathLeg))
         for share in (m.velocity, m.acceleration, m.tool):
             share[:] = rng.uniform(0.5, 1.0, share.shape)
         margins.append(m)
@@ -117,7 +117,7 @@ def test_tool_caps_hold_at_every_node(program: Transcription) -> None:
         beside = [j for j in (i - 1, i) if 0 <= j < N_JOINT]
         sides = "lr" if len(beside) == 2 else "r" if i == 0 else "l"
         kind = ToolKind((*ToolCap,), along=False)
-        copies, count = held(program, program.formulation.limit_node(TcpMotion(program.axes), kind, JOINTS, sides))
+        copies, count = held(program, program.formulation.limit_node(ToolLimit(program.axes), kind, JOINTS, sides))
         assert count == (N_JOINT - 1 if len(beside) == 2 else 2)
         p = copies[row(x.q[i], x.qv[i], *(x.qa[one] for one in beside), x.T)]
         np.testing.assert_array_equal(p, [*(caps * m.tool[i]), *leg.X_FT[:3, 3]])
@@ -172,7 +172,7 @@ def test_a_programmed_time_is_no_variable() -> None:
     chain = search(axes, problem)
     assert chain is not None
     draft = first_draft(axes, problem, chain.q, chain.w, tuple(label.cfx for label in chain.labels), chain.times)
-    margins = [Margins.full(axes.limits, m.N, on_path=True) if isinstance(m, PathLeg) else None for m in draft.legs]
+    margins = [Margins.full(axes, m.N, on_path=True) if isinstance(m, PathLeg) else None for m in draft.legs]
     nlp = Transcription(axes, Formulation(axes, library()), problem, draft, margins)
     timed = nlp.legs[1]
     assert timed is not None

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from small_cells import plant_with_rail, rapid
+from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.errors import InputError
@@ -22,11 +22,16 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveC, MoveL, Program
+from trajopt_cli.nlp.constraint_tightening import back_off
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.scenario import PositionerAxis, Scenario
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.dense_check import check_leg
+from trajopt_cli.trajectories.iterate import Margins
+from trajopt_cli.trajectories.leg_trajectories import PathLeg, parabola
 from trajopt_cli.trajectory import Trajectory
 
 pytestmark = pytest.mark.usefixtures("coarse")
@@ -120,6 +125,23 @@ def test_the_table_keeps_its_limits_and_is_named_where_it_is_slowest(target: Tar
     assert turns.binding == "positioner"
     assert turns.t_1 - turns.t_0 == pytest.approx(2 * np.sqrt(np.radians(40) / A), rel=1e-3)
     assert found.motions[1].t_1 - found.motions[1].t_0 < 1.5  # no slower than table and v200 ask for
+
+
+def test_the_dense_check_sees_a_table_that_is_driven_too_fast_and_its_margins_are_tightened() -> None:
+    """The last line is one place on the work, so the table alone times it: A to the middle and back. In half the time
+    its speed is twice as high and its acceleration four times."""
+    axes, problem, grid = Axes.of(PLANT), problem_of(PROGRAM, PLANT, Target.RAPID), np.linspace(0, 1, 9)
+    leg = next(leg for leg in problem.legs if leg.motion == 3)
+    assert leg.segment is not None
+    rail = np.full((9, 1), 0.3), np.zeros((9, 1)), np.zeros((8, 1))
+    way = np.radians(40)
+    motion = PathLeg(2 * np.sqrt(way / A), leg.segment, leg.X_FT, 0, np.zeros(6), grid, *parabola(grid), *rail)
+    for times, wanted in ((1.0, [np.sqrt(way * A) / V, 1.0]), (0.5, [2 * np.sqrt(way * A) / V, 4.0])):
+        ratios = check_leg(axes, leg, motion.slowed(times))
+        assert ratios.positioner.max(axis=0) == pytest.approx(wanted, rel=1e-3)
+    margins = Margins.full(axes, motion.N, on_path=True)
+    assert back_off(margins, ratios, motion, PLANT.settings)
+    assert margins.positioner[0, 1] < 0.6 < 0.9 < margins.positioner[0, 0]  # at the end the table is hardly in motion
 
 
 def judged(target: Target, spoil: Callable[[Trajectory], Trajectory] | None = None, of: Program = PROGRAM) -> Report:

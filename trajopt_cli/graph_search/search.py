@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
@@ -21,6 +21,7 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.route import Route
 
 _WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long.
@@ -55,7 +56,9 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
     q = axes.layout.join(table.d[rails], arm[labels, rails])
-    if axes.torque is not None and (held := _torques_hold(axes, problem, k, q)).any():
+    beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+    held = np.all([limit.holds(leg, q) for limit in limits_of(axes) for leg in beside], axis=0)
+    if held.any():
         q, labels, rails = q[held], labels[held], rails[held]
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
@@ -65,13 +68,6 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
     ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
-
-
-def _torques_hold(axes: Axes, problem: Problem, k: int, q: Array) -> BoolArray:
-    """At which axes (m, n) all torques can hold the arm at waypoint k, with what it carries before and behind it."""
-    assert axes.torque is not None
-    beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
-    return np.asarray(np.all([axes.torque.holds(leg.load, q) for leg in beside], axis=0))
 
 
 def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Edge:

@@ -269,7 +269,7 @@ class Refiner:
                 return found
             for k in through:
                 if isinstance(draft.legs[k], JointProfiles):
-                    margins[k] = Margins.full(self.axes.limits, self.grids.rough.joints, on_path=False)
+                    margins[k] = Margins.full(self.axes, self.grids.rough.joints, on_path=False)
             draft, warm = self._with_grids(draft, margins), None
 
     def _answer(
@@ -313,7 +313,7 @@ class Refiner:
     def margins(self, draft: Iterate) -> list[Margins | None]:
         """Of the legs on grids, nothing tightened."""
         return [
-            Margins.full(self.axes.limits, m.N, isinstance(m, PathLeg)) if isinstance(m, PathLeg | JointNodes) else None
+            Margins.full(self.axes, m.N, isinstance(m, PathLeg)) if isinstance(m, PathLeg | JointNodes) else None
             for m in draft.legs
         ]
 
@@ -444,7 +444,7 @@ class Refiner:
             if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
                 continue
             if ratios.worst > 1 + self.axes.settings.closed_form_excess or self.clearances.touches(k, motion):
-                margins[k] = Margins.full(self.axes.limits, grids.joints, on_path=False)
+                margins[k] = Margins.full(self.axes, grids.joints, on_path=False)
                 opened = True
         return opened
 

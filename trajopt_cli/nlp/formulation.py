@@ -30,6 +30,7 @@ from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.path.turning import TurningSymbols
 from trajopt_cli.robot.symbolic import Reached
 from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.joint_range import JointRange
 from trajopt_cli.trajectories.limits.limit import INF, Limit, NodeMotion, Row, Share
 
@@ -64,7 +65,7 @@ class Formulation:
         self.couplings = axes.couplings
         ranges = self.lower, self.upper, *((axes.couplings,) if axes.couplings else ())
         self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, *ranges))
-        self._shared = [limit for limit in axes.limits if not limit.apart]
+        self._shared = [limit for limit in limits_of(axes) if not limit.apart]
         self._identity += f" {[limit.name for limit in self._shared]}"
         self._cache: dict[tuple[object, ...], Relation] = {}
         self.smooth = axes.jerk is not None

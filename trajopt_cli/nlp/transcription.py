@@ -32,6 +32,7 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts
 from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.limit import INF
 
 _MOST_ZONES = 0.6  # and at most.
@@ -446,7 +447,7 @@ class Transcription:
         """All limits at some nodes of a leg with variables z and parameters p of their pose; more: of the effort."""
         shared, weighed = {**p, **more}, "e" in z
         plain = {name: x for name, x in z.items() if name != "e"}
-        for limit in self.axes.limits:
+        for limit in limits_of(self.axes):
             values = limit.node_values(leg, margins.by_name[limit.name][nodes.at], place != JOINTS)
             if not limit.apart:
                 shared |= values

@@ -17,8 +17,9 @@ from trajopt_cli.problem.problem import Leg, Problem
 from trajopt_cli.settings import Settings
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.dense_check import Ratios, ratios_of
+from trajopt_cli.trajectories.dense_check import Ratios, ratios_of, share_rates
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, PathLeg, Pieces, sampled
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.joint_torque import of_room
 from trajopt_cli.trajectories.limits.limit import Limit, PathRows, PathSamples
 
@@ -56,7 +57,7 @@ class PathMargins:
     @classmethod
     def full(cls, axes: Axes, N: int) -> PathMargins:
         """All but a hair."""
-        return cls({limit.name: np.full((N, 2), limit.start) for limit in axes.limits}, np.full(N, np.inf))
+        return cls({limit.name: np.full((N, 2), limit.start) for limit in limits_of(axes)}, np.full(N, np.inf))
 
     def tighten(self, used: Mapping[str, Array], seen: Ratios, settings: Settings) -> BoolArray:
         """Less for the intervals whose worst ratios exceed what is safe: which (N,).
@@ -131,7 +132,7 @@ def path_rows(limits: Sequence[Limit], path: PathSamples) -> dict[str, PathRows]
 
 def but_torques(axes: Axes) -> list[Limit]:
     """The limits but for those of torque, which take too long to be asked for all that a search compares."""
-    return [limit for limit in axes.limits if limit.name != "torque"]
+    return [limit for limit in limits_of(axes) if limit.name != "torque"]
 
 
 def stacked(rows: Mapping[str, PathRows]) -> PathRows:
@@ -147,7 +148,7 @@ def rows_on(
     legs, of = np.unique([part.leg for part in path.parts], return_inverse=True)
     number = np.repeat(of, path.counts + 1)
     samples = samples_of(axes, [problem.legs[k] for k in legs], number, path.along)
-    return path_rows(axes.limits if limits is None else limits, samples)
+    return path_rows(limits_of(axes) if limits is None else limits, samples)
 
 
 def used_by(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw) -> dict[str, Array]:
@@ -368,7 +369,8 @@ def sampled_ratios(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw
             first.append(count + np.arange(piece.N) * len(inside))
             count += len(times[-1])
         number = np.repeat(np.arange(len(legs)), [len(t) for t in times])
-        found.append(ratios_of(axes, legs, number, sampled(axes, pieces, times), np.concatenate(first)))
+        sample, progress = sampled(axes, pieces, times), share_rates(legs, pieces, times)
+        found.append(ratios_of(axes, legs, number, sample, np.concatenate(first), progress))
     return Ratios.joined(found)
 
 

@@ -33,6 +33,7 @@ from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.route import Route
 
 
@@ -390,8 +391,6 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
 def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None:
     """Which axis cannot hold the arm at a point of a run in any posture, in words; a rail that is free there stands in
     the middle of its room."""
-    if axes.torque is None:
-        return None
     for k in range(*run):
         for point in problem.waypoints[k : k + 2]:
             postures = [point.q]
@@ -399,9 +398,10 @@ def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None
                 rail = np.full(axes.layout.r, sum(point.rail) / 2)
                 found = axes.robot.solutions(point.X_WF, float(rail[0]) if len(rail) else None, problem.plant.limits)
                 postures = [axes.layout.merge(rail, arm) for _, arm in found]
-            heavy = [axes.torque.too_heavy(problem.legs[k], q) for q in postures if q is not None]
-            if heavy and all(heavy):
-                return heavy[0]
+            for limit in limits_of(axes):
+                heavy = [limit.why_not(problem.legs[k], q) for q in postures if q is not None]
+                if heavy and all(heavy):
+                    return heavy[0]
     return None
 
 

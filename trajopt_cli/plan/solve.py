@@ -361,7 +361,7 @@ def _planned(
     first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
     last = {leg.motion: k for k, leg in enumerate(problem.legs)}
     moved = sorted(last.values())
-    limits = binding_limits(axes, problem.plant.tcp, [problem.legs[k] for k in moved], [legs[k] for k in moved])
+    limits = binding_limits(axes, [problem.legs[k] for k in moved], [legs[k] for k in moved])
     binding = dict(zip(moved, limits, strict=True))
     out = []
     now, q_now = 0.0, draft.q[0]

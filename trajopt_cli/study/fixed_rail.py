@@ -27,7 +27,7 @@ from trajopt_cli.study.case import Case
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
-from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion
+from trajopt_cli.trajectories.limits.tool_limit import ToolLimit
 
 _LINE_NODES = 400  # of a line or an arc alone: at 0.5 m 1.2 mm apart
 _ON_BRANCH = 1e-6  # rad: axes are what a branch says
@@ -227,7 +227,7 @@ def use_of(
     own, at_once = caps.at(number), np.zeros(1, dtype=np.intp)
     sample = Sample(np.zeros(len(q)), q, qd, qdd)
     motion = replace(motion_samples(axes, [leg.leg for leg in legs], number, sample, at_once), caps=own)
-    speed, acceleration, turning = TcpMotion(axes).ratios(motion).T
+    speed, acceleration, turning = ToolLimit(axes).ratios(motion).T
     return Use(
         np.max(np.abs(qd) / own.velocity, axis=1),
         np.max(np.abs(qdd) / own.acceleration, axis=1),

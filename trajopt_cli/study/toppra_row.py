@@ -27,7 +27,7 @@ from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
 from trajopt_cli.trajectories.limits.limit import Limit, PathRows
-from trajopt_cli.trajectories.limits.tcp_motion import TcpMotion
+from trajopt_cli.trajectories.limits.tool_limit import ToolLimit
 from trajopt_cli.trajectory import Trajectory, hermite
 
 STEP = 1e-3  # s of the plan between the points of TOPP-RA; every switch of the plan is one besides
@@ -103,8 +103,8 @@ class _Path:
     @cached_property
     def limits(self) -> list[Limit]:
         """What is asked of it."""
-        others = [limit for limit in but_torques(self.axes) if not isinstance(limit, TcpMotion)]
-        return [*others, TcpMotion(self.axes, _DIRECTIONS)]
+        others = [limit for limit in but_torques(self.axes) if not isinstance(limit, ToolLimit)]
+        return [*others, ToolLimit(self.axes, _DIRECTIONS)]
 
     @cached_property
     def caps(self) -> AxisLimits:

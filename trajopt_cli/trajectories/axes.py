@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -15,12 +14,7 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
-from trajopt_cli.settings import DEFAULT, Settings
-from trajopt_cli.trajectories.limits import limits_of
-from trajopt_cli.trajectories.limits.joint_torque import Torques
-from trajopt_cli.trajectories.limits.limit import Limit
-
-_FREE = Couplings(np.zeros((0, 0)), np.zeros(0), np.zeros(0))
+from trajopt_cli.settings import Settings
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,10 +41,11 @@ class AxisLimits:
 
 @dataclass(frozen=True, eq=False)
 class Axes:
-    """Limits and names (n,) of all axes in the robot's order; jerk, torque: None where they are free. X_WB0: the arm's
-    base in the world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings:
-    ranges of sums of axes. settings: chosen numbers."""
+    """Limits and names (n,) of all axes of a plant in the robot's order. X_WB0: the arm's base in the world with the
+    rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings: ranges of sums of axes. What
+    of it motions must keep are `limits_of` the axes."""
 
+    plant: Plant
     robot: Robot
     layout: AxisLayout
     names: tuple[str, ...]
@@ -60,10 +55,7 @@ class Axes:
     acceleration: Array
     X_WB0: Array
     rail_axis: Array
-    jerk: Array | None = None
-    couplings: Couplings = _FREE
-    torque: Torques | None = None
-    settings: Settings = DEFAULT
+    couplings: Couplings
 
     @classmethod
     def of(cls, plant: Plant) -> Axes:
@@ -73,8 +65,8 @@ class Axes:
         X_WB0 = robot.X_WB0
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
-            robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
-            axis, limits.binding_jerk, limits.couplings, Torques.of(plant), plant.settings,
+            plant, robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration,
+            X_WB0, axis, limits.couplings,
         )  # fmt: skip
 
     @property
@@ -82,10 +74,15 @@ class Axes:
         """How many axes."""
         return self.layout.n
 
-    @cached_property
-    def limits(self) -> tuple[Limit, ...]:
-        """What motions of these axes must keep."""
-        return limits_of(self)
+    @property
+    def settings(self) -> Settings:
+        """Chosen numbers."""
+        return self.plant.settings
+
+    @property
+    def jerk(self) -> Array | None:
+        """Limits (n,), None where jerks are free."""
+        return self.plant.limits.binding_jerk
 
     def within(self, q: Array, slack: float = 1e-9) -> BoolArray:
         """Whether axes (..., n) are in their ranges (...), those of sums too, but for a slack [rad, m]; NaN are not."""

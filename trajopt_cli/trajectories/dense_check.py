@@ -17,7 +17,8 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Margins
-from trajopt_cli.trajectories.leg_trajectories import LegMotion, Sample, sampled
+from trajopt_cli.trajectories.leg_trajectories import LegMotion, Sample, sampled, shares
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples
 
 
@@ -38,7 +39,7 @@ class Ratios:
     @classmethod
     def none(cls, axes: Axes, N: int) -> Ratios:
         """Of N intervals that nobody sampled."""
-        return cls(axes.limits, {limit.name: np.zeros((N, len(limit.orders))) for limit in axes.limits})
+        return cls(limits_of(axes), {limit.name: np.zeros((N, len(limit.orders))) for limit in limits_of(axes)})
 
     @classmethod
     def joined(cls, parts: Sequence[Ratios]) -> Ratios:
@@ -124,18 +125,30 @@ def _checked(
     number = np.repeat(np.arange(len(legs)), counts)
     first = np.concatenate([edge + starts for edge, (_, starts) in zip(edges, samples, strict=False)])
     intervals = np.cumsum([len(starts) for _, starts in samples])[:-1]
-    return ratios_of(axes, legs, number, sample, first).split(intervals)
+    return ratios_of(axes, legs, number, sample, first, share_rates(legs, motions, [t for t, _ in samples])).split(
+        intervals
+    )
 
 
-def ratios_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sample, first: IndexArray) -> Ratios:
+def share_rates(legs: Sequence[Leg], motions: Sequence[LegMotion], times: Sequence[Array]) -> Array | None:
+    """First and second derivative (2, m) of the share of each way at times of its own; None where nothing turns in step
+    with it."""
+    if not any(leg.units for leg in legs):
+        return None
+    return np.hstack([shares(*of)[1:] for of in zip(motions, times, strict=True)])
+
+
+def ratios_of(
+    axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sample, first: IndexArray, progress: Array | None
+) -> Ratios:
     """Worst ratios in intervals of a sample of legs, to which numbers (m,) its places belong. first (N,): the place
-    with which each interval begins."""
-    motion = motion_samples(axes, legs, number, sample, first)
+    with which each interval begins. progress: see MotionSamples."""
+    motion = motion_samples(axes, legs, number, sample, first, progress)
 
     def fold(x: Array) -> Array:
         return np.asarray(np.maximum.reduceat(np.where(np.isnan(x), Limit.unreached, x), first))
 
-    return Ratios(axes.limits, {limit.name: fold(limit.ratios(motion)) for limit in axes.limits})
+    return Ratios(limits_of(axes), {limit.name: fold(limit.ratios(motion)) for limit in limits_of(axes)})
 
 
 def motion_samples(

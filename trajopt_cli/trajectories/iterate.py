@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import LegMotion
-from trajopt_cli.trajectories.limits.limit import Limit
+from trajopt_cli.trajectories.limits import limits_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,13 +43,11 @@ class Margins:
         return self.by_name[name]
 
     @classmethod
-    def full(cls, limits: Sequence[Limit], N: int, on_path: bool) -> Margins:
+    def full(cls, axes: Axes, N: int, on_path: bool) -> Margins:
         """Of N intervals, nothing tightened but for rounding; on_path: of a line, an arc or a dwell."""
-        starts = {limit.name: limit.start if on_path else limit.start_on_grid for limit in limits}
-        return cls(
-            {limit.name: np.full((N + 1, len(limit.orders)), starts[limit.name]) for limit in limits},
-            np.ones(N), np.zeros(N + 1),
-        )  # fmt: skip
+        starts = [(limit, limit.start if on_path else limit.start_on_grid) for limit in limits_of(axes)]
+        margins = {limit.name: np.full((N + 1, len(limit.orders)), start) for limit, start in starts}
+        return cls(margins, np.ones(N), np.zeros(N + 1))
 
     def refined(self) -> Margins:
         """The same margins on twice as many intervals; a new node takes the smaller neighbour's."""

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
@@ -25,7 +24,7 @@ class JointAcceleration(Limit):
         """See Limit."""
         return self.axes.settings.exact
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         asked = "programmed " if leg.acceleration < 1.0 else ""
         return [f"{asked}{name} acceleration" for name in self.axes.names]

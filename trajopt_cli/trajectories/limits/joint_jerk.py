@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, Row
 
 
@@ -20,6 +20,11 @@ class JointJerk(Limit):
     order = 3.0
     slows_paths = False  # laws with limited jerk are made apart, see path_timing/smooth.py
     safe_on_grid = INF
+
+    @classmethod
+    def in_force(cls, axes: Axes) -> bool:
+        """See Limit."""
+        return axes.jerk is not None
 
     @property
     def safe(self) -> float:
@@ -36,7 +41,7 @@ class JointJerk(Limit):
         """See Limit."""
         return self.axes.settings.start_jerk
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return [f"{name} jerk" for name in self.axes.names]
 

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, Row
 
@@ -23,7 +22,7 @@ class JointRange(Limit):
     safe = 1.0 + _RANGE_ROUNDING
     start = start_on_grid = 1.0
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return [f"{name} range" for name in self.axes.names]
 

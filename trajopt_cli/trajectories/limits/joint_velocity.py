@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
@@ -24,7 +23,7 @@ class JointVelocity(Limit):
         """See Limit."""
         return self.axes.settings.exact
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         capped = self.axes.velocity_on(leg) < self.axes.velocity
         return [

@@ -1,6 +1,7 @@
 """The protocol by which engines ask a limit, and the data that they ask with.
 
-Adding a limit: a file here with a class derived from `Limit`; a line in `limits_of`; where its number comes from.
+Adding a limit: a file here with a class derived from `Limit`, its name in `KINDS`, and its number: a field of
+`JointLimits` or `TcpCaps`, which the cell file's `limits` and `tcp` have as a key by itself.
 
 - the dense check and the report of active limits ask `ratios` and `used` at samples of a motion,
 - path timing asks `path_rows` at places of a sampled path: with x the squared rate of the path parameter and u its
@@ -19,15 +20,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.problem.problem import Leg
+from trajopt_cli.trajectories.axes import Axes, AxisLimits
+from trajopt_cli.trajectories.leg_trajectories import Sample
 
 if TYPE_CHECKING:
     import casadi as ca
 
-    from trajopt_cli.limits import TcpCaps
-    from trajopt_cli.trajectories.axes import Axes, AxisLimits
-    from trajopt_cli.trajectories.leg_trajectories import Sample
 
 INF = float("inf")
 Row = tuple["ca.SX", float, float]
@@ -143,6 +143,11 @@ class Limit(ABC):
     def __init__(self, axes: Axes):
         self.axes = axes
 
+    @classmethod
+    def in_force(cls, axes: Axes) -> bool:
+        """Whether motions of these axes must keep it at all."""
+        return True
+
     @property
     def slows_paths(self) -> bool:
         """Whether path timing drives more slowly where it is exceeded, because `path_rows` does not ask for it."""
@@ -169,8 +174,16 @@ class Limit(ABC):
         return np.full(self.axes.n, self.order)
 
     @abstractmethod
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
-        """What reports call its columns on a leg, such as "joint_1 speed"; tcp: the caps of the cell."""
+    def labels(self, leg: Leg) -> list[str]:
+        """What reports call its columns on a leg, such as "joint_1 speed"."""
+
+    def holds(self, leg: Leg, q: Array) -> BoolArray:
+        """At which axes (m, n) the robot can rest on a leg (m,)."""
+        return np.ones(len(q), dtype=bool)
+
+    def why_not(self, leg: Leg, q: Array) -> str | None:
+        """Why the robot cannot rest at axes q (n,) on a leg, in words; None where it can."""
+        return None
 
     @abstractmethod
     def ratios(self, motion: MotionSamples) -> Array:

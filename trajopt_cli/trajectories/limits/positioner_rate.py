@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg, LegKind
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
 class PositionerRate(Limit):
     """The share's rate times the turn is at most what positioners allow, its second derivative likewise; see
-    Leg.table. Dense checks do not ask it: they follow the share exactly, and so does the margin."""
+    Leg.table."""
 
     name = "positioner"
     apart = True
@@ -23,18 +22,21 @@ class PositionerRate(Limit):
     @property
     def orders(self) -> Array:
         """See Limit."""
-        return np.ones(1)
+        return np.array([1.0, 2.0])
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
-        return ["positioner"]
+        return ["positioner", "positioner"]
 
     def ratios(self, motion: MotionSamples) -> Array:
         """See Limit; zero where the share's rates are not given."""
         if motion.progress is None:
-            return np.zeros((len(motion.number), 1))
-        limits = np.array([leg.table for leg in motion.legs])[motion.number]
-        return np.asarray(np.max(np.abs(motion.progress.T) * limits, axis=1, keepdims=True))
+            return np.zeros((len(motion.number), 2))
+        return np.abs(motion.progress.T) * np.array([leg.table for leg in motion.legs])[motion.number]
+
+    def used(self, motion: MotionSamples) -> Array:
+        """The larger one in both columns: reports tell them apart by nothing."""
+        return np.repeat(self.ratios(motion).max(axis=1, keepdims=True), 2, axis=1)
 
     def path_rows(self, path: PathSamples) -> PathRows | None:
         """See Limit."""

@@ -4,25 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.problem import Leg, LegKind
-from trajopt_cli.trajectories.limits.limit import (
-    INF,
-    Limit,
-    MotionSamples,
-    NodeMotion,
-    PathRows,
-    PathSamples,
-    Row,
-)
-
-if TYPE_CHECKING:
-    from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 # of the tool's acceleration on a half circle; the polygon passes the limit by 2 % at its corners, which the dense check
 # takes back where it is used.
@@ -48,7 +37,7 @@ class ToolKind(NamedTuple):
     along: bool
 
 
-class TcpMotion(Limit):
+class ToolLimit(Limit):
     """|p'| <= v_tcp, |p''| <= a_tcp, |omega| <= v_ori; PathAccLim: -down <= p' . p'' / |p'| <= up."""
 
     name = "tool"
@@ -64,9 +53,10 @@ class TcpMotion(Limit):
         """See Limit."""
         return np.array([1.0, 2.0, 1.0])
 
-    def labels(self, leg: Leg, tcp: TcpCaps) -> list[str]:
+    def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
-        return ["programmed TCP speed" if leg.v_tcp < tcp.speed else "TCP speed", "TCP acceleration", "TCP turning"]
+        capped = leg.v_tcp < self.axes.plant.tcp.speed
+        return ["programmed TCP speed" if capped else "TCP speed", "TCP acceleration", "TCP turning"]
 
     def ratios(self, motion: MotionSamples) -> Array:
         """See Limit; of the acceleration the whole, or along the path where that is the larger ratio."""
