@@ -14,8 +14,8 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge.program_points import points_of
 from trajopt_cli.judge.samples import look
 from trajopt_cli.judge.stops import check_stops
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, build_timeline
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.waypoint_matching import match
 from trajopt_cli.motion import Motion
 from trajopt_cli.problem.plant import Plant
@@ -32,12 +32,12 @@ def at(d: float, plant: Plant | None = None) -> Array:
 
 def seen(
     case: Case, trajectory: Trajectory, steps: Resolution | None, rapid: bool = False, marked: bool | None = None
-) -> tuple[Timeline, dict[bytes, TcpMotion]]:
+) -> tuple[Timeline, dict[bytes, ToolKinematics]]:
     """Its points with their rows, as verify finds them. marked: whether to take it for a file with marks."""
     points = points_of(case.program, case.plant)
     rows = look(case.plant, trajectory, steps, marks=len(points) - 1)
     rows = rows if marked is None else replace(rows, marked=marked)
-    frames = {np.asarray(p.X_FT).tobytes(): TcpMotion(rows, p.X_FT) for p in points}
+    frames = {np.asarray(p.X_FT).tobytes(): ToolKinematics(rows, p.X_FT) for p in points}
     return build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid), frames
 
 

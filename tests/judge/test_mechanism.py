@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.judge.mechanism import _FEW, Mechanism
-from trajopt_cli.judge.tcp_motion import carried, shifted
+from trajopt_cli.judge.tool_kinematics import carried, shifted
 from trajopt_cli.robot.model import Structure, robot_names
 
 ROBOTS = Path(__file__).parents[2] / "robots"

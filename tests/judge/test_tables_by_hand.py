@@ -37,7 +37,7 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge.positioners import TurnedFrame, check_columns
 from trajopt_cli.judge.samples import look
-from trajopt_cli.judge.tcp_motion import TcpMotion
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.trajectory import Trajectory
@@ -61,12 +61,12 @@ def random_rows(marked: bool = True, n: int = 40) -> tuple[Trajectory, Resolutio
     return Trajectory(plant.limits.names, t, q, qd, tables), steps
 
 
-def turned_rows(marked: bool = True) -> tuple[TurnedFrame, TcpMotion, Array, Array]:
+def turned_rows(marked: bool = True) -> tuple[TurnedFrame, ToolKinematics, Array, Array]:
     """The tool in the world and over the work; angles of the units (n, 2) since the move's start, and their speeds."""
     trajectory, steps = random_rows(marked)
     rows = look(plant_with_rail(), trajectory, steps)
     assert rows.exact == marked
-    world = TcpMotion(rows, X_FT)
+    world = ToolKinematics(rows, X_FT)
     assert trajectory.tables is not None
     assert trajectory.tables.qd is not None
     theta, rates = trajectory.tables.q[:, [2, 0]] - [0.3, -0.2], trajectory.tables.qd[:, [2, 0]]

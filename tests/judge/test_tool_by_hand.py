@@ -18,7 +18,7 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import caps
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge.samples import look
-from trajopt_cli.judge.tcp_motion import TcpMotion, angular_acceleration
+from trajopt_cli.judge.tool_kinematics import ToolKinematics, angular_acceleration
 from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 
@@ -31,7 +31,7 @@ Series = Iterable[tuple[Array, Array]]
 
 
 @cache
-def frame_of(tool: str, speeds: bool, marked: bool) -> TcpMotion:
+def frame_of(tool: str, speeds: bool, marked: bool) -> ToolKinematics:
     """Rows of a smooth motion of all axes, off by a little, printed in steps that differ from row to row."""
     rng = np.random.default_rng(31)
     t = np.cumsum(np.r_[0.25, rng.uniform(0.004, 0.012, N - 1)])
@@ -45,10 +45,10 @@ def frame_of(tool: str, speeds: bool, marked: bool) -> TcpMotion:
     )
     rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), steps)
     assert (rows.marked, rows.exact) == (marked, marked and speeds)
-    return TcpMotion(rows, TOOLS[tool])
+    return ToolKinematics(rows, TOOLS[tool])
 
 
-def columns(frame: TcpMotion) -> tuple[Array, Array]:
+def columns(frame: ToolKinematics) -> tuple[Array, Array]:
     """Lengths (n, 7) of the Jacobian's columns."""
     J = PLANT.robot.jacobian(frame.rows.q, frame.X_FT)
     return np.linalg.norm(J[:, :3], axis=1), np.linalg.norm(J[:, 3:], axis=1)

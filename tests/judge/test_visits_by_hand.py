@@ -19,7 +19,7 @@ from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge import waypoint_matching
 from trajopt_cli.judge.program_points import ProgramPoint, arc_to
 from trajopt_cli.judge.samples import Rows, look
-from trajopt_cli.judge.tcp_motion import TcpMotion
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.waypoint_matching import Closeness, events_of, looking, passages, worth_a_look
 from trajopt_cli.motion import FlyBy, MoveExtJ
 from trajopt_cli.trajectory import Trajectory
@@ -67,7 +67,7 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
     """Of a pose position and rotation, of joints each of them, of external axes the rail with the tool at rest: within
     tolerance, besides what digits leave open, and a tau^2/2 where the boundary may be tau away."""
     stop, rows = STOPS[kind], around(41, marked)
-    frame = TcpMotion(rows, stop.X_FT)
+    frame = ToolKinematics(rows, stop.X_FT)
     which = np.arange(0, len(rows.t), 2)
     found = looking(rows, frame, stop, rapid)(which)
     alpha = float(PLANT.limits.acceleration[1:].sum())
@@ -154,14 +154,14 @@ def test_events_are_runs_of_near_rows() -> None:
             assert event.end == (at_rows[core[-1]] if core else event.last)
 
 
-def wander(seed: int, n: int = 400) -> tuple[Rows, TcpMotion]:
+def wander(seed: int, n: int = 400) -> tuple[Rows, ToolKinematics]:
     """A rail that goes to and fro, in gaps of different lengths."""
     rng = np.random.default_rng(seed)
     t = np.r_[0.0, np.cumsum(rng.choice([0.002, 0.008, 0.02], n - 1))]
     q = np.tile(PLANT.start, (n, 1))
     q[:, 0] = 0.5 + 0.06 * np.sin(3 * t) + 0.02 * np.sin(11 * t)
     rows = look(PLANT, Trajectory(PLANT.limits.names, t, q), Resolution(0.0, np.full(7, 1e-6), np.zeros(7)))
-    return rows, TcpMotion(rows, TOOL)
+    return rows, ToolKinematics(rows, TOOL)
 
 
 @pytest.mark.parametrize("block", [4, 64])
@@ -214,7 +214,7 @@ def test_an_arcs_end_is_passed_on_its_second_half() -> None:
     phi = np.linspace(0, 1, 61)
     rows, _ = wander(45, 61)
 
-    class Drawn(TcpMotion):
+    class Drawn(ToolKinematics):
         """A tool on the circle, whatever the axes do."""
 
         @property

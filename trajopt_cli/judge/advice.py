@@ -18,9 +18,9 @@ from trajopt_cli.judge.geometry import Line, lengths
 from trajopt_cli.judge.libraries import rest_to_rest, shortest_time, straight_rest_to_rest
 from trajopt_cli.judge.program_points import obeys_programmed_speed
 from trajopt_cli.judge.samples import Rows
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import REST_JOINT
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL
 
 TIGHT_LINE = 0.002
@@ -38,7 +38,7 @@ _ROOM = (1e-6, 1e-4, 1e-3)
 end may be only just within reach. The last can lengthen nothing and shorten a line by 0.1 %."""
 
 
-def advise(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> list[Finding]:
+def advise(line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool) -> list[Finding]:
     """One finding per line and per joint move from stop to stop that a library can time, in program order. Needs speed
     columns; none where torques are limited, of which these libraries are told nothing."""
     rows = line.rows
@@ -63,7 +63,7 @@ def advise(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> list[
     return out
 
 
-def _line(rows: Rows, before: Visit, visit: Visit, frame: TcpMotion) -> Finding:
+def _line(rows: Rows, before: Visit, visit: Visit, frame: ToolKinematics) -> Finding:
     """Share of the line's time that TOPP-RA shaves off."""
     stop, limits, caps = visit.point, rows.plant.limits, rows.plant.tcp
     assert rows.qd is not None
@@ -111,7 +111,7 @@ def _retimed(t: Array, z: Array, zd: Array, speed: Array, acceleration: Array) -
     return None
 
 
-def _caps_inactive(rows: Rows, visit: Visit, frame: TcpMotion, first: int, last: int) -> bool:
+def _caps_inactive(rows: Rows, visit: Visit, frame: ToolKinematics, first: int, last: int) -> bool:
     """Whether no TCP cap and no programmed speed comes near its limit at the rows of the move."""
     assert visit.point.move is not None
     assert rows.qd is not None

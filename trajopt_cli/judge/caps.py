@@ -20,11 +20,12 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import Series, Worst, finding, worse
 from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.machine import Machine
+from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.program_points import ProgramPoint, arc_to, obeys_programmed_speed
 from trajopt_cli.judge.samples import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
-from trajopt_cli.judge.tcp_motion import TcpMotion, carried
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones, rows_of_move
 from trajopt_cli.judge.tolerances import JOINT, REST_JOINT, TCP
+from trajopt_cli.judge.tool_kinematics import ToolKinematics, carried
 from trajopt_cli.motion import MoveC, MoveExtJ
 
 
@@ -32,7 +33,7 @@ from trajopt_cli.motion import MoveC, MoveExtJ
 class Inner:
     """The TCP between two rows where the Hermite is the motion: speed there, acceleration there and at both ends."""
 
-    frame: TcpMotion
+    frame: ToolKinematics
     first: int
     last: int
 
@@ -103,7 +104,7 @@ class Inner:
 
 
 def check_caps(
-    line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool = False
+    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool = False
 ) -> Iterator[tuple[int, list[Finding]]]:
     """TCP speed and acceleration over the whole file (each stretch with its own tool), then programmed speeds: findings
     as they come, each with the row that was looked at. rapid: no axis moves in a wait."""
@@ -142,10 +143,10 @@ def check_caps(
     yield len(rows.t), [*out, *programmed, *alone]
 
 
-Stretch = tuple[int, int, TcpMotion, list[tuple[Visit, Visit]]]
+Stretch = tuple[int, int, ToolKinematics, list[tuple[Visit, Visit]]]
 
 
-def _stretches(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[Stretch]:
+def _stretches(line: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[Stretch]:
     """Rows [first, last] with one tool, and the moves in them, from where and to where. A move over a work object that
     turns is a stretch of its own; a corner in which the tool changes is none."""
     last_row = len(line.rows.t) - 1
@@ -154,7 +155,7 @@ def _stretches(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[Stret
     for before, visit in pairwise(line.visits):
         missing = before.event is None and before.point.fly_by is not None  # its rows may be the move's before
         shown = visit.event is not None and not missing and not visit.stay
-        if (turned := line.turned.get(visit.point.index)) is not None:
+        if isinstance(turned := line.turned.get(visit.point.index), TurnedFrame):
             begin, end = turned.span(before, visit)
             yield first, begin, frame, moves
             yield begin, end, turned, [(before, visit)] if shown and visit.arrive > before.depart else []
@@ -169,7 +170,7 @@ def _stretches(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[Stret
     yield first, last_row, frame, moves
 
 
-def _tcp_speeds(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
+def _tcp_speeds(frame: ToolKinematics, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
     """Least TCP speeds: chords over all lags, the rows' own, and between rows."""
     rows = frame.rows
     yield from _mean_over_lags(frame, first, last, frame.mean_speeds)
@@ -179,7 +180,9 @@ def _tcp_speeds(frame: TcpMotion, first: int, last: int, inner: Inner | None) ->
         yield inner.t, inner.speed
 
 
-def tcp_accelerations(frame: TcpMotion, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
+def tcp_accelerations(
+    frame: ToolKinematics, first: int, last: int, inner: Inner | None
+) -> Iterator[tuple[Array, Array]]:
     """Least TCP accelerations: second divided differences of the position, speed differences, and between rows.
 
     All are means of the acceleration vector, never longer than its greatest length.
@@ -199,7 +202,7 @@ def tcp_accelerations(frame: TcpMotion, first: int, last: int, inner: Inner | No
         yield from inner.accelerations
 
 
-def _tcp(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+def _tcp(frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """TCP speeds at least, from row a to row b: times and values."""
     yield from _mean_over_lags(frame, a, b, frame.mean_speeds)
     if frame.rows.qd is not None:
@@ -209,7 +212,7 @@ def _tcp(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
         yield inner.t, inner.speed
 
 
-def _turning(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+def _turning(frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """Angular speeds of the tool."""
     yield from _mean_over_lags(frame, a, b, frame.mean_turnings)
     if frame.rows.qd is not None:
@@ -219,7 +222,7 @@ def _turning(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
         yield inner.t, inner.turning
 
 
-def _rail_speeds(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+def _rail_speeds(frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """Speeds of the rail."""
     rows = frame.rows
     for m in LAGS:
@@ -231,7 +234,9 @@ def _rail_speeds(frame: TcpMotion, a: int, b: int) -> Iterator[tuple[Array, Arra
         yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0]
 
 
-def _mean_over_lags(frame: TcpMotion, a: int, b: int, means: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
+def _mean_over_lags(
+    frame: ToolKinematics, a: int, b: int, means: Callable[[int], Along]
+) -> Iterator[tuple[Array, Array]]:
     for m in LAGS:
         if a + m <= b:
             yield frame.rows.t[a : b + 1 - m], means(m)[a : b + 1 - m]
@@ -252,11 +257,11 @@ class _Programmed:
     unit: str
     tolerance: float
     zone: str
-    values: Callable[[TcpMotion, int, int], Iterator[tuple[Array, Array]]]
+    values: Callable[[ToolKinematics, int, int], Iterator[tuple[Array, Array]]]
     cap: Callable[[Visit, Visit, Machine], float | None]
 
     def finding(
-        self, frame: TcpMotion, part: tuple[int, int], limit: float, point: ProgramPoint, words: str
+        self, frame: ToolKinematics, part: tuple[int, int], limit: float, point: ProgramPoint, words: str
     ) -> list[Finding]:
         """The worst from row to row; none where no rows show it."""
         worst: Worst | None = None
@@ -320,7 +325,7 @@ def _rail_cap(_: Visit, visit: Visit, plant: Machine) -> float | None:
     return point.move.speed.v_leax or REST_JOINT
 
 
-def _of_the_rail_alone(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> Iterator[Finding]:
+def _of_the_rail_alone(line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool) -> Iterator[Finding]:
     """The rail against the programmed speed of lines to where the tool is already. Several in one rest, which the file
     does not tell apart, have the highest of theirs; in a wait of a stream the rail may go as it likes."""
     rests: list[list[Visit]] = []
@@ -349,7 +354,7 @@ def _of_the_rail_alone(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bo
             yield from part.finding(frame, (a, b), limit, point, f"{point.move.speed.name} allows")
 
 
-def _programmed(frame: TcpMotion, before: Visit, visit: Visit) -> Iterator[Finding]:
+def _programmed(frame: ToolKinematics, before: Visit, visit: Visit) -> Iterator[Finding]:
     """TCP speed, reorientation and rail speed of one move against its speeddata, outside the zones at its ends; rows
     beside its rests left out where they may belong to another motion."""
     rows, point = frame.rows, visit.point
@@ -361,7 +366,7 @@ def _programmed(frame: TcpMotion, before: Visit, visit: Visit) -> Iterator[Findi
             yield from part.finding(frame, (a, b), limit, point, _allows(point))
 
 
-def _in_the_corner(frame: TcpMotion, first: int, before: Visit, visit: Visit, after: Visit) -> Iterator[Finding]:
+def _in_the_corner(frame: ToolKinematics, first: int, before: Visit, visit: Visit, after: Visit) -> Iterator[Finding]:
     """The same within the zone of a point that is passed, against the higher of both moves' speeds. first: the first
     row with this tool."""
     rows = frame.rows

@@ -18,15 +18,15 @@ from trajopt_cli.judge.findings import Columns, Worst, axis_unit, finding, worse
 from trajopt_cli.judge.geometry import lengths
 from trajopt_cli.judge.joints import axis_accelerations
 from trajopt_cli.judge.samples import LAGS, second_differences
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.judge.tolerances import JOINT, TCP
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.motion import MoveExtJ, MoveL, Settings
 
 Places = tuple[Array, Array]  # times (m,) and least values there
 
 
-def check_demands(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[tuple[int, list[Finding]]]:
+def check_demands(line: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[tuple[int, list[Finding]]]:
     """One finding for each thing that a move asks for, in the order of the moves, with its last row. In the zone of a
     point that is passed the moves beside it go over into each other: what either of them allows is allowed there."""
     visits = line.visits
@@ -52,7 +52,7 @@ def check_demands(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[tu
 
 
 def _demands(
-    line: Timeline, frame: TcpMotion, visit: Visit, part: tuple[int, int], settings: Settings, corner: bool = False
+    line: Timeline, frame: ToolKinematics, visit: Visit, part: tuple[int, int], settings: Settings, corner: bool = False
 ) -> Iterator[Finding]:
     first, last = part
     if last > first:
@@ -91,7 +91,9 @@ def _axes(line: Timeline, visit: Visit, first: int, last: int, settings: Setting
                   source=visit.point.source, bound=bound, words="acceleration")  # fmt: skip
 
 
-def _tool(frame: TcpMotion, visit: Visit, first: int, last: int, settings: Settings, corner: bool) -> Iterator[Finding]:
+def _tool(
+    frame: ToolKinematics, visit: Visit, first: int, last: int, settings: Settings, corner: bool
+) -> Iterator[Finding]:
     rows, move = frame.rows, visit.point.move
     assert move is not None
     if isinstance(move, MoveExtJ):
@@ -115,7 +117,7 @@ def _tool(frame: TcpMotion, visit: Visit, first: int, last: int, settings: Setti
                       source=visit.point.source, bound=f"{word} allows", words="acceleration")  # fmt: skip
 
 
-def _along(frame: TcpMotion, part: tuple[int, int], sign: int, line: bool) -> Iterable[Places] | None:
+def _along(frame: ToolKinematics, part: tuple[int, int], sign: int, line: bool) -> Iterable[Places] | None:
     """Least speeding up (sign 1) or slowing down (-1) along the path: means between rows of a file with speeds. Of one
     without, what second differences have along a line; None for other moves and in corners, whose bends hide it."""
     rows, (first, last) = frame.rows, part

@@ -23,14 +23,16 @@ from trajopt_cli.judge.geometry import Arc, Line, angle_between, lengths, off_tr
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.waypoint_matching import WHOLE
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, PathMove
 
 
-def check_shapes(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
+def check_shapes(
+    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool
+) -> Iterator[tuple[int, list[Finding]]]:
     """Findings about every move between its rests, in program order, each run's with its last row; a kind that no check
     knows is never legal. Of a run without one of its points nothing is said: that the point is missing is."""
     for run in runs_of(line, frames):

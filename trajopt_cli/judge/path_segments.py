@@ -19,9 +19,9 @@ from trajopt_cli.judge.geometry import Arc, Line, angle_between, lengths, turned
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.program_points import arc_to
 from trajopt_cli.judge.samples import Rows
-from trajopt_cli.judge.tcp_motion import Places, TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit, rows_of_run
 from trajopt_cli.judge.tolerances import LINE_POSITION, LINE_ROTATION
+from trajopt_cli.judge.tool_kinematics import Places, ToolKinematics
 from trajopt_cli.judge.waypoint_matching import off_chords
 from trajopt_cli.motion import FlyBy, MoveC, MoveL, UnitMove, turned_under
 
@@ -34,7 +34,7 @@ class StopInterval:
     leads from visit l to visit l + 1. within: first and last row, None where the stops tell."""
 
     rows: Rows
-    frame: TcpMotion
+    frame: ToolKinematics
     visits: tuple[Visit, ...]
     within: tuple[int, int] | None = None
 
@@ -250,7 +250,7 @@ def off_path(path: Line | Arc, p: Array, s: Array) -> Array:
     return lengths(p - path.positions(np.clip(s, 0.0, 1.0)))
 
 
-def runs_of(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[StopInterval]:
+def runs_of(line: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[StopInterval]:
     """Every run with the tool in force on it, cut where that changes in a corner; what is known of one goes before the
     next one comes."""
     for visits in line.runs():

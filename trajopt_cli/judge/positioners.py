@@ -16,9 +16,9 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.judge.geometry import lengths, turned
 from trajopt_cli.judge.samples import Along, Pieces, Rows, shortest
-from trajopt_cli.judge.tcp_motion import Places, TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import DWELL, JOINT, JOINT_TARGET
+from trajopt_cli.judge.tool_kinematics import Places, ToolKinematics
 from trajopt_cli.motion import Program, UnitMove, motion_name, turned_under
 from trajopt_cli.trajectory import Trajectory
 
@@ -43,15 +43,15 @@ def check_columns(program: Program, trajectory: Trajectory, dropped: Collection[
 
 
 @dataclass(frozen=True, eq=False)
-class TurnedFrame(TcpMotion):
+class TurnedFrame(ToolKinematics):
     """The tool over a work object that units turn: seen from the table, as if that stood where it does when their move
     begins. Speeds are those over the work object. world: the same tool in the world."""
 
-    world: TcpMotion
+    world: ToolKinematics
     units: tuple[UnitMove, ...]
 
     @classmethod
-    def over(cls, world: TcpMotion, units: tuple[UnitMove, ...]) -> TurnedFrame:
+    def over(cls, world: ToolKinematics, units: tuple[UnitMove, ...]) -> TurnedFrame:
         """Of a tool in the world."""
         return cls(world.rows, world.X_FT, world, units)
 
@@ -385,7 +385,7 @@ def unseen_turn(rows: Rows, a: int, b: int) -> Array:
     return np.asarray(2 * rows.open_time[part] + hidden)
 
 
-def turned_frames(program: Program, frames: dict[bytes, TcpMotion], line: Timeline) -> dict[int, TurnedFrame]:
+def turned_frames(program: Program, frames: dict[bytes, ToolKinematics], line: Timeline) -> dict[int, TurnedFrame]:
     """The frames over work objects that turn, by the number of the motion that is drawn there."""
     out: dict[int, TurnedFrame] = {}
     for _, visit in pairwise(line.visits):

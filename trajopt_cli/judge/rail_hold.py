@@ -11,9 +11,9 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.judge.rail import rail_course, still_from
 from trajopt_cli.judge.samples import Rows
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones, rows_of_run
 from trajopt_cli.judge.tolerances import DWELL, HELD
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.motion import Hold, Source
 
 _WHY = {
@@ -25,7 +25,7 @@ _WHY = {
 }
 
 
-def check_held(line: Timeline, frames: dict[bytes, TcpMotion]) -> list[Finding]:
+def check_held(line: Timeline, frames: dict[bytes, ToolKinematics]) -> list[Finding]:
     """The way of the rail in every wait and every move that holds it; none on a robot without a rail."""
     return [*_waits(line), *_moves(line, frames), *_unit(line)] if line.rows.mechanism.has_rail else []
 
@@ -39,7 +39,7 @@ def _waits(line: Timeline) -> Iterator[Finding]:
                 yield _still(line.rows, part, f"the wait at {visit.point.name}", wait.hold, wait.source)
 
 
-def _moves(line: Timeline, frames: dict[bytes, TcpMotion]) -> Iterator[Finding]:
+def _moves(line: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[Finding]:
     """A move to the point where the TCP is already has a stretch of its own only where it has a programmed time. In the
     zone between a move that holds the rail and one that does not it may move."""
     rows, moves = line.rows, [visit.point.move for visit in line.visits]

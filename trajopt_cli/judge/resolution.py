@@ -22,7 +22,6 @@ from trajopt_cli.judge.geometry import lengths
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.judge.samples import LAGS, Rows
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import Timeline
 from trajopt_cli.judge.tolerances import (
     COARSEST_PRINT,
@@ -33,13 +32,16 @@ from trajopt_cli.judge.tolerances import (
     REST_LINEAR,
     STOP_POSITION,
 )
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.shapes import Shape, outline
 from trajopt_cli.sheet import missing_rows
 
 _SHORT = 1e-9  # s: of a file at rest throughout, whose gaps count for nothing
 
 
-def check_resolution(line: Timeline, frames: Mapping[bytes, TcpMotion], first: TcpMotion) -> Iterator[Finding]:
+def check_resolution(
+    line: Timeline, frames: Mapping[bytes, ToolKinematics], first: ToolKinematics
+) -> Iterator[Finding]:
     """Row spacing and printed digits.
 
     Args:
@@ -96,7 +98,7 @@ class _Moving(NamedTuple):
     limits: dict[str, float]
 
 
-def _moving(line: Timeline, frames: Mapping[bytes, TcpMotion]) -> Iterator[_Moving]:
+def _moving(line: Timeline, frames: Mapping[bytes, ToolKinematics]) -> Iterator[_Moving]:
     rows, plant = line.rows, line.rows.plant
     limits, jerk = plant.limits, plant.limits.binding_jerk
     r, r_v = rows.doubt_q.max(axis=0), rows.doubt_v.max(axis=0)
@@ -151,7 +153,7 @@ def _finer(rows: Rows, hidden: Hidden, most: float) -> str:
     return f"print {' and '.join(needs)} (SI) or finer" if needs else "give more rows"
 
 
-def grid_resolution(line: Timeline, frames: Mapping[bytes, TcpMotion]) -> GridResolution | None:
+def grid_resolution(line: Timeline, frames: Mapping[bytes, ToolKinematics]) -> GridResolution | None:
     """What the rows of a bare grid leave open of stops and waits; None for files with a row at every boundary."""
     rows = line.rows
     every = float(np.median(rows.gaps))

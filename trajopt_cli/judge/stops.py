@@ -14,7 +14,6 @@ from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stands_for
 from trajopt_cli.judge.rail import rail_beside
 from trajopt_cli.judge.samples import Rows, unseen
-from trajopt_cli.judge.tcp_motion import Places, TcpMotion
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.judge.tolerances import (
     DURATION,
@@ -26,11 +25,14 @@ from trajopt_cli.judge.tolerances import (
     STOP_POSITION,
     STOP_ROTATION,
 )
+from trajopt_cli.judge.tool_kinematics import Places, ToolKinematics
 from trajopt_cli.judge.waypoint_matching import off_passed
 from trajopt_cli.motion import MoveExtJ, Source
 
 
-def check_stops(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
+def check_stops(
+    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool
+) -> Iterator[tuple[int, list[Finding]]]:
     """All findings about points in program order with their rows, the start's first and the end's last."""
     rows = line.rows
     yield 0, _ends(rows, 0, "start", rows.plant.start, None)
@@ -49,7 +51,7 @@ def check_stops(line: Timeline, frames: dict[bytes, TcpMotion], rapid: bool) -> 
     yield len(rows.t), out
 
 
-def _findings_of_visit(line: Timeline, frame: TcpMotion, i: int, rapid: bool) -> Iterator[Finding]:
+def _findings_of_visit(line: Timeline, frame: ToolKinematics, i: int, rapid: bool) -> Iterator[Finding]:
     """All findings about visit i."""
     rows, visit, before = line.rows, line.visits[i], line.visits[max(i - 1, 0)]
     if i > 0 and visit.point.beside > 0 and None not in (visit.event, before.event):
@@ -106,7 +108,7 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
     return out
 
 
-def _fly_by_passed(rows: Rows, visit: Visit, frame: TcpMotion, line: Timeline, i: int) -> Finding:
+def _fly_by_passed(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i: int) -> Finding:
     """Whether a point was passed in program order, no farther away than its zone reaches."""
     point = visit.point
     assert point.fly_by is not None
@@ -127,7 +129,7 @@ def _meanwhile(rows: Rows, line: Timeline, i: int) -> NDArray[np.intp]:
     return np.arange(first, max(last, first + 1))
 
 
-def _reached(rows: Rows, visit: Visit, frame: TcpMotion, line: Timeline, i: int) -> Finding:
+def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i: int) -> Finding:
     """Whether the stop was reached, and at rest; else the closest the file comes to it before the next stop."""
     stop, look = visit.point, visit.match.look
     assert look is not None
@@ -160,7 +162,7 @@ def _reached(rows: Rows, visit: Visit, frame: TcpMotion, line: Timeline, i: int)
                    source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip
 
 
-def _off(rows: Rows, visit: Visit, frame: TcpMotion, row: int) -> tuple[float, float, str]:
+def _off(rows: Rows, visit: Visit, frame: ToolKinematics, row: int) -> tuple[float, float, str]:
     """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
     X_WT = visit.X_WF @ visit.point.X_FT
     d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))
@@ -210,7 +212,7 @@ def _duration(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Fin
                    source=visit.point.source, bound="programmed")  # fmt: skip
 
 
-def _least(line: Timeline, frame: TcpMotion, i: int) -> Iterator[Finding]:
+def _least(line: Timeline, frame: ToolKinematics, i: int) -> Iterator[Finding]:
     """The moves that end at stop i and at the points passed before it, against what positioners or other robots take
     for them: all together, and each where corners share its time with the moves beside it."""
     visits, first = line.visits, i - 1
@@ -297,7 +299,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     return out
 
 
-def _drift(rows: Rows, visit: Visit, before: Visit, frame: TcpMotion) -> Iterator[Finding]:
+def _drift(rows: Rows, visit: Visit, before: Visit, frame: ToolKinematics) -> Iterator[Finding]:
     """The farthest the TCP gets from the stop while it must rest there; none where no row is sure to be inside."""
     first, last = (before.arrive if visit.stay else visit.arrive), visit.depart
     end = max([hold.end for hold in visit.holds], default=visit.ready)

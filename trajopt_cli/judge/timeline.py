@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,13 +12,10 @@ from trajopt_cli.judge.geometry import angle_between, inverse_pose, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stands_for, stays
 from trajopt_cli.judge.rail import Indices, still_from
 from trajopt_cli.judge.samples import Rows, unseen
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.tolerances import DWELL, LINE_POSITION
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.waypoint_matching import Event, Match, events_of, looking, off_passed, worth_a_look
 from trajopt_cli.motion import Source, Wait
-
-if TYPE_CHECKING:
-    from trajopt_cli.judge.positioners import TurnedFrame
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +67,7 @@ class Timeline:
 
     rows: Rows
     visits: tuple[Visit, ...]
-    turned: Mapping[int, TurnedFrame] = field(default_factory=dict)
+    turned: Mapping[int, ToolKinematics] = field(default_factory=dict)
 
     def source_at(self, time: float) -> Source | None:
         """The motion under way at a time: the move that ends next, or the wait."""
@@ -116,7 +112,7 @@ def rows_of_move(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
 
 
 def outside_zones(
-    frame: TcpMotion, before: Visit, visit: Visit, zone: str, first: bool = True, last: bool = True
+    frame: ToolKinematics, before: Visit, visit: Visit, zone: str, first: bool = True, last: bool = True
 ) -> tuple[int, int]:
     """First and last row of a move outside the zones (radius, turning or external) at its ends; the last before the
     first where there is none. first, last: which zones to leave out."""
@@ -134,7 +130,7 @@ def outside_zones(
     return a, b
 
 
-def tool_corner(tools: Sequence[TcpMotion], visits: Sequence[Visit]) -> tuple[int, int]:
+def tool_corner(tools: Sequence[ToolKinematics], visits: Sequence[Visit]) -> tuple[int, int]:
     """First and last row of the corner at the second of three visits, in which one of two tools goes over into the
     other: from where the first one's centre point enters the zone to where the other's leaves it. None is in force
     between, and the other one comes no farther from its point than it is at the beginning."""
@@ -153,12 +149,12 @@ def tool_corner(tools: Sequence[TcpMotion], visits: Sequence[Visit]) -> tuple[in
     return first, visit.depart + int(inside[0] + (out[0] if len(out) else len(away) - inside[0])) - 1
 
 
-def _far(frame: TcpMotion, a: int, b: int, point: ProgramPoint, zone: str) -> Indices:
+def _far(frame: ToolKinematics, a: int, b: int, point: ProgramPoint, zone: str) -> Indices:
     """The rows a to b farther from a point than its zone reaches."""
     return a + np.flatnonzero(_away(frame, a, b, point) > getattr(point.fly_by, zone))
 
 
-def _away(frame: TcpMotion, a: int, b: int, point: ProgramPoint) -> Array:
+def _away(frame: ToolKinematics, a: int, b: int, point: ProgramPoint) -> Array:
     """How far a tool is from a point that is passed at rows a to b, in what its zone counts: [m] or [rad]."""
     assert point.fly_by is not None
     X_WT = point.X_WT
@@ -170,7 +166,7 @@ def _away(frame: TcpMotion, a: int, b: int, point: ProgramPoint) -> Array:
 
 
 def build_timeline(
-    rows: Rows, frames: dict[bytes, TcpMotion], start: ProgramPoint, matches: Sequence[Match], rapid: bool
+    rows: Rows, frames: dict[bytes, ToolKinematics], start: ProgramPoint, matches: Sequence[Match], rapid: bool
 ) -> Timeline:
     """Walk through the stops in order. rapid: every axis must stand at the end of every wait."""
     visits = [_first_stop(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
@@ -198,7 +194,7 @@ def build_timeline(
     return Timeline(rows, tuple(visits))
 
 
-def _first_stop(rows: Rows, frame: TcpMotion, start: ProgramPoint, rapid: bool) -> Visit:
+def _first_stop(rows: Rows, frame: ToolKinematics, start: ProgramPoint, rapid: bool) -> Visit:
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
     here = ProgramPoint(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
@@ -212,7 +208,7 @@ def _first_stop(rows: Rows, frame: TcpMotion, start: ProgramPoint, rapid: bool) 
     return Visit(m, event, False, 0, depart, ready, start.X_WF, holds)
 
 
-def _pass(rows: Rows, frame: TcpMotion, m: Match, event: Event, before: Visit) -> Visit:
+def _pass(rows: Rows, frame: ToolKinematics, m: Match, event: Event, before: Visit) -> Visit:
     """A point that is passed, where the chords between rows come nearest to it, not before the point before it."""
     assert m.point.X_WF is not None
     first = min(before.depart, len(rows.t) - 2)

@@ -26,8 +26,8 @@ from trajopt_cli.judge.resolution import check_resolution, granted_clearance, gr
 from trajopt_cli.judge.samples import PIECE, look
 from trajopt_cli.judge.scene import legs_of, shape_of
 from trajopt_cli.judge.stops import check_stops
-from trajopt_cli.judge.tcp_motion import TcpMotion
 from trajopt_cli.judge.timeline import build_timeline
+from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.torques import check_torques
 from trajopt_cli.judge.waypoint_matching import match, never_near
 from trajopt_cli.motion import Program
@@ -64,7 +64,7 @@ def verify(
     rows = look(plant, trajectory, resolution, marks=len(points) - 1)
     rapid = target is Target.RAPID
     frames = {
-        key: TcpMotion(rows, X_FT) for key, X_FT in {np.asarray(p.X_FT).tobytes(): p.X_FT for p in points}.items()
+        key: ToolKinematics(rows, X_FT) for key, X_FT in {np.asarray(p.X_FT).tobytes(): p.X_FT for p in points}.items()
     }
     if dropped is None and (absent := never_near(rows, frames, points)):  # zones reach from point to point
         points = points_of(program, plant, absent, optional=True)

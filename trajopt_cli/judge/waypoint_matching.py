@@ -37,8 +37,8 @@ from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stays
 from trajopt_cli.judge.rail import rail_beside
 from trajopt_cli.judge.samples import ROUNDING, Rows
-from trajopt_cli.judge.tcp_motion import TcpMotion, angular_acceleration
 from trajopt_cli.judge.tolerances import JOINT_TARGET, REST_ANGULAR, REST_LINEAR, STOP_POSITION, STOP_ROTATION
+from trajopt_cli.judge.tool_kinematics import ToolKinematics, angular_acceleration
 from trajopt_cli.motion import MoveExtJ
 
 _AS_WRITTEN = 1e-6  # worth of a rail as the program writes it, where it is free
@@ -106,12 +106,12 @@ class Match:
     events: tuple[Event, ...]
 
 
-def looking(rows: Rows, frame: TcpMotion, stop: ProgramPoint, rapid: bool) -> Look:
+def looking(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool) -> Look:
     """How near rows are to one stop. rapid: every axis must stand there."""
     return lambda at: _closeness(rows, frame, stop, rapid, at)
 
 
-def _closeness(rows: Rows, frame: TcpMotion, stop: ProgramPoint, rapid: bool, at: NDArray[np.intp]) -> Closeness:
+def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool, at: NDArray[np.intp]) -> Closeness:
     limits, tau, q = rows.plant.limits, rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
@@ -146,7 +146,7 @@ def _closeness(rows: Rows, frame: TcpMotion, stop: ProgramPoint, rapid: bool, at
     return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
 
 
-def worth_a_look(rows: Rows, frame: TcpMotion, stop: ProgramPoint) -> NDArray[np.intp]:
+def worth_a_look(rows: Rows, frame: ToolKinematics, stop: ProgramPoint) -> NDArray[np.intp]:
     """The rows that may be near a stop: no more is looked at in a long file."""
     if isinstance(stop.move, MoveExtJ):
         return np.arange(len(rows.t))
@@ -188,7 +188,7 @@ def _core(close: Closeness, good: NDArray[np.intp]) -> NDArray[np.intp]:
     return np.concatenate(kept) if kept else good
 
 
-def passages(rows: Rows, frame: TcpMotion, point: ProgramPoint) -> tuple[Event, ...]:
+def passages(rows: Rows, frame: ToolKinematics, point: ProgramPoint) -> tuple[Event, ...]:
     """All events of a point that is passed, in time order; best: the row before the nearest place, and the one that
     counts, for the chord to it may hold more points."""
     assert point.fly_by is not None
@@ -222,7 +222,7 @@ def passages(rows: Rows, frame: TcpMotion, point: ProgramPoint) -> tuple[Event, 
     return tuple(out)
 
 
-def _turned_past(rows: Rows, frame: TcpMotion, point: ProgramPoint) -> tuple[Event, ...]:
+def _turned_past(rows: Rows, frame: ToolKinematics, point: ProgramPoint) -> tuple[Event, ...]:
     """The same between two reorientations: intervals at its place that come near to its orientation."""
     assert point.fly_by is not None
     at = rows.blocks.rows(frame.way_boxes.near(point.X_WT[:3, 3], STOP_POSITION))
@@ -241,27 +241,27 @@ def _turned_past(rows: Rows, frame: TcpMotion, point: ProgramPoint) -> tuple[Eve
     return tuple(out)
 
 
-def off_turns(frame: TcpMotion, point: ProgramPoint, chords: NDArray[np.intp]) -> tuple[Array, Array]:
+def off_turns(frame: ToolKinematics, point: ProgramPoint, chords: NDArray[np.intp]) -> tuple[Array, Array]:
     """Angles (m,) between a point's orientation and the nearer end of intervals, and how far the tool turns in each."""
     R, after = frame.rotations(chords), frame.rotations(chords + 1)
     off = np.minimum(*(angle_between(one, point.X_WT[:3, :3]) for one in (R, after)))
     return np.asarray(off), np.asarray(angle_between(R, after))
 
 
-def off_passed(frame: TcpMotion, point: ProgramPoint, chords: NDArray[np.intp]) -> Array:
+def off_passed(frame: ToolKinematics, point: ProgramPoint, chords: NDArray[np.intp]) -> Array:
     """How far (m,) intervals are from a point that is passed, in what its zone counts: [m] of their chords or [rad]."""
     if point.fly_by is not None and point.fly_by.in_place:
         return off_turns(frame, point, chords)[0]
     return off_chords(frame.p, point.X_WT[:3, 3], chords)[0]
 
 
-def _squares_off(frame: TcpMotion, P: Array, at: NDArray[np.intp]) -> Array:
+def _squares_off(frame: ToolKinematics, P: Array, at: NDArray[np.intp]) -> Array:
     """Squares (m,) of the distances of rows from a point, to rounding."""
     p = frame.p[at]
     return np.asarray((p * p).sum(axis=1) - 2 * p @ P + P @ P)
 
 
-def _leaves(frame: TcpMotion, P: Array, before: int, after: int, size: float, away: NDArray[np.intp]) -> bool:
+def _leaves(frame: ToolKinematics, P: Array, before: int, after: int, size: float, away: NDArray[np.intp]) -> bool:
     """Whether the TCP is farther away between two intervals that come near than they are granted, or on the first half
     of an arc. At a zone's edge a long interval may count as near and a short one behind it not."""
     between = slice(*np.searchsorted(away, (before, after)))
@@ -271,7 +271,7 @@ def _leaves(frame: TcpMotion, P: Array, before: int, after: int, size: float, aw
     return float(_squares_off(frame, P, np.arange(before + 1, after + 1)).max()) > size**2
 
 
-def never_near(rows: Rows, frames: dict[bytes, TcpMotion], points: Sequence[ProgramPoint]) -> set[int]:
+def never_near(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[ProgramPoint]) -> set[int]:
     """The indices of optional moves to whose points, or zones as programmed, the TCP never comes."""
     out = set[int]()
     for point in points:
@@ -292,7 +292,7 @@ def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Arr
     return lengths(a + fraction[:, None] * path - P), fraction
 
 
-def match(rows: Rows, frames: dict[bytes, TcpMotion], points: Sequence[ProgramPoint], rapid: bool) -> list[Match]:
+def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[ProgramPoint], rapid: bool) -> list[Match]:
     """Every point after the start with its event; see the module's docstring for the rule."""
     known: dict[tuple[object, ...], tuple[Look | None, tuple[Event, ...]]] = {}
     found = []
@@ -324,7 +324,7 @@ def match(rows: Rows, frames: dict[bytes, TcpMotion], points: Sequence[ProgramPo
 
 
 def _cut(
-    frames: dict[bytes, TcpMotion], points: Sequence[ProgramPoint], events: Sequence[tuple[Event, ...]]
+    frames: dict[bytes, ToolKinematics], points: Sequence[ProgramPoint], events: Sequence[tuple[Event, ...]]
 ) -> list[tuple[Event, ...]]:
     """The events, those of a passage cut in two where the next point is a stop that is reached in them before the
     nearest place: the motion behind a short way that ends in the zone may come nearer to its point. The tool goes from

@@ -16,7 +16,7 @@ from trajopt_cli.judge.tolerances import STOP_POSITION
 
 
 @dataclass(frozen=True, eq=False)
-class TcpMotion:
+class ToolKinematics:
     """One tool's centre point along all rows. X_FT (4, 4): the TCP in the flange frame."""
 
     rows: Rows
