@@ -28,6 +28,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "moc",
         "print_resolution",
         "sheet",
+        "file_kinds",
         "shapes",
         "findings",
         "table",
@@ -73,7 +74,8 @@ STACK = {
     "table": {"findings", "motion"},
     "quantity": {"errors", "units"},
     "validation": {"quantity"},
-    "yaml_file": {"errors", "validation"},
+    "file_kinds": {"errors"},
+    "yaml_file": {"errors", "file_kinds", "validation"},
 }
 # Rooms with floors of their own inside.
 INNER: dict[str, tuple[tuple[str, ...], ...]] = {
@@ -342,7 +344,7 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
 COMPLIANT_SHARED = {
     "errors", "findings", "geometry", "joint_csv", "limits", "motion", "print_resolution", "warnings", "quantity",
     "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "sheet", "trajectory",
-    "units", "validation", "yaml_file",
+    "file_kinds", "units", "validation", "yaml_file",
 }  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind, printable
+from trajopt_cli.file_kinds import refuse_other
 from trajopt_cli.motion import Move, Program
 from trajopt_cli.runs import RUN
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -63,6 +64,7 @@ def cell_path_for(programs: Sequence[Path]) -> Path:
     """
     first = programs[0]
     if not first.is_dir():
+        refuse_other(first, "program")
         return first.with_suffix(".yaml")
     if first.name in ("", ".."):  # ".", "..": only the real path knows the name
         beside = first / ".." / f"{first.resolve().name}.yaml"
@@ -153,10 +155,12 @@ def read_job(
     from trajopt_cli.cell.model import minimal_cell
     from trajopt_cli.problem.collision_objects import bodies_on, never
     from trajopt_cli.problem.controller import differences
-    from trajopt_cli.problem.plannable import check_plannable, rail_doubts
+    from trajopt_cli.problem.plannable import check_plannable, target_doubts
     from trajopt_cli.problem.plant import build_plant, unwatched
     from trajopt_cli.problem.programmed import PlantKinematics
-    from trajopt_cli.rapid.sources import refuse_results
+    from trajopt_cli.rapid.language.text import read_text
+    from trajopt_cli.rapid.sources import is_module, modules_at, refuse_results
+    from trajopt_cli.robot.model import robot_names
 
     paths = (programs,) if isinstance(programs, Path) else tuple(programs)
     for path in paths:
@@ -165,7 +169,8 @@ def read_job(
         refuse_results(path)
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
-        text = minimal_cell(printable(paths[0].name or paths[0].resolve().name))
+        written = "".join(read_text(module).text for module in modules_at(paths) if is_module(module))
+        text = minimal_cell(printable(paths[0].name or paths[0].resolve().name), written, robot_names())
         made = f"{command} makes one of the backup's MOC.cfg; or " if (command := from_backup(paths)) else ""
         message = f"{paths[0]} has no cell file; {made}save these lines there and adapt them:"
         raise InputError(message, file=str(path), excerpt=text, kind=ErrorKind.CELL)
@@ -186,7 +191,7 @@ def read_job(
             raise loaded.error(f"attach.{i}.{which}", message)
         bodies_on(plant, flat, -1)
     flat = _with_partners(flat, plant)
-    doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
+    doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in target_doubts(flat, plant)]
     doubts += differences(paths, loaded, plant, flat.files)
     return Job(
         program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),

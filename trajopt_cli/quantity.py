@@ -16,7 +16,7 @@ from trajopt_cli.units import DEG, MM
 
 FARTHEST = 1e12  # m: lengths beyond it overflow where they are multiplied a few times
 LENGTH = {"m": 1.0, "cm": 1e-2, "mm": MM}
-ANGLE = {"rad": 1.0, "deg": DEG, "°": DEG}
+ANGLE = {"deg": DEG, "rad": 1.0, "°": DEG}  # people write degrees: what a message names first
 FORCE = {"N": 1.0, "kN": 1e3}
 MOMENT = {"Nm": 1.0}
 TIME = {"s": 1.0, "ms": 1e-3}
@@ -116,10 +116,17 @@ def _factor(unit: str, units: Mapping[str, float], text: str) -> float:
         return units[unit]
     if not any(units):
         raise complain(f"{shown(text)} has a unit; needs a plain number")
-    known = ", ".join(name for name in units if name)
     if unit:
+        known = ", ".join(name for name in units if name)
         raise complain(f"unit {_bare_word(unit)} of {shown(text)} is not one of {known}")
-    raise complain(f"{shown(text)} lacks a unit: {known}")
+    raise lacks_unit(text, units)
+
+
+def lacks_unit(text: str, units: Mapping[str, float]) -> PydanticCustomError:
+    """The error of a text without a unit: how it is written with the first of units, and the others."""
+    first, *others = (name for name in units if name)
+    others_too = f" ({', '.join(others)} are read, too)" if others else ""
+    return complain(f"{shown(text)} lacks a unit: write {shown(f'{text.strip()} {first}')}{others_too}")
 
 
 def _finite(value: float, given: object) -> float:
@@ -161,8 +168,7 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Reader[tupl
         if isinstance(value, str) and (match := _LIST.fullmatch(value.strip())):
             unit = match["unit"].strip()
             if not unit and "" not in units:
-                known = ", ".join(units)
-                raise complain(f"{shown(value)} lacks a unit: {known}; without one, remove the quotes")
+                raise lacks_unit(value, units)
             factor = _factor(unit, units, value)
             items = [_bare(item, value) * factor for item in match["items"].split(",")]
         elif isinstance(value, list):

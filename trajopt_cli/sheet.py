@@ -92,7 +92,7 @@ class Sheet:
 
     def wrong(self, message: str, head: Head | None = None) -> InputError:
         """What is wrong with the heads, or with one; names the divider where it is none that joint CSV has."""
-        divider = {",": "", ";": "; the heads are divided by ';'", "\t": "; the heads are divided by tabs"}[
+        divider = {",": "", ";": "; the heads are divided by semicolons", "\t": "; the heads are divided by tabs"}[
             self.divider
         ]
         column = None if head is None else 1 + sum(len(one.text) + 1 for one in self.heads[: head.number])

@@ -18,6 +18,7 @@ from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.file_kinds import refuse_other
 from trajopt_cli.validation import in_words, short, spelled
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -43,6 +44,8 @@ def read_text(path: str | Path, what: str) -> str:
             size = max(os.fstat(file.fileno()).st_size, len(content))
     except OSError as error:
         raise InputError(f"cannot read the {what}: {error.strerror}", file=str(path)) from error
+    if what in ("cell file", "task file", "robot file"):
+        refuse_other(path, what)
     _check_size(size, str(path))
     try:
         return content.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")

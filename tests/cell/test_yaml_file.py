@@ -201,7 +201,7 @@ def refusal(text: str) -> str:
         ('size: "1 m\\nb"', "size: unit 'm b' of \"1 m\\nb\" is not one of m, cm, mm"),
         ("sizes: [1, ~, 1]", "sizes: needs a number, not nothing"),
         ("sizes:", "sizes: needs a list of 3 numbers, not nothing"),
-        ("sizes: '[1, 1, 1]'", 'sizes: "[1, 1, 1]" lacks a unit: m, cm, mm; without one, remove the quotes'),
+        ("sizes: '[1, 1, 1]'", 'sizes: "[1, 1, 1]" lacks a unit: write "[1, 1, 1] m" (cm, mm are read, too)'),
         ("sizes: '[1, 1, 1'", 'sizes: needs a list of 3 numbers, not "[1, 1, 1"; remove the quotes'),
         ("seed: 13", "give one of this and that"),
     ],

@@ -40,8 +40,8 @@ from trajopt_cli.problem.plannable import (
     check_plannable,
     demands_configuration,
     planned_otherwise,
-    rail_doubts,
     refusals,
+    target_doubts,
 )
 
 LOCKED = Settings(singularity=Singularity.LOCK_AXIS_4)
@@ -196,19 +196,19 @@ def test_targets_that_speak_of_another_axis_than_the_rail_are_doubted() -> None:
     """The rail of the cell is axis b."""
     said = "targets give external axis a, the cell's rail is axis b, for which none gives a value"
     on_a = program(move_j(extax=eax(a=100)), move_l(extax=eax(a=200)), wait(), move_l())
-    assert rail_doubts(on_a, plant(RAIL)) == (said,)
-    assert rail_doubts(on_a, plant()) == ()
+    assert target_doubts(on_a, plant(RAIL)) == (said,)
+    assert target_doubts(on_a, plant()) == ()
     both = program(move_j(extax=eax(a=100, f=1)))
-    assert rail_doubts(both, plant(RAIL)) == (said.replace("axis a", "axes a and f"),)
+    assert target_doubts(both, plant(RAIL)) == (said.replace("axis a", "axes a and f"),)
 
 
 def test_targets_without_a_place_for_the_rail_are_counted() -> None:
     some = program(move_j(extax=eax(b=100)), move_l(extax=eax(a=5)), move_l(), move_abs_j(extax=eax(b=0)))
     said = "m.mod:2:5: 2 targets give no position for the rail (9E9 on axis b): a controller stops, a plan stays"
-    assert rail_doubts(some, plant(RAIL)) == (said,)
-    assert rail_doubts(program(wait(), move_j(extax=eax(b=1)), wait()), plant(RAIL)) == ()
+    assert target_doubts(some, plant(RAIL)) == (said,)
+    assert target_doubts(program(wait(), move_j(extax=eax(b=1)), wait()), plant(RAIL)) == ()
     one = "m.mod:1:5: 1 target gives no position for the rail (9E9 on axis b): a controller stops, a plan stays"
-    assert rail_doubts(program(move_j()), plant(RAIL)) == (one,)
+    assert target_doubts(program(move_j()), plant(RAIL)) == (one,)
 
 
 def test_the_two_switches_for_confdata_are_each_for_their_own_moves() -> None:
@@ -256,3 +256,12 @@ def test_joint_moves_whose_speed_the_cell_frees_need_none() -> None:
     motions = (move_j(turned(0)), move_j(turned(10), speed=BARE), move_l(turned(0), speed=BARE))
     found = refusals(program(*motions), replace(plant(RAIL), free_speed=True))
     assert [one.source.line for one in found] == [3]
+
+
+@pytest.mark.parametrize(("scale", "doubts"), [(1e-3, 1), (1.0, 0)])
+def test_targets_in_metres_are_doubted(scale: float, doubts: int) -> None:
+    """600.5 mm written as 0.6005: in the work object's frame, wherever that stands."""
+    X_WO = pose(np.eye(3), [1.0, 0.3, 0.2])
+    places = [np.array(p) * scale for p in ([0.6005, 0.1, 0.5], [0.6, 0.25, 0.4])]
+    moves = [replace(move_j(extax=eax(b=0)), X_WO=X_WO, X_WT=X_WO @ pose(np.eye(3), p)) for p in places]
+    assert len(target_doubts(program(*moves), plant(RAIL))) == doubts

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from math import ceil, floor
 from pathlib import Path
 
 import numpy as np
@@ -13,12 +15,16 @@ from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import Lines, Scenario
 from trajopt_cli.shapes import Grip, MeshFile, Solid
+from trajopt_cli.units import MM
 from trajopt_cli.validation import hint
 from trajopt_cli.warnings import ProgramWarning
 from trajopt_cli.yaml_file import line_of
 
 TOOL_RADIUS = 0.025
 """m: of the capsule that stands for a tool nobody described. As thick as the IRB 140's last link."""
+_NUMBER = r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*"
+_EXTERNAL_AXES = re.compile(rf"\[({_NUMBER}(?:,{_NUMBER}){{5}})\]\s*\]")  # the end of a robtarget or jointtarget
+_UNUSED = 9e8  # 9E9 says that an axis is not used
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,15 +153,30 @@ class Cell:
         )  # fmt: skip
 
 
-def minimal_cell(program: str) -> str:
-    """The shortest useful cell file for a program, as text to save and adapt."""
-    rail = "rail: {eax: a, stroke: [-0.2, 2.2]}  # external axis, travel in m; without a rail remove this line"
-    start = 'start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}  # where the cycle begins, at rest'
-    lines = (
+def minimal_cell(program: str, text: str = "", robots: Collection[str] = ()) -> str:
+    """The shortest useful cell file for a program, as text to save and adapt.
+
+    text: of its files. It tells the axis of the rail and how far its targets reach, by the literals of robtargets and
+    jointtargets, and the robot where a name as IRB 1600 begins one of robots.
+    """
+    places = [[float(value) for value in group.split(",")] for group in _EXTERNAL_AXES.findall(text)]
+    axis = next((i for i in range(6) if any(abs(place[i]) < _UNUSED for place in places)), None if text else 0)
+    reach = [place[axis] * MM for place in places if axis is not None and abs(place[axis]) < _UNUSED] or [0.0, 2.0]
+    stroke = f"[{floor(min(0.0, *reach) * 10 - 2) / 10:g}, {ceil(max(reach) * 10 + 2) / 10:g}]"
+    on_rail = "" if axis is None else "_rail"
+    numbers = re.findall(r"\bIRB[ _-]?(\d{3,5})", text, re.IGNORECASE)
+    named = [one for number in numbers for one in sorted(robots) if re.match(rf"irb{number}(_\d|{on_rail}$)", one)]
+    robot = next((one for one in named if one.endswith("_rail") == bool(on_rail)), f"irb140{on_rail}")
+    lines = [
         f"# the cell of {program}: SI units, or a text with a unit",
-        "robot: irb140_rail  # 'trajopt robot list' shows the others",
+        f"robot: {robot}  # 'trajopt robot list' shows the others",
         "profile: default  # acceleration limits: default or optimistic",
-        rail,
-        start,
-    )
+    ]
+    if axis is not None:
+        about = (
+            "travel in m: the targets' and 0.2 m; no rail: remove it" if places else "travel in m; no rail: remove it"
+        )
+        lines.append(f"rail: {{eax: {'abcdef'[axis]}, stroke: {stroke}}}  # external axis, {about}")
+    start = ", rail: 0" if axis is not None else ""
+    lines.append(f'start: {{joints: "[0, 0, 0, 0, 30, 0] deg"{start}}}  # where the cycle begins, at rest')
     return "\n".join(lines) + "\n"

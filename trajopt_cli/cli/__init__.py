@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import sys
 from contextlib import suppress
+from difflib import get_close_matches
 from functools import cache, partial
 from io import TextIOWrapper
 from itertools import pairwise
@@ -43,6 +45,7 @@ from trajopt_cli.errors import InputError, terminal_text
 from trajopt_cli.workers import ProcessEnded
 
 _LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
+_MEANT = {"csv": "joint", "stream": "joint", "ros": "ros2", "bag": "mcap", "mod": "rapid", "optimise": "optimize"}
 _SELDOM = 20_000, 20, 50  # new objects between looks for garbage. Python's 700 take 5 % of the time of a command
 app = typer.Typer(
     name="trajopt",
@@ -99,7 +102,13 @@ def run(arguments: list[str]) -> int:
         typer.echo("\n".join(map(_cut, error.shown().rstrip("\n").split("\n"))), err=True)
         return 2
     except typer.TyperException as error:
-        message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
+        if known := getattr(error, "possibilities", None):  # click takes --loops for --tool
+            close = get_close_matches(getattr(error, "option_name", ""), known, cutoff=0.75)
+            setattr(error, "possibilities", close)  # noqa: B010  # typer exports no class that has it
+        message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".?")
+        command = re.match(r"No such command '(\w+)'", message)
+        if command and command[1].lower() in _MEANT:
+            message = f"No such command '{command[1]}'. Did you mean '{_MEANT[command[1].lower()]}'"
         asked = getattr(getattr(error, "ctx", None), "command_path", None) or "trajopt"
         typer.echo(terminal_text(f"trajopt: {_cut(message)}; see '{asked} --help'"), err=True)
         return 2

@@ -41,7 +41,7 @@ RosNames = Annotated[
 def _formats(context: typer.Context) -> None:
     """Write a motion for the machine or the program that takes it; without a format, list them all."""
     if context.invoked_subcommand is None:
-        typer.echo("trajopt export FORMAT RESULTS --output FILE; --help of a format shows an example")
+        typer.echo("trajopt export FORMAT RESULTS; --help of a format shows an example")
         for command in app.registered_commands:
             typer.echo(f"  {command.name:<9}{command.short_help}")
 
@@ -49,7 +49,9 @@ def _formats(context: typer.Context) -> None:
 @app.command("joint", short_help="Joint CSV at a fixed rate, for machines that follow a stream.")
 def joint(
     results: AnyResults,
-    output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv", help="The CSV file; default: joint.csv in RESULTS.")
+    ] = None,
     rate: Rate = 1000.0,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -63,7 +65,7 @@ def joint(
     from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.joint_csv import csv_parts
 
-    check_output(output, results)
+    output = _output(output, results, "joint.csv")
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, map(str.encode, csv_parts(trajectory)), motion, trajectory, rate, note, as_json, quiet)
@@ -72,7 +74,9 @@ def joint(
 @app.command("ros2", short_help="ROS 2 JointTrajectory as YAML, for ros2 topic pub.")
 def ros2(
     results: AnyResults,
-    output: Annotated[Path, typer.Option(metavar="FILE.yaml", help="The YAML file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.yaml", help="The YAML file; default: ros2.yaml in RESULTS.")
+    ] = None,
     rate: Rate = 100.0,
     joints: RosNames = None,
     as_json: AsJson = False,
@@ -87,7 +91,7 @@ def ros2(
     from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.exporters.ros2 import trajectory_parts
 
-    check_output(output, results)
+    output = _output(output, results, "ros2.yaml")
     motion = recorded(results)
     trajectory, note = _of_the_urdf(results, motion, rate)
     text = trajectory_parts(trajectory, _split(joints))
@@ -97,7 +101,9 @@ def ros2(
 @app.command("mcap", short_help="The same with joint states in an MCAP file, for bag tools.")
 def mcap(
     results: AnyResults,
-    output: Annotated[Path, typer.Option(metavar="FILE.mcap", help="The MCAP file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.mcap", help="The MCAP file; default: joint.mcap in RESULTS.")
+    ] = None,
     rate: Rate = 100.0,
     joints: RosNames = None,
     as_json: AsJson = False,
@@ -113,7 +119,7 @@ def mcap(
     from trajopt_cli.exporters.mcap import mcap as mcap_of
     from trajopt_cli.exporters.recorded import recorded
 
-    check_output(output, results)
+    output = _output(output, results, "joint.mcap")
     motion = recorded(results)
     trajectory, note = _of_the_urdf(results, motion, rate)
     _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, rate, note, as_json, quiet)
@@ -122,7 +128,9 @@ def mcap(
 @app.command("parquet", short_help="The joint CSV's columns as Parquet, for pandas, polars, DuckDB.")
 def parquet(
     results: AnyResults,
-    output: Annotated[Path, typer.Option(metavar="FILE.parquet", help="The Parquet file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.parquet", help="The Parquet file; default: joint.parquet in RESULTS.")
+    ] = None,
     rate: Annotated[
         float | None, typer.Option(metavar="HZ", help="Rows per second; default: the rows as they are.")
     ] = None,
@@ -138,7 +146,7 @@ def parquet(
     from trajopt_cli.exporters.parquet import parquet as parquet_of
     from trajopt_cli.exporters.recorded import recorded
 
-    check_output(output, results)
+    output = _output(output, results, "joint.parquet")
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, parquet_of(trajectory), motion, trajectory, rate, note, as_json, quiet)
@@ -147,7 +155,9 @@ def parquet(
 @app.command("fri", short_help="Joint positions per millisecond, for a client of KUKA's FRI.")
 def fri(
     results: Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa with joints.")],
-    output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv", help="The CSV file; default: fri.csv in RESULTS.")
+    ] = None,
     between: Annotated[
         bool, typer.Option("--resample", help="Make rows every 1 ms of a sequence with another period.")
     ] = False,
@@ -164,7 +174,7 @@ def fri(
     from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.runs.files import write_file
 
-    check_output(output, results)
+    output = _output(output, results, "fri.csv")
     try:
         text, rows, note = fri_rows(recorded(results), between)
     except InputError as error:
@@ -177,7 +187,9 @@ def fri(
 @app.command("egm", short_help="EgmSensor messages every 4 ms, for ABB's Externally Guided Motion.")
 def egm(
     results: ResultsFolder,
-    output: Annotated[Path, typer.Option(metavar="FILE.egm", help="The file of messages to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.egm", help="The file of messages; default: stream.egm in RESULTS.")
+    ] = None,
     rate: Annotated[float, typer.Option(metavar="HZ", help="Messages per second, at most 250.")] = 250.0,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -192,7 +204,7 @@ def egm(
     from trajopt_cli.exporters.egm import stream_parts
     from trajopt_cli.runs.files import write_file
 
-    check_output(output, results)
+    output = _output(output, results, "stream.egm")
     motion, stream = egm_stream(results, rate)
     write_file(output, stream_parts(stream))
     beside = [*zip(stream.names, stream.units, strict=True)][stream.joints :]
@@ -209,7 +221,9 @@ def egm(
 @app.command("gltf", short_help="The cell in motion as glTF, for 3D viewers and browsers.")
 def gltf(
     results: ResultsFolder,
-    output: Annotated[Path, typer.Option(metavar="FILE.glb", help="The binary glTF file to write.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.glb", help="The binary glTF file; default: cell.glb in RESULTS.")
+    ] = None,
     rate: Annotated[float, typer.Option(metavar="HZ", help="Key frames per second.")] = 60.0,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -225,7 +239,7 @@ def gltf(
     from trajopt_cli.job import cell_of_results
     from trajopt_cli.problem.plant import build_plant
 
-    check_output(output, results)
+    output = _output(output, results, "cell.glb")
     motion = recorded(results)
     if motion.period is not None:
         raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
@@ -257,7 +271,7 @@ def rapid(
     """
     from trajopt_cli.cli.console import print_json
     from trajopt_cli.pipeline.folder import rapid_export
-    from trajopt_cli.runs.results import write_in_place
+    from trajopt_cli.runs.results import beside_results, write_in_place
     from trajopt_cli.runs.transaction import write_together
 
     if output is None and not diff and not in_place:
@@ -280,9 +294,10 @@ def rapid(
             said.append(f"wrote {path} ({what})")
             written.append(str(path))
     if in_place:
-        tidied(one.path for one in files.modules)
-        backups = write_in_place(files.modules)
-        for one in files.modules:
+        modules = beside_results(files.modules, results)
+        tidied(one.path for one in modules)
+        backups = write_in_place(modules)
+        for one in modules:
             if one.given is None:
                 said.append(f"{one.path}: a new module; load it with the program")
             elif one.path in backups:
@@ -291,8 +306,8 @@ def rapid(
                 said.append(f"{one.path}: unchanged")
                 continue
             written.append(str(one.path))
-        if any(one.given is None for one in files.modules):
-            every = " ".join(str(one.path) for one in files.modules)
+        if any(one.given is None for one in modules):
+            every = " ".join(str(one.path) for one in modules)
             said.append(f"from now on give the folder, or all files: trajopt parse {every}")
     said += files.ways
     if as_json:
@@ -383,6 +398,14 @@ def _tell(line: str, more: Iterable[str], record: dict[str, Any], as_json: bool,
     else:
         for one in (line,) if quiet else (line, *more):
             typer.echo(one)
+
+
+def _output(output: Path | None, results: Path, name: str) -> Path:
+    """Where to write: as asked, else under a name in the results folder."""
+    if output is None and results.is_dir():  # whoever reads results says what else is wrong with them
+        output = results / name
+    check_output(output or Path(name), results)
+    return output or Path(name)
 
 
 def check_output(output: Path, results: Path, option: str = "--output") -> None:

@@ -84,11 +84,11 @@ def parse(
     if plant is not None:
         from trajopt_cli.problem.configurations import check_configurations
         from trajopt_cli.problem.controller import differences
-        from trajopt_cli.problem.plannable import rail_doubts
+        from trajopt_cli.problem.plannable import target_doubts
         from trajopt_cli.problem.plant import unwatched
 
         found = check_configurations(flat, plant)
-        doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in rail_doubts(flat, plant)]
+        doubts = [ProgramWarning(WarningKind.DOUBTFUL, text) for text in target_doubts(flat, plant)]
         assert loaded is not None
         doubts += differences(program, loaded, plant, flat.files)
         told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)

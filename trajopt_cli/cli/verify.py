@@ -10,6 +10,7 @@ import typer
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Quiet
 from trajopt_cli.cli.process import reading
 from trajopt_cli.errors import InputError
+from trajopt_cli.file_kinds import refuse_other
 
 
 def verify(
@@ -53,6 +54,8 @@ def verify(
     advice = as_json or not quiet  # of which a line alone says nothing
     head: list[str] = []
     of_program = bool(program) or cell is not None or entry is not None or bool(assume_identity)
+    if what.is_file():
+        refuse_other(what, "joint CSV")
     if what.is_dir():
         _check_folder_alone(program, cell, entry, assume_identity, task, arm)
         if kind_of(what) == TASK:

@@ -9,7 +9,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from math import degrees
 
+import numpy as np
+
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.motion import (
     CirPathMode,
     Hold,
@@ -35,9 +38,11 @@ from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.scenario import Lines
+from trajopt_cli.units import MM
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
 _SHOWN_IDS = 3
+_METRES = 10.0  # mm: 10 m, farther than any cell reaches
 STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 _STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time of their own
 
@@ -69,8 +74,25 @@ def check_plannable(program: Program, plant: Plant) -> None:
         raise InputErrorGroup(errors)
 
 
-def rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
-    """What is odd about where the program wants the rail: targets that speak of another axis, or of none."""
+def target_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
+    """What is odd about the targets: places in metres, another axis than the rail, no place for the rail."""
+    return (*_metre_doubts(program), *_rail_doubts(program, plant))
+
+
+def _metre_doubts(program: Program) -> tuple[str, ...]:
+    """Targets that all lie within millimetres of their work objects' origins, at fractions of one."""
+    moves = [motion for motion in program.motions if isinstance(motion, PoseMove) and motion.X_WO is not None]
+    places = [(inverse_pose(move.X_WO) @ move.X_WT)[:3, 3] / MM for move in moves if move.X_WO is not None]
+    if len({tuple(place.round(6)) for place in places}) < 2 or np.max(np.abs(places)) > _METRES:
+        return ()
+    if np.allclose(places, np.round(places), atol=1e-6):
+        return ()
+    first, place = moves[0], " ".join(f"{value:g}" for value in places[0])
+    text = f"{first.source}: {first.target} lies at {place} mm, and all other targets within {_METRES:g} mm of their"
+    return (f"{text} work objects' origins: if metres are meant, write millimetres",)
+
+
+def _rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
     axis = plant.rail_eax
     if axis is None:
         return ()

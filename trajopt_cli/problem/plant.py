@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array, pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.layout import AxisLayout
-from trajopt_cli.robot.model import RobotModel, load_robot
+from trajopt_cli.robot.model import RobotModel, load_robot, robot_names
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid
@@ -132,7 +132,9 @@ def build_plant(cell: Cell) -> Plant:
             "rail", f"robot {robot.name} rides a rail: add 'rail: {{eax: a, stroke: [0, 2]}}', stroke in m"
         )
     if cell.rail is not None and not robot.has_rail:
-        raise cell.error("rail", f"robot {robot.name} has no rail: remove the section")
+        railed = f"{robot.name}_rail"
+        other = f"write 'robot: {railed}' for the one on a rail, or " if railed in robot_names() else ""
+        raise cell.error("rail", f"robot {robot.name} has no rail: {other}remove the section")
     if cell.profile not in robot.profiles:
         raise cell.error(
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -200,6 +201,7 @@ def read_head(path: Path) -> Head:
 def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
     """The YAML file of a shipped robot, or a path to one (anything that ends in .yaml or .yml). InputError if none.
 
+    Names are read as people write them: IRB 140 and irb-140 are irb140.
     structure: the robots the message shall list, all for None; whether the file has it is not looked at.
     """
     if name_or_path.endswith((".yaml", ".yml")):
@@ -207,7 +209,8 @@ def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
         if not path.is_file():
             raise InputError(f"robot file '{name_or_path}' does not exist")
         return path
-    if shipped := _shipped().get(name_or_path):
+    bare = {re.sub(r"\W|_", "", name): path for name, path in _shipped().items()}
+    if shipped := bare.get(re.sub(r"\W|_", "", name_or_path.lower())):
         return shipped
     advice = hint(name_or_path, robot_names(structure))
     more = "'trajopt robot list' shows all, or give the path of a robot's .yaml file"

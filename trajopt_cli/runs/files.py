@@ -19,7 +19,7 @@ from time import monotonic, sleep
 from typing import BinaryIO
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs import RUN
+from trajopt_cli.runs import EXPORTS, RUN
 
 PATIENCE = 10.0  # s, to wait for another run that is writing just now
 _TRIES = 100
@@ -55,7 +55,7 @@ def check_file(path: Path, option: str = "--output") -> None:
     real = Path(os.path.realpath(path))
     if not real.parent.is_dir():
         raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(path.parent))
-    if real.exists() and any((folder / RUN).is_file() for folder in (*real.parents[:2],)):
+    if real.exists() and real.name not in EXPORTS and any((folder / RUN).is_file() for folder in (*real.parents[:2],)):
         raise InputError("is a file of a results folder, which keeps its hash; write to another place", file=str(path))
     try:
         _tidy(real)

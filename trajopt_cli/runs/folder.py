@@ -17,7 +17,8 @@ from typing import Any, Generic, TypeVar
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs import REPORT, RUN, SUMMARY
+from trajopt_cli.file_kinds import refuse_other
+from trajopt_cli.runs import EXPORTS, REPORT, RUN, SUMMARY
 from trajopt_cli.runs.files import check_writable, holding, recover, write_folder
 from trajopt_cli.runs.record import INPUT, Model, RunRecord, as_json, checked, parse_record, quoted, sha256
 
@@ -178,7 +179,7 @@ def _check_replaceable(folder: Path) -> None:
                 "is not a results folder of trajopt (no run.json) and is not replaced; choose another --output",
                 file=str(folder),
             )
-        known = {RUN, *_record(folder, RunRecord[Any])[0].files}
+        known = {RUN, *EXPORTS, *_record(folder, RunRecord[Any])[0].files}
         strangers = sorted({path.relative_to(folder).as_posix() for path in content} - known)
     if strangers:
         raise InputError(
@@ -216,6 +217,7 @@ def _record(folder: Path, model: type[Record]) -> tuple[Record, bytes]:
     """run.json, of this kind if the model has one, and its bytes."""
     with _reading(folder):
         if not os.path.lexists(folder / RUN):
+            refuse_other(folder, "results folder")
             raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
     file = str(folder / RUN)
     stamp = _read_listed(folder, RUN, MOST_RECORD)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from glob import escape
 from pathlib import Path
 from typing import Annotated, ClassVar
@@ -208,6 +208,20 @@ def _rapid(run: ResultsFolder[PlanRecord]) -> Iterator[RapidModule]:
     for path, place, before in (*given, *((one.path, one.rapid, None) for one in run.record.added)):
         inner = Path(place).parts[1:]
         yield RapidModule(Path(path), Path(*inner) if inner else Path(Path(path).name), run.contents[place], before)
+
+
+def beside_results(modules: Sequence[RapidModule], folder: Path) -> tuple[RapidModule, ...]:
+    """The modules where they lie: paths that are not found from here are looked for above the results folder, which
+    was made from there."""
+    given = [one.path for one in modules if one.given is not None and not one.path.is_absolute()]
+    if any(path.exists() for path in given):
+        return tuple(modules)
+    above = next(
+        (up for up in folder.resolve().parents[:2] if given and all((up / path).exists() for path in given)), None
+    )
+    if above is None:
+        return tuple(modules)
+    return tuple(replace(one, path=Path(os.path.relpath(above / one.path))) for one in modules)
 
 
 def write_in_place(modules: Sequence[RapidModule]) -> dict[Path, Path]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -193,7 +194,9 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
             name = as_written(program, motion)[0]
             return name, without_name(motion.condition or "", name)
         case SignalEvent():
-            return "Signal", f"{motion.signal} = {motion.value:g}"
+            name, said = as_written(program, motion)  # the alias of a signal stands for it
+            spelled = re.search(rf"\b{re.escape(motion.signal)}\b", said, re.IGNORECASE)
+            return name, f"{spelled[0] if spelled else motion.signal} = {motion.value:g}"
     return type(motion).__name__, motion.target
 
 

@@ -38,7 +38,7 @@ YAW = "yaw"
 MOST_RANGES = 4
 _WORLD = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _RANGE = re.compile(r"\s*(\w+)\s*=(.*?)\.\.(.*)", re.DOTALL)
-_FARTHEST = 20.0  # m; beyond, somebody wrote millimetres
+_FARTHEST, _ODD = 20.0, 3.0  # m, with a unit and without one: beyond, somebody may have meant millimetres
 _DECIMALS = {"m": 4, "deg": 2}  # of an offset: what is printed is what was tried
 _SAME = 1e-5  # m and parts of a rotation; num has 32 bits
 
@@ -111,6 +111,8 @@ def _value(text: str, key: str, end: str) -> float:
         raise InputError(f"--range {text}: {value / DEG:.6g} deg is more than half a turn; write degrees as 30deg")
     if key != YAW and abs(value) > _FARTHEST:
         raise InputError(f"--range {text}: {value:g} m is more than {_FARTHEST:g} m; write millimetres as 300mm")
+    if key != YAW and abs(value) > _ODD and not end.strip()[-1:].isalpha():
+        raise InputError(f"--range {text}: {end} without a unit is {value:g} m; write {end}mm or {end}m")
     return value
 
 

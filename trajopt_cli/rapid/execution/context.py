@@ -6,6 +6,7 @@ the state that moves change, and (abstract, given by interpreter.py) values of e
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
@@ -36,6 +37,11 @@ _SHOWN = 40  # characters of an expression in a message
 
 def _system(type_: Type) -> Datum:
     return Datum(type_, Value(type_, type_.default), "set by the system", "VAR")
+
+
+def _renumbered(known: str, number: str, stem: str) -> bool:
+    """Whether a name is stem with another number behind it."""
+    return known.startswith(stem) and known[len(stem) :].isdigit() and known[len(stem) :] != number
 
 
 class Context(ABC):
@@ -138,7 +144,9 @@ class Context(ABC):
 
     def close(self, name: str, names: Iterable[str]) -> str | None:
         """The one of names that is spelled nearly like name; None for none, and for several."""
-        spellings = {known.lower(): known for known in names}
+        number = re.search(r"\d+$", name)  # v55 is another speed than v5, not v5 misspelled
+        others = () if number is None else (number[0], name[: number.start()].lower())
+        spellings = {known.lower(): known for known in names if not (others and _renumbered(known.lower(), *others))}
         close = get_close_matches(name.lower(), spellings, n=2, cutoff=0.8)
         return spellings[close[0]] if len(close) == 1 else None
 

@@ -10,6 +10,7 @@ data: a value to begin with stands in, so that one run finds everything that is 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from math import prod
 
@@ -17,8 +18,10 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     NUM,
+    SPEEDDATA,
     STRING,
     TYPES,
+    ZONEDATA,
     Array,
     Data,
     Record,
@@ -163,6 +166,19 @@ def _array(run: Context, base: Name, element: Type, sizes: tuple[int, ...]) -> P
     return place
 
 
+def _as_named(type_: Type, name: str) -> Data:
+    """The speed or zone that a name like v55 or z25 tells, filled in as the predefined ones are; None for others."""
+    if not (match := re.fullmatch(r"[vz](\d{1,5})", name)):
+        return None
+    size = float(match[1])
+    if type_ == SPEEDDATA and name[0] == "v":
+        return (size, 500.0, 5000.0, 1000.0)
+    if type_ == ZONEDATA and name[0] == "z":
+        turn = round(0.15 * size, 3)
+        return (False, size, 1.5 * size, 1.5 * size, turn, 1.5 * size, turn)
+    return None
+
+
 def _stand_in(
     run: Context, node: Name, type_: Type, what: str = "", data: Data = None, spelled: str | None = None
 ) -> Place:
@@ -173,7 +189,7 @@ def _stand_in(
     external, key = run.external, node.name.lower()
     if data is None:
         fitting = external.fitting.get(key)
-        data = fitting if fitting is not None and _like(type_, fitting) else stand_in(type_)
+        data = fitting if fitting is not None and _like(type_, fitting) else _as_named(type_, key) or stand_in(type_)
     value = Value(type_, data)
     if external.trying:
         return Datum(type_, value)

@@ -9,6 +9,7 @@ from pathlib import Path
 from unicodedata import combining, east_asian_width
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.file_kinds import refuse_other
 from trajopt_cli.motion import Source, Span, TextFile
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
@@ -46,6 +47,7 @@ def read_text(path: str | Path) -> TextFile:
         data = file.read_bytes()
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    refuse_other(file, "program")
     text, encoding = decode(data)
     return TextFile(path=str(path), text=text, encoding=encoding)
 
