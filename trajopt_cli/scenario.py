@@ -175,9 +175,6 @@ def yaml_answer(value: Answer) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
-_EASY = ("speeddata", "zonedata")
-
-
 def _message(one: Missing) -> str:
     if one.section == "assume_identity":  # the reason ends with the option that does the same
         return f"{one.reason}, or the line '{one.line}' in the cell file"
@@ -186,8 +183,9 @@ def _message(one: Missing) -> str:
         line = f"the line '{one.line}' in the cell file"
         return f"{reason} give the file that declares it, or ignore it: {line}"
     if one.section == "data" and not one.declared:
-        kind = reason.partition(" ")[0]  # a speed or a zone stands in a line that is easily written
-        own = f"declare it, 'CONST {kind} {one.name}:={json.loads(one.value)};', " if kind in _EASY else ""
+        kind, own = reason.partition(" ")[0], ""
+        if kind in ("speeddata", "zonedata") and re.fullmatch(r"[vVzZ]\d+", one.name):  # whose name tells its value
+            own = f"declare it, 'CONST {kind} {one.name}:={json.loads(one.value)};', "
         return f"{reason} {own}give the file that declares it, or its value: the line '{one.line}' in the cell file"
     return f"{reason} add the line '{one.line}' to the cell file"
 
