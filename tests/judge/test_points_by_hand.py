@@ -121,13 +121,13 @@ def test_circles_need_their_start() -> None:
     """An arc behind joints with a free rail has none until it is drawn; behind a point that is passed it has."""
     motions = [move_l(11, "p_1", P1, zone=Z10), move_c(12, "p_2", VIA, P2)]
     arc = points_of(program(move_j(10, "p_0", P0), *motions), PLANT)[3]
-    assert arc.circle is not None
-    assert arc.circle.length == pytest.approx(0.03 * np.pi, rel=1e-6)
-    assert points_of(program(home(10, None), motions[1]), PLANT)[2].circle is None
+    assert arc.curve is not None
+    assert arc.curve.length == pytest.approx(0.03 * np.pi, rel=1e-6)
+    assert points_of(program(home(10, None), motions[1]), PLANT)[2].curve is None
     passed = replace(home(10, None), zone=Z10, q=HOME + 0.2)
     after_home = points_of(program(passed, motions[1], move_l(13, "p", P0)), PLANT)
     assert after_home[1].fly_by is not None
-    assert after_home[2].circle is not None
+    assert after_home[2].curve is not None
 
 
 def test_zones_are_half_a_way_at_most() -> None:

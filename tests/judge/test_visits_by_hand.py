@@ -17,7 +17,7 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import samples as rows_module
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge import waypoint_matching
-from trajopt_cli.judge.program_points import ProgramPoint, arc_to
+from trajopt_cli.judge.program_points import ProgramPoint, path_to
 from trajopt_cli.judge.samples import Rows, look
 from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.waypoint_matching import Closeness, events_of, looking, passages, worth_a_look
@@ -208,8 +208,8 @@ def test_an_arcs_end_is_passed_on_its_second_half() -> None:
     motion = move_c(13, "p_2", VIA, X_2, zone=Z10)
     start = point(X_WF=X_0, X_FT=np.eye(4))
     end = point(X_WF=X_2, X_FT=np.eye(4), move=motion, fly_by=FlyBy(0.055, 0.055, 0.055))
-    end = replace(end, circle=arc_to(start.X_WF, end))
-    circle = end.circle
+    end = replace(end, curve=path_to(start.X_WF, end))
+    circle = end.curve
     assert circle is not None
     phi = np.linspace(0, 1, 61)
     rows, _ = wander(45, 61)
@@ -226,8 +226,8 @@ def test_an_arcs_end_is_passed_on_its_second_half() -> None:
     assert event.last == 60
     halves = circle.progress(frame.p)
     assert abs(halves[event.first] - 0.5) < 1.01 / 60
-    assert len(passages(rows, frame, replace(end, circle=None))) == 1
-    assert passages(rows, frame, replace(end, circle=None))[0].first < event.first
+    assert len(passages(rows, frame, replace(end, curve=None))) == 1
+    assert passages(rows, frame, replace(end, curve=None))[0].first < event.first
 
 
 def test_optional_points_that_the_tool_never_comes_to() -> None:

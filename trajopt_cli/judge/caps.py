@@ -21,12 +21,12 @@ from trajopt_cli.judge.findings import Series, Worst, finding, worse
 from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.positioners import TurnedFrame
-from trajopt_cli.judge.program_points import ProgramPoint, arc_to, obeys_programmed_speed
+from trajopt_cli.judge.program_points import ProgramPoint, obeys_programmed_speed, path_to
 from trajopt_cli.judge.samples import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones, rows_of_move
 from trajopt_cli.judge.tolerances import JOINT, REST_JOINT, TCP
 from trajopt_cli.judge.tool_kinematics import ToolKinematics, carried
-from trajopt_cli.motion import MoveC, MoveExtJ
+from trajopt_cli.motion import MoveExtJ
 
 
 @dataclass(frozen=True, eq=False)
@@ -304,8 +304,8 @@ def _of_its_time(name: str, before: Visit, visit: Visit, duration: float) -> flo
     X_0, X_1 = before.X_WF @ point.X_FT, point.X_WT
     if turns:
         return float(angle_between(X_0[:3, :3], X_1[:3, :3])) / duration
-    if isinstance(point.move, MoveC):
-        return (point.circle or arc_to(before.X_WF, point)).length / duration
+    if point.curved:
+        return (point.curve or path_to(before.X_WF, point)).length / duration
     return float(lengths(X_1[:3, 3] - X_0[:3, 3])) / duration
 
 

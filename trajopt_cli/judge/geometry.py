@@ -1,16 +1,19 @@
-"""The judge's own geometry: angles between rotations, the line that a MoveL asks for and the arc of a MoveC."""
+"""The judge's own geometry: angles between rotations, and the paths that moves ask for: of a MoveL a line, of a MoveC
+an arc."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 import pinocchio as pin
 
+from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import CirPathMode, UnitMove
+from trajopt_cli.motion import CirPathMode, MoveC, MoveL, PathMove, UnitMove, motion_name, turned_under
 
 _POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
 _FLAT = 1e-9  # sine of the angle between two chords below which three points lie on one line
@@ -77,6 +80,10 @@ class Line:
     """From X_0 (4, 4) straight along chord (3,) [m] in the world, turning evenly by the rotation vector turn (3,) [rad]
     in the frame of X_0."""
 
+    kind: ClassVar[str] = "line"
+    shape: ClassVar[str] = "chord"
+    straight: ClassVar[bool] = True
+
     X_0: Array
     chord: Array
     turn: Array
@@ -93,7 +100,7 @@ class Line:
 
     @cached_property
     def length(self) -> float:
-        """Way of the TCP, m."""
+        """Of the tool centre point's path, m."""
         return float(np.linalg.norm(self.chord))
 
     @cached_property
@@ -111,12 +118,13 @@ class Line:
         """What progress is counted in: the length [m], or of a reorientation the angle [rad]."""
         return self.angle if self.only_turns else self.length
 
-    def progress(self, p: Array, R: Array) -> Array:
-        """fraction of the path (m,) at positions p (m, 3) and rotations R (m, 3, 3), not clipped."""
+    def progress(self, p: Array, R: Array | None = None) -> Array:
+        """Fraction of the path (m,) at positions p (m, 3), of a reorientation at rotations R (m, 3, 3), not clipped."""
         if self.length == 0.0 == self.angle:
             return np.zeros(len(p))
         if not self.only_turns:
             return np.asarray((p - self.X_0[:3, 3]) @ self.chord / self.length**2)
+        assert R is not None
         # the angle about the line's own axis: what is not about it shows in the deviation
         turned = self.X_0[:3, :3].T @ R
         skew = np.stack([turned[:, i, j] - turned[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=1)
@@ -124,7 +132,7 @@ class Line:
         return np.asarray(np.arctan2(skew @ self.turn / (2 * self.angle), cosine) / self.angle)
 
     def at(self, s: Array) -> tuple[Array, Array]:
-        """Positions (m, 3) and rotations (m, 3, 3) at shares s (m,)."""
+        """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
         K = pin.skew(self.turn / self.angle) if self.angle > 0 else np.zeros((3, 3))
         sine, cosine = (f(s * self.angle)[:, None, None] for f in (np.sin, np.cos))
         R = self.X_0[:3, :3] @ (np.eye(3) + sine * K + (1 - cosine) * (K @ K))
@@ -142,9 +150,13 @@ class Arc:
 
     turns: how the tool turns, as rotation vectors (3,) [rad] in its own frame. None: as on the line. One: relative to
     the frame of the path, which is (radial, tangent, normal) and goes around with it. Two: to the orientation of the
-    circle point, at a share passed of the way, and from there to the end (RAPID reference manual, CirPathMode: the
+    circle point, at s = passed, and from there to the end (RAPID reference manual, CirPathMode: the
     modes \ObjectFrame, \PathFrame, \CirPointOri).
     """
+
+    kind: ClassVar[str] = "arc"
+    shape: ClassVar[str] = "circle"
+    straight: ClassVar[bool] = False
 
     line: Line
     centre: Array
@@ -183,7 +195,7 @@ class Arc:
 
     @property
     def length(self) -> float:
-        """Way of the TCP, m."""
+        """Of the tool centre point's path, m."""
         return float(np.linalg.norm(self.first)) * self.sweep
 
     @cached_property
@@ -195,7 +207,7 @@ class Arc:
         return float(angle_between(R[:-1], R[1:]).sum())
 
     def frames(self, s: Array) -> Array:
-        """The frame of the path (m, 3, 3) at shares s (m,): radial, tangent and normal as its columns."""
+        """The frame of the path (m, 3, 3) at s (m,): radial, tangent and normal as its columns."""
         size = np.linalg.norm(self.first)
         radial, tangent = self.first / size, self.side / size
         phi = (s * self.sweep)[:, None]
@@ -213,7 +225,7 @@ class Arc:
         return self.length
 
     def progress(self, p: Array, R: Array | None = None) -> Array:
-        """fraction of the path (m,) at positions p (m, 3), not clipped; what the circle leaves over belongs half to its
+        """Fraction of the path (m,) at positions p (m, 3), not clipped; what the circle leaves over belongs half to its
         start and half to its end. Rotations do not matter."""
         out = p - self.centre
         left_over = 2 * np.pi - self.sweep
@@ -221,7 +233,7 @@ class Arc:
         return np.asarray(((phi + left_over / 2) % (2 * np.pi) - left_over / 2) / self.sweep)
 
     def at(self, s: Array) -> tuple[Array, Array]:
-        """Positions (m, 3) and rotations (m, 3, 3) at shares s (m,)."""
+        """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
         if self.turns is None:
             return self.positions(s), self.line.at(s)[1]
         R_0, c = self.line.X_0[:3, :3], self.passed
@@ -236,6 +248,34 @@ class Arc:
         """Positions (m, 3) alone."""
         phi = (s * self.sweep)[:, None]
         return np.asarray(self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side)
+
+
+Path = Line | Arc
+
+
+def wanted_path(move: PathMove, X_0: Array, X_1: Array, R: Array) -> Path:
+    """The path that a move asks for from X_0 to X_1 (4, 4), over a table as it stands at the start. R (m, 3, 3):
+    rotations on it.
+
+    Raises:
+        InputError: the three points of a MoveC lie on one line or in one place; with its place in the program.
+    """
+    line = Line.between(X_0, X_1, R)
+    match move:
+        case MoveL():
+            return line
+        case MoveC():
+            X_V = turned_back(turned_under(move), move.X_WV)
+            if arc := Arc.through(line, X_V, move.settings.circle):
+                return arc
+            places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, X_V, X_1))
+            file, row, column = move.source
+            raise InputError(
+                f"{motion_name(move)}: start, point on the way and end {places} mm lie on one line, no circle leads"
+                " through them; move the point on the way, or use MoveL",
+                file=file, line=row, column=column, kind=ErrorKind.PROGRAM,
+            )  # fmt: skip
+    raise NotImplementedError(f"the judge knows no path of a {type(move).__name__}")
 
 
 def _nearer(A: Array, V: Array, fraction: float) -> Array:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
-from trajopt_cli.judge.geometry import Arc, Line, angle_between, lengths, off_triangles, rotation_vectors
+from trajopt_cli.judge.geometry import Path, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
@@ -31,11 +31,11 @@ from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, PathMove
 
 
 def check_shapes(
-    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool
+    timeline: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool
 ) -> Iterator[tuple[int, list[Finding]]]:
     """Findings about every move between its rests, in program order, each run's with its last row; a kind that no check
     knows is never legal. Of a run without one of its points nothing is said: that the point is missing is."""
-    for run in runs_of(line, frames):
+    for run in runs_of(timeline, frames):
         out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
@@ -43,15 +43,15 @@ def check_shapes(
                     out.extend(_path_findings(run, leg))
                     out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))
-                    if rapid and line.rows.mechanism.has_rail:
+                    if rapid and timeline.rows.mechanism.has_rail:
                         out.extend(_rail_share(run, leg))
                 case MoveExtJ():
-                    out.append(_arm_holds(line.rows, run.visits[leg], visit))
+                    out.append(_arm_holds(timeline.rows, run.visits[leg], visit))
                 case MoveJ() | MoveAbsJ():
                     if rapid:
                         out.extend(_straight(run, leg))
                 case _:
-                    out.append(_unknown(line.rows, visit))
+                    out.append(_unknown(timeline.rows, visit))
         out.extend(_corners(run))
         yield run.part[1], out
 
@@ -68,7 +68,6 @@ def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
     path, part, places, point = run.paths[leg], run.on(leg), run.places, run.visits[leg + 1].point
     assert path is not None
     assert point.move is not None
-    kind, shape = ("arc", "circle") if isinstance(path, Arc) else ("line", "chord")
     t, s, free = places.t[part], run.fractions[part], run.zone[part] < 0
     off = off_path(path, places.p[part], s)
     turned = angle_between(places.R[part], path.at(np.clip(s, 0.0, 1.0))[1])
@@ -77,7 +76,7 @@ def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
     doubt_R = doubt_angle + (0.0 if path.only_turns else path.angle / path.length) * doubt_p
     doubt, unit = (doubt_angle, "rad") if path.only_turns else (doubt_p, "m")
     for check, value, doubts, where, limit, its_unit, words in (
-        ("position", off, doubt_p, free, LINE_POSITION, "m", f"from the {shape}"),
+        ("position", off, doubt_p, free, LINE_POSITION, "m", f"from the {path.shape}"),
         (
             "rotation",
             turned,
@@ -92,15 +91,15 @@ def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
         least = np.where(where, np.maximum(value - doubts, 0.0), 0.0)
         if len(least):
             i = int(np.argmax(least))
-            yield finding(f"{kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
+            yield finding(f"{path.kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
                           time=float(t[i]), source=point.source, note=f" {words} to {point.move.target}")  # fmt: skip
 
 
 def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
-    """An arc from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
+    """A curve from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
     them, so long is the tool's path from the one to the other."""
     path, places, point = run.paths[leg], run.places, run.visits[leg + 1].point
-    if not isinstance(path, Arc):
+    if path is None or path.straight:
         return
     a, b = run.between(leg)
     rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))
@@ -108,8 +107,8 @@ def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
     gone += 2 * np.pi * float(run.frame.reach[rows].sum())  # around a circle between two rows
     missing = WHOLE * (path.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
     if missing > LINE_POSITION:
-        note = f" of the arc to {point.name} missing: the tool does not go around on it"
-        yield finding("arc position", "TCP", missing, LINE_POSITION, "m", False, time=float(places.t[a]),
+        note = f" of the {path.kind} to {point.name} missing: the tool does not go around on it"
+        yield finding(f"{path.kind} position", "TCP", missing, LINE_POSITION, "m", False, time=float(places.t[a]),
                       source=point.source, note=note)  # fmt: skip
 
 
@@ -123,13 +122,13 @@ def _in_step(run: StopInterval, leg: int) -> Iterator[Finding]:
     doubt = LINE_POSITION + (run.places.doubt_angle if path.only_turns else run.places.doubt_p)[here]
     off = frame.off(run.part[0] + here // run.step, run.fractions[here], doubt / path.extent)
     i, j = np.unravel_index(int(np.argmax(off)), off.shape)
-    kind, value = "arc" if isinstance(path, Arc) else "line", float(off[i, j])
-    yield finding(f"positioner along {kind}", frame.units[int(j)].column, value, JOINT_TARGET, "rad",
+    value = float(off[i, j])
+    yield finding(f"positioner along {path.kind}", frame.units[int(j)].column, value, JOINT_TARGET, "rad",
                   value <= JOINT_TARGET, time=float(run.places.t[here[i]]), source=visit.point.source,
                   note=f" from its share of the way to {visit.point.name}, as it turns the work under it")  # fmt: skip
 
 
-def _back_along_path(path: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:
+def _back_along_path(path: Path, s: Array, free: NDArray[np.bool_]) -> Array:
     """How far every place (m,) lies behind the farthest one before it; those in zones do not count."""
     done = s * path.extent
     return np.maximum.accumulate(np.where(free, done, -np.inf)) - done
@@ -139,7 +138,7 @@ def _corners(run: StopInterval) -> Iterator[Finding]:
     """Findings about every point that is passed between two lines or arcs."""
     paths = [None, *run.paths, None]  # before and behind every visit
     joint = np.array([visit.point.fly_by is not None and visit.point.fly_by.joint for visit in run.visits])
-    flat = ~joint & [isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(paths)]
+    flat = ~joint & [a is not None and b is not None and a.straight and b.straight for a, b in pairwise(paths)]
     known = ~joint & [a is not None and b is not None for a, b in pairwise(paths)]
     yield from _worst_deviation(run, run.zone, flat, _off_triangles, ("corner position", LINE_POSITION, "m"),
                       "outside the triangle of its zone")  # fmt: skip
@@ -206,7 +205,7 @@ def _sag(run: StopInterval, k: int) -> float:
     sag, R_P = 0.0, run.X_WT[k, :3, :3]
     for leg in (k - 1, k):
         path = run.paths[leg]
-        if isinstance(path, Arc):
+        if path is not None and not path.straight:
             fraction = run.zones("turning")[k] / path.length
             s = fraction * np.array([0.5, 1.0]) if leg == k else 1.0 - fraction * np.array([0.5, 1.0])
             half, whole = rotation_vectors(R_P.T @ path.at(s)[1])
@@ -233,8 +232,7 @@ def _rail_share(run: StopInterval, leg: int) -> Iterator[Finding]:
     granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * doubt
     off = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0) * slope)) - granted, 0.0)
     i = int(np.argmax(off))
-    kind = "arc" if isinstance(path, Arc) else "line"
-    yield finding(f"rail along {kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
+    yield finding(f"rail along {path.kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
                   bool(off[i] <= JOINT_TARGET), time=float(rows.t[where[i]]), source=visit.point.source,
                   note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
 

@@ -15,15 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.judge.geometry import Arc, Line, angle_between, lengths, turned_back
+from trajopt_cli.judge.geometry import Path, angle_between, lengths, turned_back, wanted_path
 from trajopt_cli.judge.positioners import TurnedFrame
-from trajopt_cli.judge.program_points import arc_to
 from trajopt_cli.judge.samples import Rows
 from trajopt_cli.judge.timeline import Timeline, Visit, rows_of_run
 from trajopt_cli.judge.tolerances import LINE_POSITION, LINE_ROTATION
 from trajopt_cli.judge.tool_kinematics import Places, ToolKinematics
 from trajopt_cli.judge.waypoint_matching import off_chords
-from trajopt_cli.motion import FlyBy, MoveC, MoveL, UnitMove, turned_under
+from trajopt_cli.motion import FlyBy, PathMove, UnitMove, turned_under
 
 Indices = NDArray[np.intp]
 
@@ -72,19 +71,15 @@ class StopInterval:
         return () if move is None else turned_under(move)
 
     @cached_property
-    def paths(self) -> tuple[Line | Arc | None, ...]:
+    def paths(self) -> tuple[Path | None, ...]:
         """What the moves prescribe; None for joint moves."""
         return tuple(self._wanted_path(leg) for leg in range(len(self.visits) - 1))
 
-    def _wanted_path(self, leg: int) -> Line | Arc | None:
+    def _wanted_path(self, leg: int) -> Path | None:
         before, visit = self.visits[leg : leg + 2]
         R = self.frame.R[before.depart : max(visit.arrive, before.depart) + 1]
-        match visit.point.move:
-            case MoveL():
-                return Line.between(self.X_WT[leg], self.X_WT[leg + 1], R)
-            case MoveC():
-                return arc_to(before.X_WF, visit.point, R)
-        return None
+        move = visit.point.move
+        return wanted_path(move, self.X_WT[leg], self.X_WT[leg + 1], R) if isinstance(move, PathMove) else None
 
     def zones(self, kind: str) -> Array:
         """Sizes (n + 1,) of the visits' zones [m]: radius, turning or external; negative for stops."""
@@ -232,7 +227,7 @@ class StopInterval:
         done = self.fractions[part] * path.extent
         further = np.where(path.extent - done <= sizes[leg + 1], leg + 1, -1)
         further = np.where(done <= sizes[leg], leg, further)
-        if isinstance(path, Arc):  # a narrow one stays within the sphere of a zone that it has left
+        if not path.straight:  # a narrow one stays within the sphere of a zone that it has left
             return further
         return np.where(self.zone[part] >= 0, self.zone[part], further)
 
@@ -245,23 +240,23 @@ class StopInterval:
         return p[0], R[0]
 
 
-def off_path(path: Line | Arc, p: Array, s: Array) -> Array:
+def off_path(path: Path, p: Array, s: Array) -> Array:
     """Distances (m,) of positions p (m, 3) from their places s (m,) on a path, its ends beyond them."""
     return lengths(p - path.positions(np.clip(s, 0.0, 1.0)))
 
 
-def runs_of(line: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[StopInterval]:
+def runs_of(timeline: Timeline, frames: dict[bytes, ToolKinematics]) -> Iterator[StopInterval]:
     """Every run with the tool in force on it, cut where that changes in a corner; what is known of one goes before the
     next one comes."""
-    for visits in line.runs():
+    for visits in timeline.runs():
         tools = [frames[np.asarray(visit.point.X_FT).tobytes()] for visit in visits]
         cuts = [k for k in range(1, len(visits) - 1) if tools[k] is not tools[k + 1]]
         corners = [visits[k].corner or (visits[k].arrive, visits[k].depart) for k in cuts]
         if not cuts:
-            turned = line.turned.get(visits[-1].point.index)
-            yield StopInterval(line.rows, turned or tools[-1], visits)
+            turned = timeline.turned.get(visits[-1].point.index)
+            yield StopInterval(timeline.rows, turned or tools[-1], visits)
             continue
-        first, last = rows_of_run(line.rows, visits)
+        first, last = rows_of_run(timeline.rows, visits)
         begins, ends = [first, *(b for _, b in corners)], [*(a for a, _ in corners), last]
         for i, k, begin, end in zip([0, *cuts], [*cuts, len(visits) - 1], begins, ends, strict=True):
-            yield StopInterval(line.rows, tools[k], visits[i : k + 1], (begin, max(end, begin)))
+            yield StopInterval(timeline.rows, tools[k], visits[i : k + 1], (begin, max(end, begin)))

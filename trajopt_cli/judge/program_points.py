@@ -9,9 +9,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.judge.geometry import Arc, Line, angle_between, inverse_pose, turned_back
+from trajopt_cli.judge.geometry import Path, angle_between, inverse_pose, turned_back, wanted_path
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.motion import (
@@ -19,7 +18,6 @@ from trajopt_cli.motion import (
     FlyBy,
     Move,
     MoveAbsJ,
-    MoveC,
     MoveExtJ,
     MoveJ,
     MoveL,
@@ -42,9 +40,9 @@ class ProgramPoint:
 
     X_WF: flange pose there, None where the joints on the way decide it (MoveExtJ, MoveAbsJ with a free rail). X_FT:
     tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
-    out. holds: the waits that follow, with their index. fly_by: None for a stop. circle: an arc's, None where it is
-    none or where only the joints know its start. written: the rail [m] as the program writes it at a stop, where
-    it is free; None for none.
+    out. holds: the waits that follow, with their index. fly_by: None for a stop. curve: the path of a move that asks
+    for another one than a line, None where only the joints know its start. written: the rail [m] as the program writes
+    it at a stop, where it is free; None for none.
     """
 
     index: int
@@ -58,8 +56,13 @@ class ProgramPoint:
     optional: bool
     holds: tuple[tuple[int, Wait], ...] = ()
     fly_by: FlyBy | None = None
-    circle: Arc | None = None
+    curve: Path | None = None
     written: float | None = None
+
+    @property
+    def curved(self) -> bool:
+        """Whether the move asks for another path than a line."""
+        return isinstance(self.move, PathMove) and not isinstance(self.move, MoveL)
 
     @property
     def duration(self) -> float | None:
@@ -165,7 +168,7 @@ def _at_joints(plant: Machine, arm: Array, rail: float | None) -> Array | None:
 def _with_zones(
     plant: Machine, points: Sequence[ProgramPoint], alone: Collection[int], rail: float | None
 ) -> list[ProgramPoint]:
-    """The same points with their circles and, where they are passed, their zones and places."""
+    """The same points with their curves and, where they are passed, their zones and places."""
     placed: list[ProgramPoint] = []  # as if all fly-bys were passed
     for point in points:
         rail = next(
@@ -174,8 +177,8 @@ def _with_zones(
         )
         if point.arm is not None and point.X_WF is None and _programmed_fly_by(point):
             point = replace(point, X_WF=_at_joints(plant, point.arm, rail))
-        if isinstance(point.move, MoveC) and placed[-1].X_WF is not None:
-            point = replace(point, circle=arc_to(placed[-1].X_WF, point))
+        if point.curved and placed[-1].X_WF is not None:
+            point = replace(point, curve=path_to(placed[-1].X_WF, point))
         point = replace(point, written=rail if point.rail is None else None)
         placed.append(point)
     paths = [_path_length(a, b) for a, b in pairwise(placed)]
@@ -192,7 +195,7 @@ def _with_zones(
         if fly_by is not None:
             point = replace(point, fly_by=fly_by, X_WF=placed[k].X_WF)
         if k > 0 and out[-1].X_WF is not None:
-            point = replace(point, circle=placed[k].circle)
+            point = replace(point, curve=placed[k].curve)
         out.append(point)
     return out
 
@@ -225,10 +228,10 @@ def _programmed_fly_by(point: ProgramPoint) -> bool:
 
 
 def _path_length(a: ProgramPoint, b: ProgramPoint) -> float | None:
-    """The tool's path from point to point [m], along an arc, else the chord; None where only the joints know an end.
+    """The tool's path from point to point [m], along a curve, else the chord; None where only the joints know an end.
     Such an end makes no zone smaller."""
-    if b.circle is not None:
-        return b.circle.length
+    if b.curve is not None:
+        return b.curve.length
     if a.X_WF is None or b.X_WF is None:
         return None
     return float(np.linalg.norm((a.X_WF @ b.X_FT - b.X_WT)[:3, 3]))
@@ -260,27 +263,14 @@ def _other_frame(move: Move | None, after: Move | None) -> bool | None:
     return moved and not (same_name and (move.settings.displaced or after.settings.displaced))
 
 
-def arc_to(X_WF_before: Array, point: ProgramPoint, R: Array | None = None) -> Arc:
-    """The arc of a MoveC from where the flange is before it, on a table as that stands there. R (m, 3, 3): rotations on
-    it.
+def path_to(X_WF_before: Array, point: ProgramPoint) -> Path:
+    """The path of a move that prescribes one, from where the flange is before it.
 
-    Raises InputError where its three points lie on one line or in one place, with its place in the program.
+    Raises InputError where there is none, with its place in the program.
     """
-    move, X_0, X_1 = point.move, X_WF_before @ point.X_FT, point.X_WT
-    assert isinstance(move, MoveC)
-    units = turned_under(move)
-    X_1, X_V = turned_back(units, X_1), turned_back(units, move.X_WV)
-    chord = Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R)
-    arc = Arc.through(chord, X_V, move.settings.circle)
-    if arc is None:
-        places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, X_V, X_1))
-        file, line, column = move.source
-        raise InputError(
-            f"{point.name}: start, point on the way and end {places} mm lie on one line, no circle leads through them;"
-            " move the point on the way, or use MoveL",
-            file=file, line=line, column=column, kind=ErrorKind.PROGRAM,
-        )  # fmt: skip
-    return arc
+    X_0, move = X_WF_before @ point.X_FT, point.move
+    assert isinstance(move, PathMove)
+    return wanted_path(move, X_0, turned_back(turned_under(move), point.X_WT), X_0[None, :3, :3])
 
 
 def stays(stop: ProgramPoint, X_WF_before: Array) -> bool:

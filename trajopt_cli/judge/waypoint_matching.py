@@ -205,9 +205,9 @@ def passages(rows: Rows, frame: ToolKinematics, point: ProgramPoint) -> tuple[Ev
     distance, fraction = off_chords(frame.p, P, close)
     near = distance <= size + frame.reach[close]
     away = close[:0]
-    if point.circle is not None:
+    if point.curve is not None:
         nearest = frame.p[close] + fraction[:, None] * (frame.p[close + 1] - frame.p[close])
-        first_half = point.circle.progress(nearest) < 0.5
+        first_half = point.curve.progress(nearest) < 0.5
         away, near = close[first_half], near & ~first_half
     close, distance = close[near], distance[near]
     gaps = [
@@ -300,8 +300,8 @@ def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[Prog
         key = tuple(
             None if part is None else np.asarray(part).tobytes() for part in (point.X_WF, point.X_FT, point.arm)
         )
-        circle = None if point.circle is None or point.fly_by is None else id(point)
-        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle)
+        curve = None if point.curve is None or point.fly_by is None else id(point)
+        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, curve)
         if full not in known:
             frame = frames[np.asarray(point.X_FT).tobytes()]
             if point.fly_by is not None:
@@ -335,7 +335,7 @@ def _cut(
             continue
         frame, P, parts = frames[np.asarray(point.X_FT).tobytes()], point.X_WT[:3, 3], list[Event]()
         chord = float(np.linalg.norm(stop.X_WT[:3, 3] - P))
-        path = (chord if stop.circle is None else stop.circle.length) - point.fly_by.radius
+        path = (chord if stop.curve is None else stop.curve.length) - point.fly_by.radius
         for event in own:
             first = event.first
             for end in (one.end for one in events[k + 1] if len(one.good) and one.end <= event.best):
