@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from math import inf
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.warnings import ProgramWarning
@@ -338,7 +338,10 @@ class PoseMove(_Move):
     """To a pose of the tool: MoveJ, MoveL, MoveC and what else is written so.
 
     X_WO: the frame in which the target is written, program displacement included, so X_WT = X_WO X_OT; shared by
-    the motions that have the same one. None where there is none (a work object that the robot holds)."""
+    the motions that have the same one. None where there is none (a work object that the robot holds). via: names of the
+    arguments before ToPoint."""
+
+    via: ClassVar[tuple[str, ...]] = ()
 
     X_WT: Array
     conf: ConfData
@@ -370,6 +373,8 @@ class MoveL(PathMove):
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MoveC(PathMove):
     """To the pose X_WT on the arc through X_WV's position; how the tool turns, settings.circle says."""
+
+    via: ClassVar[tuple[str, ...]] = ("CirPoint",)
 
     X_WV: Array
 

@@ -162,7 +162,7 @@ def test_rows_of_lines_are_tangents_of_distances() -> None:
     assert isinstance(motion, PathLeg)
     assert isinstance(motion.segment, Line)
     arm, track = motion.node_arm(AXES), LineSymbols(False)
-    path = track.vector(motion.segment, np.linalg.inv(AXES.X_WB0), motion.X_FT)
+    path = motion.segment.parameters(np.linalg.inv(AXES.X_WB0), motion.X_FT)
     seen = 0
     for node, tangent in tangents(plant, 1, AXES.layout.merge(motion.d, arm)):
         p = {"path": path, "branch": AXES.robot.expressions.branch(motion.cfx), "near": arm[node], **tangent}
@@ -184,7 +184,7 @@ def test_rows_of_a_robot_without_a_rail_have_no_rail() -> None:
     arm = axes.inverse(line.pose(np.array([0.3])), np.zeros(1))[0, 0]
     gradient = np.vstack([np.arange(1.0, 7.0), np.zeros((DEFAULT.body_pairs - 1, 6))])
     p = {
-        "path": track.vector(line, np.linalg.inv(axes.X_WB0), np.eye(4)),
+        "path": line.parameters(np.linalg.inv(axes.X_WB0), np.eye(4)),
         "branch": axes.robot.expressions.branch(0),
         "near": arm,
         "gradient": gradient,

@@ -138,7 +138,7 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
         qd = inverse_velocity(axes.robot, q, twist * v / T, w / T, X_FT)
         qdd = inverse_acceleration(axes.robot, q, qd, (twist * a + bend * v**2) / T**2, b / T**2, X_FT)
         A = forward_acceleration(axes.robot, q, qd, qdd, X_FT)[:3]
-        p = {"path": symbols.vector(arc, inverse_pose(axes.X_WB0), X_FT), "branch": BranchSigns.from_cfx(cfx).vector()}
+        p = {"path": arc.parameters(inverse_pose(axes.X_WB0), X_FT), "branch": BranchSigns.from_cfx(cfx).vector()}
         p |= {"near": q[axes.layout.arm]}
         z = {"s": s, "v": v, "d": rails(axes, d), "w": rails(axes, w), "a_l": a, "b_l": rails(axes, b), "T": T}
         got = node.value(z, {**p, **at_node(axes.velocity, axes.acceleration, np.ones(k))})

@@ -158,7 +158,7 @@ def test_third_derivatives_along_a_line_are_those_of_its_joints() -> None:
 
     z = {"s": s, "v": v, "a": a, "d": [d], "w": [w], "b": [b], "T": T, "ja_l": ja, "jb_l": [jb]}
     p = {
-        "path": LineSymbols(False).vector(line, inverse_pose(axes.X_WB0), np.eye(4)),
+        "path": line.parameters(inverse_pose(axes.X_WB0), np.eye(4)),
         "branch": axes.robot.expressions.branch(0), "near": joints(at), "V": axes.velocity, "A": axes.acceleration,
         "room": np.ones(7), "jerk": axes.jerk,
     }  # fmt: skip

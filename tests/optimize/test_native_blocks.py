@@ -33,7 +33,7 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
     "node": [(track, sides) for track in (TRACKS[0], TRACKS[-1], JOINTS, DWELL) for sides in SIDES]
     + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True), (DWELL, "lr", True)],
     "law_interval": [(10,)],
-    "clear_path": [(track,) for track in (TRACKS[0], TRACKS[-1], None)],
+    "clear_path": [(track,) for track in (TRACKS[0], TRACKS[-1], DWELL)],
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import casadi as ca
 import numpy as np
 from hypothesis import strategies as st
@@ -11,15 +9,9 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.path.segment import Segment
+from trajopt_cli.path.symbols import Symbols
 
 STEPS = (1e-3, 3e-4, 1e-4)  # of s, for central differences
-
-
-class Symbols(Protocol):
-    @property
-    def size(self) -> int: ...
-
-    def flange(self, p: ca.SX, s: ca.SX) -> tuple[ca.SX, ca.SX]: ...
 
 
 def random_pose(rng: np.random.Generator, size: float = 0.5) -> Array:
@@ -58,10 +50,11 @@ def check_slopes(segment: Segment, rng: np.random.Generator, bound: float) -> No
         np.testing.assert_allclose(second, rate, rtol=0, atol=bound * h**2 + 16e-15 / h**2)
 
 
-def check_expression(
-    symbols: Symbols, p: Array, segment: Segment, X_BA: Array, X_FT: Array, rng: np.random.Generator
-) -> None:
-    """The flange as an expression, and CasADi's slopes of it, against the segment's numbers."""
+def check_expression(segment: Segment, rng: np.random.Generator, symbols: Symbols | None = None) -> None:
+    """The flange as an expression, and CasADi's slopes of it, against the segment's numbers. symbols: those of a kind
+    that serves it, too."""
+    X_BA, X_FT, symbols = random_pose(rng), random_pose(rng, 0.2), symbols or segment.symbols
+    p = segment.parameters(X_BA, X_FT)
     P, S = ca.SX.sym("p", symbols.size), ca.SX.sym("s")
     position, rotation = symbols.flange(P, S)
     tool = position + rotation @ ca.DM(X_FT[:3, 3])

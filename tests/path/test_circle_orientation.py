@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from path_checks import check_expression, check_slopes, random_pose
+from path_checks import check_expression, check_slopes
 from scipy.spatial.transform import Rotation, Slerp
 from small_cells import plant_without_rail, rapid
 
@@ -16,7 +16,7 @@ from trajopt_cli.geometry import Array, pose
 from trajopt_cli.judge.geometry import Arc as JudgesArc
 from trajopt_cli.judge.geometry import Line as JudgesLine
 from trajopt_cli.motion import CirPathMode, MoveC, MoveL, Program
-from trajopt_cli.path.arc import Arc, ArcSymbols
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
@@ -212,12 +212,8 @@ def test_slopes_and_expressions_in_every_mode(mode: CirPathMode) -> None:
         rates = np.linalg.norm(arc.twist(np.linspace(0, 1, 2001))[:, 3:], axis=1)
         assert arc.angle == pytest.approx(np.trapezoid(rates, dx=1 / 2000), rel=1e-3)
         assert arc.fastest_turn == pytest.approx(rates.max(), rel=1e-4)
-        symbols, X_BA, X_FT = ArcSymbols.of(arc), random_pose(rng), random_pose(rng, 0.2)
-        assert (symbols.spins, symbols.turns == 2) == (mode is MODES[0], mode is MODES[2])
-        check_expression(symbols, symbols.vector(arc, X_BA, X_FT), arc, X_BA, X_FT, rng)
-        if mode is not MODES[1]:
-            with pytest.raises(ValueError, match="has no parameters"):
-                ArcSymbols().vector(arc, X_BA, X_FT)
+        assert (arc.symbols.spins, arc.symbols.turns == 2) == (mode is MODES[0], mode is MODES[2])
+        check_expression(arc, rng)
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -231,11 +227,15 @@ def test_corners_of_such_arcs_are_smooth(mode: CirPathMode) -> None:
         corner = Corner.of_zone(arc, line, size, 1.5 * size)
         check_slopes(corner, rng, bound=400.0)
         ends = corner.twist(np.array([0.0, 1.0]))
-        np.testing.assert_allclose(ends[0], 2 * corner.share_before * arc.twist(np.array([1 - corner.share_before]))[0])
-        np.testing.assert_allclose(ends[1], 2 * corner.share_after * line.twist(np.array([corner.share_after]))[0])
+        np.testing.assert_allclose(
+            ends[0], 2 * corner.fraction_before * arc.twist(np.array([1 - corner.fraction_before]))[0]
+        )
+        np.testing.assert_allclose(
+            ends[1], 2 * corner.fraction_after * line.twist(np.array([corner.fraction_after]))[0]
+        )
         X = corner.pose(np.array([0.0, 1.0]))
-        np.testing.assert_allclose(X[0], arc.pose(np.array([1 - corner.share_before]))[0], atol=1e-12)
-        np.testing.assert_allclose(X[1], line.pose(np.array([corner.share_after]))[0], atol=1e-12)
+        np.testing.assert_allclose(X[0], arc.pose(np.array([1 - corner.fraction_before]))[0], atol=1e-12)
+        np.testing.assert_allclose(X[1], line.pose(np.array([corner.fraction_after]))[0], atol=1e-12)
 
 
 @pytest.mark.parametrize("about", [0.0, 0.7])

@@ -13,10 +13,10 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
-from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import along_all
 
 S = np.linspace(0, 1, 41)
 KINDS = ("line", "arc")
@@ -76,8 +76,8 @@ def test_many_segments_at_once_say_what_each_says(seed: int, bent: tuple[float, 
 def test_between_lines_a_corner_is_the_parabola_entry_point_exit(seed: int) -> None:
     corner = some_corner(np.random.default_rng(seed), ("line", "line"), (1.0, 1.0))
     point = corner.after.X_0
-    entry = corner.before.pose(np.array([1 - corner.share_before]))[0]
-    end = corner.after.pose(np.array([corner.share_after]))[0]
+    entry = corner.before.pose(np.array([1 - corner.fraction_before]))[0]
+    end = corner.after.pose(np.array([corner.fraction_after]))[0]
     u = S[:, None]
     wanted = (1 - u) ** 2 * entry[:3, 3] + 2 * u * (1 - u) * point[:3, 3] + u**2 * end[:3, 3]
     got = corner.pose(S)
@@ -119,7 +119,7 @@ def test_a_corner_goes_over_into_its_neighbours_with_their_rates(
     seed: int, one: str, other: str, bent: tuple[float, float]
 ) -> None:
     corner = some_corner(np.random.default_rng(seed), (one, other), bent)
-    before, after, a, b = corner.before, corner.after, corner.share_before, corner.share_after
+    before, after, a, b = corner.before, corner.after, corner.fraction_before, corner.fraction_after
     ends = np.array([0.0, 1.0])
     np.testing.assert_allclose(
         corner.pose(ends), [before.pose(np.array([1 - a]))[0], after.pose(np.array([b]))[0]], rtol=0, atol=1e-13
@@ -140,14 +140,14 @@ def test_a_corner_goes_over_into_its_neighbours_with_their_rates(
 def test_a_corner_stays_in_its_zone(seed: int, one: str, other: str, bent: tuple[float, float]) -> None:
     """Inside the sphere while the position is bent, and on the segments before and after."""
     corner = some_corner(np.random.default_rng(seed), (one, other), bent)
-    radius = corner.position * corner.share_before * corner.before.length
+    radius = corner.position * corner.fraction_before * corner.before.length
     s = np.linspace(0, 1, 403)[1:-1]  # none on the edge of a part
     p = corner.pose(s)[:, :3, 3]
     bend = np.abs(s - 0.5) <= corner.position / 2
     assert np.linalg.norm(p[bend] - corner.after.X_0[:3, 3], axis=1).max() <= radius * (1 + 1e-12)
     first, last = s[~bend & (s < 0.5)], s[~bend & (s > 0.5)]
-    on_before = corner.before.pose(1 - corner.share_before * (1 - 2 * first))[:, :3, 3]
-    on_after = corner.after.pose(corner.share_after * (2 * last - 1))[:, :3, 3]
+    on_before = corner.before.pose(1 - corner.fraction_before * (1 - 2 * first))[:, :3, 3]
+    on_after = corner.after.pose(corner.fraction_after * (2 * last - 1))[:, :3, 3]
     np.testing.assert_allclose(p[~bend], np.vstack([on_before, on_after]), rtol=0, atol=1e-14)
 
 
@@ -173,7 +173,7 @@ def test_what_is_no_corner_is_refused() -> None:
     with pytest.raises(InputError, match="needs zones above 0 mm, found 0 mm"):
         Corner.of_zone(before, after, 0.0, 0.05)
     half = Corner.of_zone(before, after, 0.05 * (1 + 1e-9), 0.025)  # rounding beyond the middle is let pass
-    assert (half.share_before, half.share_after) == pytest.approx((0.5, 1 / 6))
+    assert (half.fraction_before, half.fraction_after) == pytest.approx((0.5, 1 / 6))
     assert (half.position, half.orientation) == pytest.approx((1.0, 0.5))
     with pytest.raises(InputError, match="reaches beyond the middle of a way of 100 mm"):
         Corner.of_zone(before, after, 0.05 * (1 + 3e-9), 0.02)
@@ -189,7 +189,7 @@ def test_what_is_no_corner_is_refused() -> None:
                 Corner(before, Line(moved_1, X[2]), 0.5, 0.5)
     with pytest.raises(ValueError, match="one of them is 1"):
         Corner(before, after, 0.5, 0.5, 0.5, 0.5)
-    with pytest.raises(ValueError, match="0 is no share of a segment"):
+    with pytest.raises(ValueError, match="0 is no fraction of a segment"):
         Corner(before, after, 0.5, 0.0)
     with pytest.raises(ValueError, match=r"does not begin where the other ends: 100\.000000 mm apart"):
         Corner(before, Line(X[0], X[2]), 0.5, 0.5)

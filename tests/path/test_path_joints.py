@@ -69,9 +69,9 @@ def test_a_corner_meets_any_two_ends_with_their_rates(k: int) -> None:
 
 def test_what_is_no_corner_is_refused() -> None:
     before, after = two_moves(np.random.default_rng(0))
-    with pytest.raises(ValueError, match="0 is no share of a segment"):
+    with pytest.raises(ValueError, match="0 is no fraction of a segment"):
         JointCorner.between(before, after, 0.0, 0.5)
-    with pytest.raises(ValueError, match=r"1\.1 is no share of a segment"):
+    with pytest.raises(ValueError, match=r"1\.1 is no fraction of a segment"):
         JointCorner.between(before, after, 0.5, 1.1)
     with pytest.raises(ValueError, match="the move after the corner begins at"):
         JointCorner.between(after, before, 0.5, 0.5)

@@ -9,11 +9,9 @@ from hypothesis import given, settings
 from path_checks import check_expression, check_same_way, check_slopes, random_pose, seeds
 from scipy.spatial.transform import Rotation, Slerp
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
-from trajopt_cli.path.dwell import Dwell, DwellSymbols
-from trajopt_cli.path.line import Line, LineSymbols, poses_of_many
-from trajopt_cli.path.segment import check_shares, share_of, way
+from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path.segment import along_all, check_fractions
 from trajopt_cli.path.symbols import Layout
 
 S = np.linspace(0, 1, 21)
@@ -63,13 +61,12 @@ def test_a_line_is_the_same_in_any_frame_and_backwards(seed: int) -> None:
 @pytest.mark.parametrize("turning", [True, False])
 def test_the_expression_of_a_line_says_what_its_numbers_say(turning: bool) -> None:
     rng = np.random.default_rng(1)
-    symbols = LineSymbols(turning)
-    assert symbols.size == 22
     for _ in range(8):
-        line, X_BA, X_FT = some_line(rng), random_pose(rng), random_pose(rng, 0.2)
+        line = some_line(rng)
         if not turning:
             line = Line(line.X_0, pose(line.X_0[:3, :3], line.X_1[:3, 3]))
-        check_expression(symbols, symbols.vector(line, X_BA, X_FT), line, X_BA, X_FT, rng)
+        assert (line.symbols, line.symbols.size) == (LineSymbols(turning), 22)
+        check_expression(line, rng)
 
 
 def test_many_lines_at_once_are_lines() -> None:
@@ -77,70 +74,28 @@ def test_many_lines_at_once_are_lines() -> None:
     X = random_pose(rng)
     lines = [some_line(rng) for _ in range(20)]
     lines += [Line(X, X), Line(X, pose(X[:3, :3], [1, 2, 3])), Line(X, pose(random_pose(rng)[:3, :3], X[:3, 3]))]
-    together = poses_of_many(np.array([line.X_0 for line in lines]), np.array([line.X_1 for line in lines]), S)
+    together = along_all(lines, [S] * len(lines))[0].reshape(len(lines), len(S), 4, 4)
     for line, poses in zip(lines, together, strict=True):
         np.testing.assert_allclose(poses, line.pose(S), rtol=0, atol=1e-14)
 
 
-def test_a_dwell_rests() -> None:
+def test_on_a_line_of_no_length_the_tool_rests() -> None:
     rng = np.random.default_rng(3)
-    X, X_BA, X_FT = random_pose(rng), random_pose(rng), random_pose(rng, 0.2)
-    dwell = Dwell(X)
-    assert (dwell.length, dwell.angle) == (0, 0)
-    np.testing.assert_array_equal(dwell.pose(S), np.broadcast_to(X, (21, 4, 4)))
+    X = random_pose(rng)
+    dwell = Line(X, X)
+    assert (dwell.length, dwell.angle) == (0, pytest.approx(0, abs=1e-15))
+    np.testing.assert_allclose(dwell.pose(S), np.broadcast_to(X, (21, 4, 4)), rtol=0, atol=1e-15)
     check_slopes(dwell, rng, bound=0.0)
-    symbols = DwellSymbols()
-
-    class AtEveryShare:
-        size = symbols.size
-
-        def flange(self, p: ca.SX, s: ca.SX) -> tuple[ca.SX, ca.SX]:
-            return symbols.flange(p)
-
-    check_expression(AtEveryShare(), symbols.vector(dwell, X_BA, X_FT), dwell, X_BA, X_FT, rng)
-    # a block of lines serves dwells
-    check_expression(LineSymbols(False), symbols.vector(dwell, X_BA, X_FT), dwell, X_BA, X_FT, rng)
+    check_expression(dwell, rng)
+    P, S0 = ca.SX.sym("p", 22), ca.SX.sym("s")
+    assert not ca.depends_on(ca.veccat(*LineSymbols(False).flange(P, 0.0)), S0)
 
 
-def test_ways_are_lengths_or_angles() -> None:
-    X = np.eye(4)
-    turned = pose(Rotation.from_rotvec([0, 0, 0.5]).as_matrix(), [0, 0, 0])
-    moved = pose(turned[:3, :3], [0, 0.2, 0])
-    assert way(Line(X, moved)) == (0.2, "m")
-    assert way(Line(X, turned)) == (pytest.approx(0.5), "rad")
-    assert way(Dwell(X)) == (0.0, "m")
-    assert share_of(Line(X, moved), 0.05) == pytest.approx(0.25)
-    assert share_of(Line(X, turned), 0.1) == pytest.approx(0.2)
-    with pytest.raises(InputError, match=r"0\.3 m is not on a segment of 0\.2 m"):
-        share_of(Line(X, moved), 0.3)
-    with pytest.raises(InputError, match="neither moves nor turns"):
-        share_of(Dwell(X), 0.0)
-
-
-def test_what_is_no_way_at_all() -> None:
-    """Up to a nanometre, or as many radians; and as far beside the ends of a way a share may be asked for."""
-    X = np.eye(4)
-    for size, there in ((0.9e-9, False), (1.1e-9, True)):
-        turn = pose(Rotation.from_rotvec([0, 0, 0.5]).as_matrix(), [size, 0, 0])
-        assert way(Line(X, turn))[1] == ("m" if there else "rad")
-        small = Line(X, pose(Rotation.from_rotvec([0, 0, size]).as_matrix(), [0, 0, 0]))
-        assert way(small) == ((pytest.approx(size), "rad") if there else (0.0, "m"))
-        if there:
-            assert share_of(Line(X, pose(np.eye(3), [size, 0, 0])), size / 2) == pytest.approx(0.5)
-        else:
-            with pytest.raises(InputError, match="neither moves nor turns"):
-                share_of(Line(X, pose(np.eye(3), [size, 0, 0])), 0.0)
-        moved = Line(X, pose(np.eye(3), [0.2, 0, 0]))
-        for sigma, share in ((-size, 0.0), (0.2 + size, 1.0)):
-            if there:
-                with pytest.raises(InputError, match=r"is not on a segment of 0\.2 m"):
-                    share_of(moved, sigma)
-            else:
-                assert share_of(moved, sigma) == share
-    check_shares(1.0, 1e-12)
-    for share in (0.0, -0.1, 1 + 1e-12, np.nan):
-        with pytest.raises(ValueError, match="is no share of a segment; give one above 0 and up to 1"):
-            check_shares(0.5, share)
+def test_what_is_no_part_of_a_segment() -> None:
+    check_fractions(1.0, 1e-12)
+    for fraction in (0.0, -0.1, 1 + 1e-12, np.nan):
+        with pytest.raises(ValueError, match="is no fraction of a segment; give one above 0 and up to 1"):
+            check_fractions(0.5, fraction)
 
 
 def test_a_layout_refuses_what_it_does_not_know() -> None:

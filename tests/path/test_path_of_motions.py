@@ -11,9 +11,8 @@ from small_cells import rapid
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import MoveC, MoveL, Wait
+from trajopt_cli.motion import MoveC, MoveL
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.segment import Segment
@@ -32,20 +31,19 @@ def ways(body: str) -> list[Segment]:
     X_WT: Array = first.X_WT
     out: list[Segment] = []
     for motion in rest:
-        assert isinstance(motion, MoveL | MoveC | Wait)
+        assert isinstance(motion, MoveL | MoveC)
         out.append(segment_of(motion, X_WT))
-        X_WT = X_WT if isinstance(motion, Wait) else motion.X_WT
+        X_WT = motion.X_WT
     return out
 
 
-def test_lines_arcs_and_waits_are_segments_one_after_the_other() -> None:
-    line, wait, arc = ways(
-        f"MoveL {at(500, 0, 500)},v100,fine,tool0; MoveL {at(500, 100, 500)},v100,fine,tool0; WaitTime 1;"
+def test_lines_and_arcs_are_segments_one_after_the_other() -> None:
+    line, arc = ways(
+        f"MoveL {at(500, 0, 500)},v100,fine,tool0; MoveL {at(500, 100, 500)},v100,fine,tool0;"
         f" MoveC {at(500, 150, 550)},{at(500, 200, 500)},v100,fine,tool0;"
     )
-    assert (type(line), type(wait), type(arc)) == (Line, Dwell, Arc)
+    assert (type(line), type(arc)) == (Line, Arc)
     ends = np.array([0.0, 1.0])
-    assert np.array_equal(line.pose(ends)[1], wait.pose(ends)[0])
     np.testing.assert_allclose(arc.pose(ends)[0], line.pose(ends)[1], rtol=0, atol=1e-15)
     # half a circle of 50 mm radius about (500, 150, 500)
     assert line.length == pytest.approx(0.1, rel=1e-12)

@@ -12,7 +12,8 @@ from path_checks import check_expression, check_slopes, random_pose, seeds
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
-from trajopt_cli.path.turning import Turn, Turning, TurningSymbols, over_work, turned_back
+from trajopt_cli.path.segment import over_work
+from trajopt_cli.path.turning import Turn, Turning, TurningSymbols, turned_back
 
 S = np.linspace(0, 1, 41)
 
@@ -40,9 +41,9 @@ def test_slopes_are_those_of_the_poses(seed: int, axes: int, round_: bool) -> No
 @settings(max_examples=15)
 def test_the_expression_says_what_the_numbers_say(seed: int, axes: int, round_: bool) -> None:
     rng = np.random.default_rng(seed)
-    segment, X_BA, X_FT = some(rng, axes, round_), random_pose(rng), random_pose(rng)
-    symbols = TurningSymbols(ArcSymbols() if round_ else LineSymbols(), axes)
-    check_expression(symbols, symbols.vector(segment, X_BA, X_FT), segment, X_BA, X_FT, rng)
+    segment = some(rng, axes, round_)
+    assert segment.symbols == TurningSymbols(ArcSymbols() if round_ else LineSymbols(), axes)
+    check_expression(segment, rng)
 
 
 def test_a_point_on_the_table_stays_on_a_circle() -> None:
@@ -103,7 +104,7 @@ def test_caps_hold_for_what_the_tool_does_over_the_work() -> None:
     twist, bend = (np.vstack([getattr(over, name)(shares[0]), getattr(line, name)(shares[1])])
                    for name in ("twist", "twist_rate"))  # fmt: skip
     seen = over_work([over, line], shares, twist, bend)
-    np.testing.assert_array_equal(seen[0], np.vstack([over.way.twist(shares[0]), twist[3:]]))
+    np.testing.assert_array_equal(seen[0], np.vstack([over.path.twist(shares[0]), twist[3:]]))
     np.testing.assert_array_equal(seen[1], np.zeros((7, 6)))
     assert bend[:3].any()
 

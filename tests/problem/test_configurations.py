@@ -14,7 +14,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Motion, MoveL, Settings, Singularity
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.configurations import ConfigurationFinding, Misfit, check_configurations
-from trajopt_cli.problem.path_ik import ArmLine, follow
+from trajopt_cli.problem.path_ik import ArmPath, follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.robot.inverse import confdata
@@ -246,10 +246,10 @@ def test_after_a_free_move_the_nearest_configuration_is_where_it_goes_on() -> No
     assert [f.misfit for f in findings(free, to(END, MoveL, conf=ConfData(0, -2, -2, 1)))] == [Misfit.FLIP]
 
 
-def newton(X_0: Array, X_1: Array, X_FT: Array, q: Array, samples: int = 60) -> Array:
+def newton(line: Line, X_FT: Array, q: Array, samples: int = 60) -> Array:
     """Joints at the end of a line, by Newton's method from sample to sample: no closed form, no branches."""
     robot, q = BENCH_PLANT.robot, q.copy()
-    for X_WT in Line(X_0 @ X_FT, X_1 @ X_FT).pose(np.linspace(0, 1, samples)):
+    for X_WT in line.pose(np.linspace(0, 1, samples)):
         for _ in range(4):
             now = robot.forward(q) @ X_FT
             v = wxyz_from_rotation(X_WT[:3, :3] @ now[:3, :3].T)
@@ -268,12 +268,12 @@ def test_random_lines_end_where_newtons_method_ends() -> None:
         turn = rotation_about(step[3:] / np.linalg.norm(step[3:]), float(np.linalg.norm(step[3:])))
         X_0 = robot.forward(q_0)
         X_1 = pose(turn @ X_0[:3, :3], X_0[:3, 3] + step[:3])
-        lines.append(ArmLine(X_0, X_1, X_FT, (0.0, 0.0), q_0))
+        lines.append((line := Line(X_0 @ X_FT, X_1 @ X_FT), ArmPath(line, X_FT, (0.0, 0.0), q_0)))
     compared = 0
-    for line, followed in zip(lines, follow(BENCH_PLANT, lines), strict=True):
+    for (line, path), followed in zip(lines, follow(BENCH_PLANT, [path for _, path in lines]), strict=True):
         assert followed is not None
         if followed.lost is None and followed.singular is None:
-            np.testing.assert_allclose(followed.end, newton(line.X_WF_0, line.X_WF_1, X_FT, line.q), rtol=0, atol=1e-6)
+            np.testing.assert_allclose(followed.end, newton(line, X_FT, path.q), rtol=0, atol=1e-6)
             compared += 1
             low, high = BENCH_PLANT.limits.lower, BENCH_PLANT.limits.upper
             if followed.whole:

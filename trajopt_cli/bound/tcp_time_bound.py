@@ -12,9 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.segment import POINT, Segment
-from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 
@@ -117,10 +115,9 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[TcpPart | Gate]:
     if way <= POINT:  # a turn in place: its zones are angles
         left = turn - sum(zone.turning for zone in zones if zone is not None)
         return [TcpPart(0.0, v, max(left, 0.0) / v_ori)]
-    arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
-    if isinstance(arc, Arc):
-        v = min(v, float(np.sqrt(leg.a_tcp * arc.radius)))
-        turn = turn if arc.even else 0.0  # where it turns slowly nobody can say what a part of it takes
+    v = min(v, float(np.sqrt(leg.a_tcp * leg.segment.radius)))
+    if not leg.segment.evenly_turned:
+        turn = 0.0  # where it turns slowly nobody can say what a part of it takes
     begins, ends_at = (0.0 if zone is None else zone.turning for zone in zones)
     exact = max(way - begins - ends_at, 0.0)
     steady = min(v, v_ori * way / turn) if turn > 0 else v

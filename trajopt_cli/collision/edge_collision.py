@@ -15,7 +15,6 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.collision.roadmap import Roadmap, about
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import CheckedPairs, States
@@ -179,9 +178,7 @@ class EdgeCollision:
     def _lines_free(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
         """Whether (m,) lines, arcs and waits between axes (m, n) are clear, the rail in proportion to the way."""
         leg, axes, m = problem.legs[k], self._axes, len(q_0)
-        X_WF = problem.waypoints[k].X_WF
-        still = Line(X_WF @ leg.X_FT, X_WF @ leg.X_FT)
-        segment = leg.segment or still
+        segment = problem.segment(k)
         rails = np.stack([axes.layout.place(q_0), axes.layout.place(q_1)])
         far = max(segment.length, 0.3 * segment.angle, float(np.abs(np.diff(rails, axis=0)).max(initial=0.0)))
         shares = np.linspace(0, 1, 2 + int(far / 0.01))

@@ -17,7 +17,6 @@ from trajopt_cli.nlp.extract_solution import read
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
 from trajopt_cli.nlp.transcription import Transcription
-from trajopt_cli.path.line import Line
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Patience
@@ -190,9 +189,8 @@ def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
 def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, nodes: Sequence[Array]) -> PathLeg:
     """A line, an arc or a wait of T seconds on an even grid. nodes: s, v, a, d, w, b."""
     leg = problem.legs[k]
-    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
     grid = np.linspace(0, 1, len(nodes[0]))
-    return PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
+    return PathLeg(T, problem.segment(k), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
 
 
 def slowed(problem: Problem, draft: Iterate, times: float) -> Iterate:

@@ -24,21 +24,19 @@ from trajopt_cli.native.store import exact
 from trajopt_cli.nlp.block_cache import Library
 from trajopt_cli.nlp.block_cache import library as users_library
 from trajopt_cli.nlp.constraint import Relation, Rows, Shapes
-from trajopt_cli.path.arc import ArcSymbols
-from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
-from trajopt_cli.path.turning import TurningSymbols
+from trajopt_cli.path.symbols import Symbols
 from trajopt_cli.robot.symbolic import Reached
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.joint_range import JointRange
 from trajopt_cli.trajectories.limits.limit import INF, Limit, NodeMotion, Row, Share
 
-Track = LineSymbols | ArcSymbols | TurningSymbols
 DWELL, JOINTS = "dwell", "joints"
+_REST = LineSymbols(turning=False)  # where the tool rests it is on a line of no length
 OwnShapes = dict[str, tuple[int, ...]]
-Place = Track | str
-"""Where a node is: on the path of a track, in a dwell, or in a joint move on a grid."""
+Place = Symbols | str
+"""Where a node is: on a path of some kind, in a dwell, or in a joint move on a grid."""
 
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
 
@@ -70,7 +68,7 @@ class Formulation:
         self._cache: dict[tuple[object, ...], Relation] = {}
         self.smooth = axes.jerk is not None
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
-        self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
+        self._on_path: Shapes = {"path": (_REST.size,), "branch": (3,), "near": self._joints}
 
     def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
         names = (*key, *z)
@@ -109,7 +107,7 @@ class Formulation:
 
     def _resting(self, p: SimpleNamespace, d: ca.SX) -> Reached:
         """Joints and walls where the flange rests in the path's first pose and the rail stands at d."""
-        flange = DwellSymbols().flange(p.path)
+        flange = _REST.flange(p.path, 0.0)
         return self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
 
     def _inverse(self, position: ca.SX, rotation: ca.SX, p: SimpleNamespace) -> Reached:
@@ -200,11 +198,7 @@ class Formulation:
         acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
         ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
         at, qd, qdds, qddds = _carried(placed, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, jerks)
-        track, path = place, p.path
-        if isinstance(track, TurningSymbols):  # against the work object
-            track, path = track.way, track.layout.split(path)["way"]
-        inward = 0.0 if isinstance(track, LineSymbols) else track.layout.split(path)["sweep"]
-        share = Share(z.v, acc, inward)
+        share = Share(z.v, acc, place.tangent_rate(p.path, z.s))
         node = self._joined(z, at, qd, rail_acc, qdds, [j[1:, 0] for j in jerks], qddds, share, ends)
         return node, self._walls(at)
 
@@ -241,19 +235,20 @@ class Formulation:
             ("clear",), {"q": self._all}, self._tangents, lambda z, p: [(p.gradient @ z.q - p.least, 0.0, INF)]
         )
 
-    def clear_path(self, track: Track | None) -> Relation:
-        """The same at a node of a path, of a dwell where there is no track: q = (d, IK(X(s), d))."""
-        share: Shapes = {} if track is None else {"s": ()}
+    def clear_path(self, place: Place) -> Relation:
+        """The same at a node of a path or a dwell: q = (d, IK(X(s), d))."""
+        on_path = isinstance(place, Symbols)
+        path = place if isinstance(place, Symbols) else _REST
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            flange = DwellSymbols().flange(p.path) if track is None else track.flange(p.path, z.s)
+            flange = path.flange(p.path, z.s if on_path else 0.0)
             d = ca.vec(z.d)
             at = self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
             return [(p.gradient[:, self.arm] @ at.q + p.gradient[:, self.rail] @ d - p.least, 0.0, INF)]
 
-        path = (DwellSymbols().size if track is None else track.size,)
-        p = {**self._on_path, "path": path, **self._tangents}
-        return self._relation(("clear path", track), {**share, "d": self._rails}, p, rows)
+        p = {**self._on_path, "path": (path.size,), **self._tangents}
+        z: Shapes = {"s": (), "d": self._rails} if on_path else {"d": self._rails}
+        return self._relation(("clear path", place), z, p, rows)
 
     @property
     def _tangents(self) -> Shapes:

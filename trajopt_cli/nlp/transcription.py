@@ -17,12 +17,9 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.nlp.clearances import Tangents
 from trajopt_cli.nlp.constraint import NOTHING, Parts, Relation
-from trajopt_cli.nlp.formulation import DWELL, JOINTS, LEFT, RIGHT, Formulation, Place, Track
+from trajopt_cli.nlp.formulation import DWELL, JOINTS, LEFT, RIGHT, Formulation, Place
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
-from trajopt_cli.path.arc import Arc, ArcSymbols
-from trajopt_cli.path.dwell import Dwell, DwellSymbols
-from trajopt_cli.path.line import Line, LineSymbols
-from trajopt_cli.path.turning import Turning, TurningSymbols
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -156,7 +153,7 @@ class Transcription:
             A = np.zeros(axes.n) if rest else axes.acceleration
             self.waypoint_qdd.append(nlp.variables(np.zeros(axes.n) if rest else np.clip(qdd, -A, A), -A, A))
         p = {
-            "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
+            "path": Line(stop.X_WF, stop.X_WF).parameters(inverse_pose(axes.X_WB0), np.eye(4)),
             "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
             "near": q[arm],
         }
@@ -286,25 +283,11 @@ class Transcription:
             self.nlp.minimise(int(one))
         return e
 
-    def _track(self, leg: Leg, motion: PathLeg) -> tuple[Track, Array]:
-        """A path's kind, and its parameters."""
-        X_BW, turning, segment = inverse_pose(self.axes.X_WB0), leg.angle > 1e-9, motion.segment
-        if isinstance(segment, Turning):
-            way = ArcSymbols.of(segment.way) if isinstance(segment.way, Arc) else LineSymbols(turning)
-            over = TurningSymbols(way, len(segment.turns))
-            return over, over.vector(segment, X_BW, motion.X_FT)
-        if isinstance(segment, Arc):
-            arc = ArcSymbols.of(segment)
-            return arc, arc.vector(segment, X_BW, motion.X_FT)
-        assert isinstance(segment, Line)
-        line = LineSymbols(turning)
-        return line, line.vector(segment, X_BW, motion.X_FT)
-
-    def _path_parameters(self, motion: PathLeg, path: Array) -> dict[str, Array]:
+    def _path_parameters(self, motion: PathLeg) -> dict[str, Array]:
         """Parameters of the pose at all nodes of a path."""
         count = motion.N + 1
         return {
-            "path": np.tile(path, (count, 1)),
+            "path": np.tile(motion.segment.parameters(inverse_pose(self.axes.X_WB0), motion.X_FT), (count, 1)),
             "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (count, 1)),
             "near": motion.node_arm(self.axes),
         }
@@ -412,8 +395,8 @@ class Transcription:
         tied = fixed and self.axes.layout.r > 0  # without a rail it is the same node
         if not tied:
             self._rail_on_path(leg, motion, margins, out)
-        track, path = self._track(leg, motion)
-        p, place = self._path_parameters(motion, path), track if line else DWELL
+        place: Place = motion.segment.symbols if line else DWELL
+        p = self._path_parameters(motion)
         half = np.diff(motion.grid) / 2
         e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
@@ -438,7 +421,7 @@ class Transcription:
             z = {"d": out.d, "s": out.s} if line else {"d": out.d}
             here = {name: p[name] for name in ("path", "branch", "near")}
             here |= {"gradient": tangents.gradient, "least": tangents.least}
-            self._hold(self.formulation.clear_path(track if line else None), z, here)
+            self._hold(self.formulation.clear_path(place), z, here)
 
     def _limits(
         self, leg: Leg, margins: Margins, nodes: Nodes, place: Place, z: dict[str, ArrayLike], p: Parts,

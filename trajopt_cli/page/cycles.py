@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.findings import Report
 from trajopt_cli.geometry import BoolArray
-from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.motion import MoveExtJ, MoveL, PathMove, Program, SignalEvent, Wait
 from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
 from trajopt_cli.problem.constant_speed import Stretch
@@ -157,7 +157,7 @@ def kind_of(motion: object) -> str:
             return "wait"
         case MoveL():
             return "line"
-        case MoveC():
+        case PathMove():
             return "arc"
         case MoveExtJ():
             return "rail"

@@ -12,52 +12,55 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotations_by
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.path.line import Line, lines_along
-from trajopt_cli.path.segment import POINT, check_shares
+from trajopt_cli.path.segment import POINT, Batch, Segment, check_fractions
 
-_HALF = 0.5 + 1e-9  # of a way, with rounding
+_HALF = 0.5 + 1e-9  # of a segment, with rounding
+_START, _END = np.zeros(1), np.ones(1)
 
 
 @dataclass(frozen=True, eq=False)
-class Corner:
-    """Replaces the last share_before of one segment and the first share_after of the next, each by half of its own s.
+class Corner(Segment):
+    """Replaces the last part of one segment, a fraction of it, and the first of the next, each by half of its own s.
 
     position, orientation: in which part of the corner, around its middle, the one and the other is bent; the larger is
     1, for the corner begins and ends where the larger zone does. Outside its part either runs on as on the segments.
     """
 
-    before: Line | Arc
-    after: Line | Arc
-    share_before: float
-    share_after: float
+    is_corner: ClassVar[bool] = True
+
+    before: Segment
+    after: Segment
+    fraction_before: float
+    fraction_after: float
     position: float = 1.0
     orientation: float = 1.0
 
     def __post_init__(self) -> None:
-        check_shares(self.share_before, self.share_after, self.position, self.orientation)
+        check_fractions(self.fraction_before, self.fraction_after, self.position, self.orientation)
         if max(self.position, self.orientation) != 1:
             raise ValueError("a corner is as large as the larger of its two zones: one of them is 1")
-        apart = np.linalg.norm(self.before.X_1[:3, 3] - self.after.X_0[:3, 3])
-        if apart > POINT or axis_angle(self.before.X_1[:3, :3].T @ self.after.X_0[:3, :3])[1] > POINT:
+        X, Y = self.before.pose(_END)[0], self.after.pose(_START)[0]
+        apart = np.linalg.norm(X[:3, 3] - Y[:3, 3])
+        if apart > POINT or axis_angle(X[:3, :3].T @ Y[:3, :3])[1] > POINT:
             raise ValueError(
                 f"the segment after a corner does not begin where the other ends: {apart * 1e3:.6f} mm apart"
             )
 
     @classmethod
-    def of_zone(cls, before: Line | Arc, after: Line | Arc, radius: float, turning: float) -> Corner:
-        """The corner of a zone whose edges are radius [m] from the point along both ways, and turning [m] for the
+    def of_zone(cls, before: Segment, after: Segment, radius: float, turning: float) -> Corner:
+        """The corner of a zone whose edges are radius [m] from the point along both segments, and turning [m] for the
         orientation.
 
         Raises:
-            InputError: a zone reaches beyond the middle of a way, or is none.
+            InputError: a zone reaches beyond the middle of a segment, or is none.
         """
         largest, least = max(radius, turning), min(radius, turning)
         if least <= 0:
@@ -73,23 +76,28 @@ class Corner:
     # ---- the position's curve: both ends with their rates per unit of the part where it is bent
     @cached_property
     def _curve(self) -> tuple[Array, Array, Array, Array]:
-        share_0, share_1 = self.position * self.share_before, self.position * self.share_after
-        s_0, s_1 = np.array([1 - share_0]), np.array([share_1])
+        f_0, f_1 = self.position * self.fraction_before, self.position * self.fraction_after
+        s_0, s_1 = np.array([1 - f_0]), np.array([f_1])
         return (
             self.before.pose(s_0)[0, :3, 3],
-            2 * share_0 * self.before.twist(s_0)[0, :3],
+            2 * f_0 * self.before.twist(s_0)[0, :3],
             self.after.pose(s_1)[0, :3, 3],
-            2 * share_1 * self.after.twist(s_1)[0, :3],
+            2 * f_1 * self.after.twist(s_1)[0, :3],
         )
+
+    @cached_property
+    def _R_point(self) -> Array:
+        """Rotation (3, 3) at the point."""
+        return self.after.pose(_START)[0, :3, :3]
 
     # ---- the orientation's, of lines: rotation at the entry, both turns as rotation vectors of the tool's own frame
     @cached_property
     def _turns(self) -> tuple[Array, Array, Array]:
-        share_0, share_1 = self.orientation * self.share_before, self.orientation * self.share_after
-        R_0 = self.before.pose(np.array([1 - share_0]))[0, :3, :3]
-        turn_0 = share_0 * self.before.twist(np.ones(1))[0, 3:]
-        turn_1 = share_1 * self.after.twist(np.zeros(1))[0, 3:]
-        return R_0, R_0.T @ turn_0, self.after.X_0[:3, :3].T @ turn_1
+        f_0, f_1 = self.orientation * self.fraction_before, self.orientation * self.fraction_after
+        R_0 = self.before.pose(np.array([1 - f_0]))[0, :3, :3]
+        turn_0 = f_0 * self.before.twist(_END)[0, 3:]
+        turn_1 = f_1 * self.after.twist(_START)[0, 3:]
+        return R_0, R_0.T @ turn_0, self._R_point.T @ turn_1
 
     @property
     def breaks(self) -> Array:
@@ -99,12 +107,12 @@ class Corner:
 
     @cached_property
     def length(self) -> float:
-        """The tool centre point's way [m]."""
+        """Of the tool centre point's path [m]."""
         return self._sum(slice(0, 3))
 
     @cached_property
     def angle(self) -> float:
-        """Reorientation on the way [rad], summed up."""
+        """Reorientation [rad], summed up."""
         return self._sum(slice(3, 6))
 
     def _sum(self, part: slice) -> float:
@@ -118,7 +126,7 @@ class Corner:
         return float(half @ size @ weight)
 
     def pose(self, s: Array) -> Array:
-        """Tool poses (n, 4, 4) at shares s (n,)."""
+        """Tool poses (n, 4, 4) at s (n,)."""
         first, t_0, t_1 = self._sides(s)
         X = np.empty((len(s), 4, 4))
         X[first], X[~first] = self.before.pose(t_0), self.after.pose(t_1)
@@ -133,8 +141,8 @@ class Corner:
         """First derivative (n, 6) by s."""
         first, t_0, t_1 = self._sides(s)
         V = np.empty((len(s), 6))
-        V[first] = 2 * self.share_before * self.before.twist(t_0)
-        V[~first] = 2 * self.share_after * self.after.twist(t_1)
+        V[first] = 2 * self.fraction_before * self.before.twist(t_0)
+        V[~first] = 2 * self.fraction_after * self.after.twist(t_1)
         inside, u = _part(s, self.position)
         V[inside, :3] = hermite(*self._curve, u[:, None])[1] / self.position
         inside, u = _part(s, self.orientation)
@@ -146,8 +154,8 @@ class Corner:
         """Second derivative (n, 6) by s."""
         first, t_0, t_1 = self._sides(s)
         A = np.empty((len(s), 6))
-        A[first] = (2 * self.share_before) ** 2 * self.before.twist_rate(t_0)
-        A[~first] = (2 * self.share_after) ** 2 * self.after.twist_rate(t_1)
+        A[first] = (2 * self.fraction_before) ** 2 * self.before.twist_rate(t_0)
+        A[~first] = (2 * self.fraction_after) ** 2 * self.after.twist_rate(t_1)
         inside, u = _part(s, self.position)
         A[inside, :3] = hermite(*self._curve, u[:, None])[2] / self.position**2
         inside, u = _part(s, self.orientation)
@@ -156,18 +164,23 @@ class Corner:
         A[inside, 3:] = change / self.orientation**2
         return A
 
+    @property
+    def batch(self) -> Batch:
+        """Corners of lines at once."""
+        return _corners_along if isinstance(self.before, Line) and isinstance(self.after, Line) else super().batch
+
     def _sides(self, s: Array) -> tuple[BoolArray, Array, Array]:
-        """Which shares belong to the first half, and what shares of the two segments they would be."""
+        """Which s belong to the first half, and what they would be on the two segments."""
         first = np.asarray(s < 0.5)
-        return first, 1 - self.share_before * (1 - 2 * s[first]), self.share_after * (2 * s[~first] - 1)
+        return first, 1 - self.fraction_before * (1 - 2 * s[first]), self.fraction_after * (2 * s[~first] - 1)
 
     def _turning(self, u: Array) -> tuple[_Turn, Array, _Turn]:
-        """At shares u (n,) of the part where the orientation is bent: the first turn, which comes to rest at the point,
+        """At u (n,) of the part where the orientation is bent: the first turn, which comes to rest at the point,
         what it makes of the second (n, 3, 3), and the second, which begins there at rest."""
-        share_0, share_1 = self.orientation * self.share_before, self.orientation * self.share_after
-        first = _turn(self.before, 1 - share_0 * (1 - u) ** 2, 2 * share_0 * (1 - u), -2 * share_0)
-        second = _turn(self.after, share_1 * u * u, 2 * share_1 * u, 2 * share_1)
-        return first, np.asarray(first.R @ self.after.X_0[:3, :3].T), second
+        f_0, f_1 = self.orientation * self.fraction_before, self.orientation * self.fraction_after
+        first = _turn(self.before, 1 - f_0 * (1 - u) ** 2, 2 * f_0 * (1 - u), -2 * f_0)
+        second = _turn(self.after, f_1 * u * u, 2 * f_1 * u, 2 * f_1)
+        return first, np.asarray(first.R @ self._R_point.T), second
 
 
 class _Turn(NamedTuple):
@@ -178,8 +191,8 @@ class _Turn(NamedTuple):
     change: Array
 
 
-def _turn(segment: Line | Arc, s: Array, ds: Array, dds: float) -> _Turn:
-    """A segment's orientation at shares s (n,) that go by at ds (n,) and dds."""
+def _turn(segment: Segment, s: Array, ds: Array, dds: float) -> _Turn:
+    """A segment's orientation at s (n,) that go by at ds (n,) and dds."""
     rate, change = segment.twist(s)[:, 3:], segment.twist_rate(s)[:, 3:]
     return _Turn(segment.pose(s)[:, :3, :3], rate * ds[:, None], change * ds[:, None] ** 2 + rate * dds)
 
@@ -189,15 +202,16 @@ def _times(R: Array, x: Array) -> Array:
     return np.asarray((R @ x[..., None])[..., 0])
 
 
-def corners_along(corners: Sequence[Corner], of: IndexArray, s: Array) -> tuple[Array, Array, Array]:
-    """Poses (m, 4, 4), twists and their rates (m, 6) at shares s (m,) of the corners of lines with numbers of (m,)."""
-    numbers = np.array([(one.share_before, one.share_after, one.position, one.orientation) for one in corners])
-    share_0, share_1, position, orientation = numbers[of].T
+def _corners_along(segments: Sequence[Segment], of: IndexArray, s: Array) -> tuple[Array, Array, Array]:
+    """Poses (m, 4, 4), twists and their rates (m, 6) at s (m,) of the corners of lines with numbers of (m,)."""
+    corners = [corner for corner in segments if isinstance(corner, Corner)]
+    numbers = np.array([(one.fraction_before, one.fraction_after, one.position, one.orientation) for one in corners])
+    f_0, f_1, position, orientation = numbers[of].T
     lines = [one.before for one in corners] + [one.after for one in corners]
     first = s < 0.5
-    t = np.where(first, 1 - share_0 * (1 - 2 * s), share_1 * (2 * s - 1))
-    X, twist, bend = lines_along([x for x in lines if isinstance(x, Line)], of + len(corners) * ~first, t)
-    twist *= 2 * np.where(first, share_0, share_1)[:, None]
+    t = np.where(first, 1 - f_0 * (1 - 2 * s), f_1 * (2 * s - 1))
+    X, twist, bend = lines_along(lines, of + len(corners) * ~first, t)
+    twist *= 2 * np.where(first, f_0, f_1)[:, None]
     for part, fill in ((position, _bent), (orientation, _turning)):
         u = 0.5 + (s - 0.5) / part
         at = np.flatnonzero(((u >= 0) & (u < 1)) | (part >= 1))
@@ -209,7 +223,7 @@ def _bent(
     corners: Sequence[Corner], of: IndexArray, u: Array, part: Array, at: IndexArray, X: Array, twist: Array,
     bend: Array,
 ) -> None:  # fmt: skip
-    """Fill in the positions at shares u (m, 1) of the part where they are bent."""
+    """Fill in the positions at u (m, 1) of the part where they are bent."""
     p_0, rate_0, p_1, rate_1 = (np.array(end)[of] for end in zip(*(one._curve for one in corners), strict=True))
     p, rate, change = hermite(p_0, rate_0, p_1, rate_1, u)
     X[at, :3, 3], twist[at, :3], bend[at, :3] = p, rate / part, change / part**2
@@ -219,7 +233,7 @@ def _turning(
     corners: Sequence[Corner], of: IndexArray, u: Array, part: Array, at: IndexArray, X: Array, twist: Array,
     bend: Array,
 ) -> None:  # fmt: skip
-    """Fill in the orientations at shares u (m, 1) of the part where they are bent."""
+    """Fill in the orientations at u (m, 1) of the part where they are bent."""
     R_0, turn_0, turn_1 = (np.array(end)[of] for end in zip(*(one._turns for one in corners), strict=True))
     R = R_0 @ rotations_by((2 * u - u * u) * turn_0)
     X[at, :3, :3] = R @ rotations_by(u * u * turn_1)
@@ -231,7 +245,7 @@ def _turning(
 
 
 def _part(s: Array, part: float) -> tuple[BoolArray, Array]:
-    """Which shares lie in the middle part of a corner, and their share (m,) of that part."""
+    """Which s lie in the middle part of a corner, and what fraction (m,) of that part they are."""
     u = 0.5 + (s - 0.5) / part
     inside = np.asarray((u >= 0) & (u < 1) if part < 1 else np.ones(len(s), dtype=bool))
     return inside, u[inside]

@@ -4,21 +4,24 @@ where it is left, with both sides' rates. Between two joint moves it is a quadra
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.hermite import hermite
-from trajopt_cli.path.segment import POINT, JointSegment, check_shares
+from trajopt_cli.path.segment import POINT, JointSegment, check_fractions
 
 
 @dataclass(frozen=True, eq=False)
-class JointCorner:
+class JointCorner(JointSegment):
     """From axes q_0 (k,) with rate_0 to q_1 with rate_1, rates per unit of this corner's own s.
 
     A side that is a line or an arc gives its joints and their rates through the robot: of half the corner's s it covers
-    the part of its way inside the zone.
+    the part inside the zone.
     """
+
+    is_corner: ClassVar[bool] = True
 
     q_0: Array
     rate_0: Array
@@ -26,31 +29,28 @@ class JointCorner:
     rate_1: Array
 
     @classmethod
-    def between(cls, before: JointSegment, after: JointSegment, share_before: float, share_after: float) -> JointCorner:
-        """The corner that replaces the last share of before and the first of after, both in (0, 1].
+    def between(
+        cls, before: JointSegment, after: JointSegment, fraction_before: float, fraction_after: float
+    ) -> JointCorner:
+        """The corner that replaces the last fraction of before and the first of after, both in (0, 1].
 
         Raises:
-            ValueError: a share is none, or after does not begin where before ends.
+            ValueError: a fraction is none, or after does not begin where before ends.
         """
-        check_shares(share_before, share_after)
+        check_fractions(fraction_before, fraction_after)
         end, begin = before.axes(np.ones(1))[0], after.axes(np.zeros(1))[0]
         if np.abs(end - begin).max() > POINT:
             raise ValueError(f"the move after the corner begins at {begin}, the one before it ends at {end}")
-        s_0, s_1 = np.array([1 - share_before]), np.array([share_after])
+        s_0, s_1 = np.array([1 - fraction_before]), np.array([fraction_after])
         return cls(
             before.axes(s_0)[0],
-            2 * share_before * before.rate(s_0)[0],
+            2 * fraction_before * before.rate(s_0)[0],
             after.axes(s_1)[0],
-            2 * share_after * after.rate(s_1)[0],
+            2 * fraction_after * after.rate(s_1)[0],
         )
 
-    @property
-    def breaks(self) -> Array:
-        """None."""
-        return np.zeros(0)
-
     def axes(self, s: Array) -> Array:
-        """Axis positions (n, k) at shares s (n,)."""
+        """Axis positions (n, k) at s (n,)."""
         return np.asarray(self._at(s)[0])
 
     def rate(self, s: Array) -> Array:

@@ -7,26 +7,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.path.segment import JointSegment
 
 
 @dataclass(frozen=True, eq=False)
-class JointMove:
+class JointMove(JointSegment):
     """From axis positions q_0 to q_1 (k,) [m, rad]."""
 
     q_0: Array
     q_1: Array
 
-    @property
-    def breaks(self) -> Array:
-        """None."""
-        return np.zeros(0)
-
     def axes(self, s: Array) -> Array:
-        """Axis positions (n, k) at shares s (n,)."""
+        """Axis positions (n, k) at s (n,)."""
         return np.asarray(self.q_0 + s[:, None] * (self.q_1 - self.q_0))
 
     def rate(self, s: Array) -> Array:
-        """The way (n, k), the same everywhere."""
+        """From start to end (n, k), the same everywhere."""
         return np.tile(self.q_1 - self.q_0, (len(s), 1))
 
     def rate_change(self, s: Array) -> Array:

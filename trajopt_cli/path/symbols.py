@@ -5,6 +5,7 @@ A compiled block serves every segment of a kind; what differs between two of the
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.geometry import Array, inverse_pose
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -72,15 +73,26 @@ class Flange(NamedTuple):
     rotation: ca.SX
 
 
-# What every segment needs to turn: R: the flange's rotation at s = 0; axis, angle: its turn about an axis of its own;
-# offset: the tool centre point in the flange's frame.
-TURN: Mapping[str, tuple[int, ...]] = {"R": (3, 3), "axis": (3,), "angle": (), "offset": (3,)}
+class Symbols(ABC):
+    """The flange on a kind of segment as an expression of parameters (size,), by the layout's names, and of s."""
 
+    @property
+    @abstractmethod
+    def layout(self) -> Layout:
+        """The parameters' names and shapes."""
 
-def turn_parts(X_B0: Array, X_B1: Array, X_BF: Array, X_FT: Array) -> dict[str, ArrayLike]:
-    """The parts TURN of a constant-rate turn. X_B0, X_B1: the tool at both ends; X_BF: the flange at s = 0."""
-    axis, angle = axis_angle(X_B0[:3, :3].T @ X_B1[:3, :3])
-    return {"R": X_BF[:3, :3], "axis": X_FT[:3, :3] @ axis, "angle": angle, "offset": X_FT[:3, 3]}
+    @property
+    def size(self) -> int:
+        """How many parameters."""
+        return self.layout.size
+
+    @abstractmethod
+    def flange(self, p: ca.SX, s: ca.SX | float) -> Flange:
+        """The flange in the arm's base frame at s of the segment with parameters p (size,)."""
+
+    def tangent_rate(self, p: ca.SX, s: ca.SX) -> ca.SX | float:
+        """By what angle the path's tangent turns per unit of s [rad], over the work object: length by radius."""
+        return 0.0
 
 
 def flange_at_start(X_BA: Array, X_AT: Array, X_FT: Array) -> Array:
@@ -88,7 +100,7 @@ def flange_at_start(X_BA: Array, X_AT: Array, X_FT: Array) -> Array:
     return np.asarray(X_BA @ (X_AT @ inverse_pose(X_FT)))
 
 
-def about(axis: ca.SX, angle: ca.SX) -> ca.SX:
+def rotated(axis: ca.SX, angle: ca.SX) -> ca.SX:
     """Rotation matrix (3, 3) about a unit axis (3,) by an angle [rad] (Rodrigues)."""
     import casadi as ca
 

@@ -1,7 +1,7 @@
 """Lines and arcs on a work object that positioners turn meanwhile: drawn in its frame, seen from the world.
 
-All axes share the way's parameter s: X_WT(s) = E_1(s) E_2(s) X(s), where X(s) is the way with the table where it stands
-at the start, and E_i(s) the rotation about axis i as it lies there, by s times its whole angle (the product of
+All axes share the path's parameter s: X_WT(s) = E_1(s) E_2(s) X(s), where X(s) is the path with the table where it
+stands at the start, and E_i(s) the rotation about axis i as it lies there, by s times its whole angle (the product of
 exponentials, axes from the floor on).
 """
 
@@ -14,10 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, rotation_about
-from trajopt_cli.path.arc import Arc, ArcSymbols
-from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.path.segment import Segment
-from trajopt_cli.path.symbols import Flange, Layout, about
+from trajopt_cli.path.symbols import Flange, Layout, Symbols, rotated
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -32,7 +30,7 @@ class Turn:
     angle: float
 
     def pose(self, s: Array) -> Array:
-        """E (n, 4, 4) at shares s (n,)."""
+        """E (n, 4, 4) at s (n,)."""
         E = np.zeros((len(s), 4, 4))
         E[:, :3, :3] = rotation_about(self.u, s * self.angle)
         E[:, :3, 3] = self.p - E[:, :3, :3] @ self.p
@@ -48,38 +46,71 @@ def turned_back(turns: Sequence[Turn], X: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Turning:
-    """way: a line or an arc with the table where it stands at the start. turns: of its axes, from the floor on.
+class Turning(Segment):
+    """path: with the table where it stands at the start. turns: of the table's axes, from the floor on.
 
     length and angle are those over the work object, for which speeds are programmed.
     """
 
-    way: Line | Arc
+    path: Segment
     turns: tuple[Turn, ...]
 
     @property
     def length(self) -> float:
-        """The tool's way over the work object [m]."""
-        return self.way.length
+        """Of the tool's path over the work object [m]."""
+        return self.path.length
 
     @property
     def angle(self) -> float:
         """Reorientation against the work object [rad]."""
-        return self.way.angle
+        return self.path.angle
+
+    @property
+    def radius(self) -> float:
+        """The largest radius of curvature over the work object [m]."""
+        return self.path.radius
+
+    @property
+    def evenly_turned(self) -> bool:
+        """Whether the tool turns at a constant rate against the work object."""
+        return self.path.evenly_turned
 
     @property
     def fastest_turn(self) -> float:
-        """The highest rate of turning against the work object per unit of s [rad]."""
-        return self.way.fastest_turn
+        """The highest rate of turning against the work object by s [rad]."""
+        return self.path.fastest_turn
 
     @property
-    def breaks(self) -> Array:
-        """None."""
-        return self.way.breaks
+    def unclear(self) -> tuple[str, str] | None:
+        """Of the path."""
+        return self.path.unclear
+
+    @property
+    def on_work(self) -> Segment:
+        """The path alone."""
+        return self.path
+
+    @property
+    def numbers(self) -> Array:
+        """Of the path; the axes that turn are the leg's."""
+        return self.path.numbers
+
+    @property
+    def symbols(self) -> TurningSymbols:
+        """The path's, and how many axes turn."""
+        return TurningSymbols(self.path.symbols, len(self.turns))
+
+    def parameters(self, X_BA: Array, X_FT: Array) -> Array:
+        """Parameters (size,) of the expression."""
+        parts: dict[str, Array | float] = {"path": self.path.parameters(X_BA, X_FT)}
+        for i, turn in enumerate(self.turns):
+            parts[f"p_{i}"] = X_BA[:3, :3] @ turn.p + X_BA[:3, 3]
+            parts[f"u_{i}"], parts[f"angle_{i}"] = X_BA[:3, :3] @ turn.u, turn.angle
+        return self.symbols.layout.vector(parts)
 
     def pose(self, s: Array) -> Array:
-        """X_WT (n, 4, 4) at shares s (n,)."""
-        X = self.way.pose(s)
+        """X_WT (n, 4, 4) at s (n,)."""
+        X = self.path.pose(s)
         for turn in reversed(self.turns):
             X = turn.pose(s) @ X
         return X
@@ -94,8 +125,8 @@ class Turning:
 
     def _rates(self, s: Array) -> tuple[Array, Array]:
         """Both derivatives, axis by axis from the work object down to the floor."""
-        X = self.way.pose(s)
-        (v, w), (a, b) = (np.split(x, 2, axis=1) for x in (self.way.twist(s), self.way.twist_rate(s)))
+        X = self.path.pose(s)
+        (v, w), (a, b) = (np.split(x, 2, axis=1) for x in (self.path.twist(s), self.path.twist_rate(s)))
         for turn in reversed(self.turns):
             E, spin = turn.pose(s), turn.angle * turn.u
             X = E @ X
@@ -106,57 +137,29 @@ class Turning:
         return np.hstack([v, w]), np.hstack([a, b])
 
 
-def over_work(segments: Sequence[Segment], shares: Sequence[Array], twist: Array, bend: Array) -> tuple[Array, Array]:
-    """What the tool's caps hold for: the twists and their rates (m, 6) of segments at shares (n,) of each, one after
-    the other, against the work object where that turns, as given elsewhere. Only their lengths are comparable."""
-    if not any(isinstance(segment, Turning) for segment in segments):
-        return twist, bend
-    twist, bend, first = twist.copy(), bend.copy(), 0
-    for segment, s in zip(segments, shares, strict=True):
-        at = slice(first, first + len(s))
-        if isinstance(segment, Turning):
-            twist[at], bend[at] = segment.way.twist(s), segment.way.twist_rate(s)
-        first += len(s)
-    return twist, bend
-
-
 @dataclass(frozen=True)
-class TurningSymbols:
-    """The flange over a turning work object as an expression. way: the kind of its line or arc; axes: how many turn."""
+class TurningSymbols(Symbols):
+    """The flange over a turning work object as an expression. path: of its kind; axes: how many turn."""
 
-    way: LineSymbols | ArcSymbols
+    path: Symbols
     axes: int
 
     @property
     def layout(self) -> Layout:
-        """The way's own parameters; p, u, angle: of each turn, seen from the arm's base."""
+        """The path's own parameters; p, u, angle: of each turn, seen from the arm's base."""
         turns = {f"{name}_{i}": shape for i in range(self.axes) for name, shape in (("p", (3,)), ("u", (3,)))}
         angles: dict[str, tuple[int, ...]] = {f"angle_{i}": () for i in range(self.axes)}
-        return Layout({"way": (self.way.size,), **turns, **angles})
+        return Layout({"path": (self.path.size,), **turns, **angles})
 
-    @property
-    def size(self) -> int:
-        """How many parameters."""
-        return self.layout.size
-
-    def vector(self, turning: Turning, X_BA: Array, X_FT: Array) -> Array:
-        """Parameters (size,) of a way of the tool X_FT; X_BA (4, 4): its frame seen from the arm's base."""
-        match self.way, turning.way:
-            case (LineSymbols(), Line()) | (ArcSymbols(), Arc()):
-                way = self.way.vector(turning.way, X_BA, X_FT)  # type: ignore[arg-type]
-            case _:
-                raise ValueError(f"{type(turning.way).__name__} has no parameters of {type(self.way).__name__}")
-        parts: dict[str, Array | float] = {"way": way}
-        for i, turn in enumerate(turning.turns):
-            parts[f"p_{i}"] = X_BA[:3, :3] @ turn.p + X_BA[:3, 3]
-            parts[f"u_{i}"], parts[f"angle_{i}"] = X_BA[:3, :3] @ turn.u, turn.angle
-        return self.layout.vector(parts)
-
-    def flange(self, p: ca.SX, s: ca.SX) -> Flange:
-        """The flange in the arm's base frame at share s of the way with parameters p (size,)."""
+    def flange(self, p: ca.SX, s: ca.SX | float) -> Flange:
+        """The flange in the arm's base frame at s of the path with parameters p (size,)."""
         part = self.layout.split(p)
-        position, rotation = self.way.flange(part["way"], s)
+        position, rotation = self.path.flange(part["path"], s)
         for i in reversed(range(self.axes)):
-            E, at = about(part[f"u_{i}"], part[f"angle_{i}"] * s), part[f"p_{i}"]
+            E, at = rotated(part[f"u_{i}"], part[f"angle_{i}"] * s), part[f"p_{i}"]
             position, rotation = at + E @ (position - at), E @ rotation
         return Flange(position, rotation)
+
+    def tangent_rate(self, p: ca.SX, s: ca.SX) -> ca.SX | float:
+        """Of the path over the work object."""
+        return self.path.tangent_rate(self.layout.split(p)["path"], s)

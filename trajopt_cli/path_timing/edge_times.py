@@ -13,10 +13,7 @@ from itertools import groupby
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.path.along import along_all
-from trajopt_cli.path.line import Line
-from trajopt_cli.path.segment import Segment
-from trajopt_cli.path.turning import over_work
+from trajopt_cli.path.segment import along_all, over_work
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
 from trajopt_cli.path_timing.smooth import rest_time
@@ -221,7 +218,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     rail_way = q_1[:, layout.rail] - q_0[:, layout.rail]
     d = (q_0[:, None, layout.rail] + s[:, None] * rail_way[:, None]).reshape(B * m, -1)
     kept = np.clip(s, 1e-9, 1 - 1e-9)
-    segments = [_segment(problem, one.k) for one in pairs]
+    segments = [problem.segment(one.k) for one in pairs]
     X, twist, bend = along_all(segments, [kept] * len(pairs))
     of = (np.repeat(np.arange(len(pairs)), counts)[:, None] * m + np.arange(m)).ravel()  # place on the leg's path
     cfx = np.repeat([one.cfx for one in pairs], np.array(counts) * m)
@@ -239,10 +236,3 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     twist, bend = over_work(segments, [kept] * len(pairs), twist, bend)
     table = np.repeat([problem.legs[one.k].table for one in pairs], np.array(counts) * m, axis=0)
     return PathDerivatives(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3], table), ok
-
-
-def _segment(problem: Problem, k: int) -> Segment:
-    """The tool's path on leg k; of a wait the line of no length."""
-    leg = problem.legs[k]
-    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
-    return leg.segment or Line(X_WT, X_WT)

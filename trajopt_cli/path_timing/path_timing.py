@@ -9,9 +9,7 @@ from itertools import groupby, pairwise
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.path.corner import Corner
-from trajopt_cli.path.joint_corner import JointCorner
-from trajopt_cli.path.joint_move import JointMove
+from trajopt_cli.path.segment import JointSegment
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, SampledPath, finer, together
 from trajopt_cli.problem.problem import Leg, Problem
 from trajopt_cli.settings import Settings
@@ -359,7 +357,7 @@ def sampled_ratios(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw
         pieces = [_piece(axes, problem, path, law, i) for i in numbers]
         times, first, count = list[Array](), list[IndexArray](), 0
         for i, leg, piece in zip(numbers, legs, pieces, strict=True):
-            in_corner = isinstance(path.parts[i].segment, Corner | JointCorner)
+            in_corner = path.parts[i].segment.is_corner
             samples = settings.path_interval_samples * (
                 settings.along_path_samples if leg.along else settings.corner_samples if in_corner else 1
             )
@@ -391,7 +389,7 @@ def _piece(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw, i: int
     T = float(times[-1])
     grid = times / T
     grid[-1] = 1.0
-    if isinstance(part.segment, JointMove | JointCorner):
+    if isinstance(part.segment, JointSegment):
         v = dq * (rates * T)[:, None]
         return JointNodes(T, grid, q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
     assert part.rail is not None

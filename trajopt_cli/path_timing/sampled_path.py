@@ -17,13 +17,10 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.path.along import along_all
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
-from trajopt_cli.path.line import Line
-from trajopt_cli.path.turning import Turning, over_work
+from trajopt_cli.path.segment import JointSegment, Segment, along_all, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import unwound
@@ -39,9 +36,6 @@ _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no deriva
 _ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
 _FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "table")
 _APART = 1e-4  # rad, m: axes of two parts that are not one place
-
-Way = Line | Arc | Turning
-Segment = Way | Corner | JointMove | JointCorner
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +63,7 @@ class PathPart:
     """
 
     leg: int
-    segment: Segment
+    segment: Segment | JointSegment
     s_0: float
     s_1: float
     size: float
@@ -262,7 +256,7 @@ class _RunParts:
     ):  # fmt: skip
         self._axes, self._problem, self._q, self._cfx, self._nodes, self._known = axes, problem, q, cfx, nodes, known
         self._first, self._last = run
-        self._ways = {k: self._way(k) for k in range(*run)}
+        self._paths = {k: self._path(k) for k in range(*run)}
 
     def parts(self) -> list[PathPart] | None:
         """The parts in order; None where a corner's joints are not to be had."""
@@ -281,15 +275,11 @@ class _RunParts:
             half = measure * bends[k + 1].before if k + 1 in bends else 0.0
         return out
 
-    def _way(self, k: int) -> Way | JointMove:
-        """A leg's segment; of a wait the line of no length."""
-        leg = self._problem.legs[k]
-        if leg.kind is LegKind.JOINT:
+    def _path(self, k: int) -> Segment | JointSegment:
+        """Where leg k leads."""
+        if self._problem.legs[k].kind is LegKind.JOINT:
             return self._once(k, self._q[k : k + 2], lambda: JointMove(self._q[k], self._q[k + 1]))
-        if leg.segment is not None:
-            return leg.segment
-        X_WT = self._problem.waypoints[k].X_WF @ leg.X_FT
-        return Line(X_WT, X_WT)
+        return self._problem.segment(k)
 
     def _once(self, k: int, q: Array, make: Callable[[], Any]) -> Any:
         """What is made of a leg or a waypoint and axes q beside it, the same for all runs that have them alike."""
@@ -317,15 +307,15 @@ class _RunParts:
             cuts |= {1 - end.rail_before, *(1 - end.before * (1 - 2 * s) for s in end.corner.breaks if s < 0.5)}
         for a, b in pairwise(_distinct(cuts)):
             middle = (a + b) / 2
-            segment: Segment = self._ways[k]
+            segment: Segment | JointSegment = self._paths[k]
             own = a, b
             if start and middle < t_0:
                 segment, own = start.corner, (0.5 + a / t_0 / 2, 0.5 + b / t_0 / 2)
             elif end and middle > t_1:
                 segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
-            corner = segment is not self._ways[k]
+            corner = segment is not self._paths[k]
             N = settings.corner_nodes if corner else max(settings.corner_nodes, round(nodes * (b - a)))
-            joints = isinstance(segment, JointMove | JointCorner)
+            joints = isinstance(segment, JointSegment)
             rail = None if joints else self._rail(k, start, end, a, b)
             u = spaced(N, self._axes.settings.end_spacing) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
             yield PathPart(
@@ -378,8 +368,8 @@ class _RunParts:
         """The corner at waypoint k, between legs k - 1 and k."""
         zone = self._problem.waypoints[k].fly_by
         assert zone is not None
-        before, after = self._ways[k - 1], self._ways[k]
-        if zone.joint or not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
+        before, after = self._paths[k - 1], self._paths[k]
+        if zone.joint or isinstance(before, JointSegment) or isinstance(after, JointSegment):
             found: _Bend | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_bend(k, zone.radius))
             return found
         sides = self._measure(k - 1), self._measure(k)
@@ -391,7 +381,7 @@ class _RunParts:
 
         corner: Corner = self._once(k, self._q[:0], make)
         rail_before, rail_after = (zone.external / side for side in sides)
-        return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
+        return _Bend(corner, corner.fraction_before, corner.fraction_after, rail_before, rail_after)
 
     def _joint_bend(self, k: int, radius: float) -> _Bend | None:
         """A corner of all axes, small enough that the tool stays within its zone. Where another one takes over, the
@@ -403,9 +393,9 @@ class _RunParts:
         points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
         shares = []
         for (leg, end), X_FT, point in zip(sides, tools, points, strict=True):
-            way = self._ways[leg]
-            if isinstance(way, JointMove):
-                shares.append(_reaching(self._axes, way, X_FT, point, radius, end))
+            path = self._paths[leg]
+            if isinstance(path, JointSegment):
+                shares.append(_reaching(self._axes, path, X_FT, point, radius, end))
             else:
                 shares.append(radius / self._measure(leg))
         for _ in range(_SHRINKS):
@@ -429,11 +419,11 @@ class _RunParts:
 
     def _state(self, k: int, share: float) -> tuple[Array, Array]:
         """Axes (n,) at a share of leg k, and their derivative by it."""
-        way, t = self._ways[k], np.array([share])
-        if isinstance(way, JointMove):
-            return way.axes(t)[0], way.rate(t)[0]
+        path, t = self._paths[k], np.array([share])
+        if isinstance(path, JointSegment):
+            return path.axes(t)[0], path.rate(t)[0]
         rail = Rail(self._d(k), self._d(k + 1) - self._d(k), np.zeros_like(self._d(k)))
-        part = PathPart(k, way, 0.0, 1.0, 1.0, t, rail, self._branch(k))
+        part = PathPart(k, path, 0.0, 1.0, 1.0, t, rail, self._branch(k))
         near = self._q[k] + share * (self._q[k + 1] - self._q[k])
         along = _on_ways(self._axes, self._problem, [part], [t])
         turns = 2 * np.pi * np.round((near - along.q[0]) / (2 * np.pi))
@@ -458,7 +448,7 @@ def _distinct(cuts: set[float]) -> list[float]:
     return out
 
 
-def _reaching(axes: Axes, move: JointMove, X_FT: Array, point: Array, radius: float, end: bool) -> float:
+def _reaching(axes: Axes, move: JointSegment, X_FT: Array, point: Array, radius: float, end: bool) -> float:
     """Which share of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
     share = np.linspace(0, 0.5, axes.settings.zone_samples)
     away = np.linalg.norm((axes.forward(move.axes(1 - share if end else share)) @ X_FT)[:, :3, 3] - point, axis=1)
@@ -533,7 +523,7 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Se
     found = []
     for part, u in zip(parts, shares, strict=True):
         segment = part.segment
-        assert isinstance(segment, JointMove | JointCorner)
+        assert isinstance(segment, JointSegment)
         s, k = part.own(u), part.s_1 - part.s_0
         found.append((segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2))
     q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))

@@ -13,7 +13,6 @@ from itertools import product
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.path.line import Line
 from trajopt_cli.path_timing.path_timing import but_torques, rows_on, stacked
 from trajopt_cli.path_timing.sampled_path import sample_path
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -142,9 +141,8 @@ def _motion_of(
     if leg.kind is LegKind.JOINT:
         return JointNodes(T, grid, q[k] + s[:, None] * way, v[:, None] * way, a[:, None] * way)
     rail = axes.layout.rail
-    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
     return PathLeg(
-        T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx[k] if cfx[k] >= 0 else cfx[k + 1], q[k, axes.layout.arm],
+        T, problem.segment(k), leg.X_FT, cfx[k] if cfx[k] >= 0 else cfx[k + 1], q[k, axes.layout.arm],
         grid, s, v, a, q[k, rail] + s[:, None] * way[rail], v[:, None] * way[rail], a[:, None] * way[rail],
     )  # fmt: skip
 

@@ -23,7 +23,6 @@ from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
 from trajopt_cli.nlp.transcription import Transcription
-from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
@@ -534,7 +533,7 @@ def _leg_motion(
     if leg.kind is LegKind.JOINT:
         q[0], q[-1] = chain.q[k], chain.q[k + 1]
         return JointNodes(T, grid, q, rate * T, np.diff(rate * T, axis=0) * N)
-    segment = _segment(problem, k)
+    segment = problem.segment(k)
     s, v = np.zeros(N + 1), np.zeros(N + 1)
     if leg.kind is LegKind.LINE:
         s, v = _path_parameters(axes, segment, leg.X_FT, q, rate)
@@ -545,12 +544,6 @@ def _leg_motion(
         T, segment, leg.X_FT, cfx, chain.q[k, axes.layout.arm], grid, s, v * T, np.diff(v * T) * N, q[:, rail], w,
         np.diff(w, axis=0) * N,
     )  # fmt: skip
-
-
-def _segment(problem: Problem, k: int) -> Segment:
-    leg = problem.legs[k]
-    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
-    return leg.segment or Line(X_WT, X_WT)
 
 
 def _path_parameters(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> tuple[Array, Array]:
@@ -581,7 +574,7 @@ def _leg_with_change(problem: Problem, k: int, motion: LegMotion, q: Array) -> L
     if isinstance(motion, PathLeg):
         rail, tau = problem.plant.layout.rail, motion.grid[:, None]
         moved = (1 - tau) * (q[k, rail] - motion.d[0]) + tau * (q[k + 1, rail] - motion.d[-1])
-        motion = replace(motion, segment=_segment(problem, k), d=motion.d + moved)
+        motion = replace(motion, segment=problem.segment(k), d=motion.d + moved)
     if leg.duration is None or not isinstance(motion, PathLeg | JointNodes):
         return motion
     return replace(motion, T=leg.duration)

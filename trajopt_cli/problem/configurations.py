@@ -8,6 +8,7 @@ one configuration, and confdata that names another cannot be kept.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import astuple, dataclass
 from enum import StrEnum
 from itertools import product
@@ -20,8 +21,6 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
     MoveAbsJ,
-    MoveC,
-    MoveL,
     PathMove,
     PoseMove,
     Program,
@@ -31,9 +30,8 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.problem.path_ik import ArmLine, Followed, follow
+from trajopt_cli.problem.path_ik import ArmPath, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration, with_exact_orientation
 from trajopt_cli.problem.plant import Plant
@@ -255,16 +253,18 @@ def _alternatives(robot: RobotModel, q: Array, turned: Array, inside: BoolArray)
 # -------------------------------------------------------------------------------------------------------- the lines
 
 
-def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmLine]]:
+def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmPath]]:
     """The lines and arcs whose configuration counts and whose start joints are known, by index of the motion."""
     at = {point.index: k for k, point in enumerate(points)}
     wanted = {
         point.index
         for point in points
-        if point.demanded and isinstance(point.motion, PathMove) and not turned_under(point.motion)
+        if point.demanded
+        and isinstance(point.motion, PathMove)
+        and not (point.motion.tool.stationary or turned_under(point.motion))
     }
     robot = plant.robot
-    lines: list[tuple[int, ArmLine]] = []
+    lines: list[tuple[int, ArmPath]] = []
     if not wanted:
         return lines
     now: Array | None = plant.start[plant.layout.arm]
@@ -283,23 +283,13 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
                 assert isinstance(motion, PathMove)
                 if X_WF is None:
                     X_WF = robot.forward(np.r_[before, now] if robot.has_rail else now)
-                arc = _arc(motion, X_WF) if isinstance(motion, MoveC) else None
-                if isinstance(motion, MoveL) or arc is not None:
-                    line = ArmLine(X_WF, points[k].X_WF, motion.tool.X_FT, (before, rail), now, arc)
-                    lines.append((index, line))
+                with suppress(InputError):  # no circle: a refusal of its own
+                    path = segment_of(motion, X_WF @ motion.tool.X_FT)
+                    lines.append((index, ArmPath(path, motion.tool.X_FT, (before, rail), now)))
             now, X_WF = _after(points[k], plant, poses.joints[k], now), points[k].X_WF
         else:  # MoveExtJ: the arm holds
             X_WF = None
     return lines
-
-
-def _arc(motion: MoveC, X_WF: Array) -> Arc | None:
-    """The way of an arc from where the flange is; None for one that no plan drives, which is told as such."""
-    try:
-        way = segment_of(motion, X_WF @ motion.tool.X_FT)
-    except InputError:  # no circle: a refusal of its own
-        return None
-    return way if isinstance(way, Arc) and not motion.tool.stationary else None
 
 
 def _after(point: _Point, plant: Plant, joints: Array, now: Array | None) -> Array | None:

@@ -1,6 +1,6 @@
-"""Lines and arcs followed with the joints changing continuously from a given start: where they end, what is on the way.
+"""Paths of the tool followed with the joints changing continuously from a given start: where they end, and how.
 
-The arm stays in its branch (no line leads from one to another but through a singularity), so a line is one branch of
+The arm stays in its branch (no path leads from one to another but through a singularity), so a path is one branch of
 the inverse, sampled, its whole turns removed between neighbours.
 """
 
@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.line import poses_of_many
+from trajopt_cli.path.segment import Segment, along_all
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
 
@@ -29,33 +28,26 @@ _AT_ONCE = 40_000  # samples: 30 MB of work arrays
 
 
 @dataclass(frozen=True, eq=False)
-class ArmLine:
-    """A line, or an arc, and where the arm begins it.
+class ArmPath:
+    """A path of the tool X_FT and where the arm begins it. rail [m] at both ends. q (6,) [rad]: joints at the start."""
 
-    X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the start.
-    arc: the tool's way where it is one.
-    """
-
-    X_WF_0: Array
-    X_WF_1: Array
+    segment: Segment
     X_FT: Array
     rail: tuple[float, float]
     q: Array
-    arc: Arc | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Followed:
-    """end (6,) [rad]: joints at the end, NaN where the line does not get there. chord [m]: the
-    way's length.
+    """end (6,) [rad]: joints at the end, NaN where the path does not get there. length [m]: of the path.
 
-    At most one of three things, the first on the way, at shares 0..1 of it. lost: from where on the branch has no
-    solution. singular: where joints jump; jump (6,) [rad]: by how much in one sample. beyond: (joint, share, limit
+    At most one of three things, the first on the path, at s in 0..1. lost: from where on the branch has no
+    solution. singular: where joints jump; jump (6,) [rad]: by how much in one sample. beyond: (joint, s, limit
     [rad]) that is passed.
     """
 
     end: Array
-    chord: float
+    length: float
     lost: float | None
     singular: float | None
     jump: Array
@@ -66,11 +58,11 @@ class Followed:
         """Whether the arm gets to the end."""
         return self.lost is None and self.singular is None and self.beyond is None
 
-    def at(self, share: float) -> str:
-        """A place on the way, in words."""
-        if self.chord < 1e-6:
-            return f"at {100 * share:.0f} % of its turn"
-        return f"at {share * self.chord * 1e3:.1f} mm of {self.chord * 1e3:.1f} mm"
+    def at(self, s: float) -> str:
+        """A place on the path, in words."""
+        if self.length < 1e-6:
+            return f"at {100 * s:.0f} % of its turn"
+        return f"at {s * self.length * 1e3:.1f} mm of {self.length * 1e3:.1f} mm"
 
     def what(self, names: Sequence[str]) -> str:
         """What the joints would have to do at the singularity, in words."""
@@ -82,32 +74,30 @@ class Followed:
         return ", ".join(parts) or f"{names[4]} is 0° and {names[3]} and {names[5]} turn about one axis"
 
 
-def follow(plant: Plant, lines: Sequence[ArmLine]) -> list[Followed | None]:
-    """Each line followed; None where the start joints are on no branch (a singular start) or are not at the start."""
-    out: list[Followed | None] = [None] * len(lines)
-    todo = np.array([_short(line) for line in lines], dtype=bool)
+def follow(plant: Plant, paths: Sequence[ArmPath]) -> list[Followed | None]:
+    """Each path followed; None where the start joints are on no branch (a singular start) or are not at the start."""
+    out: list[Followed | None] = [None] * len(paths)
+    todo = np.array([_short(path.segment) for path in paths], dtype=bool)
     short, rest = np.flatnonzero(todo), np.flatnonzero(~todo)
-    rest = np.r_[rest, _level(plant, lines, short, _SHORT, out)]
-    rest = _level(plant, lines, rest, _USUAL, out)
-    _level(plant, lines, rest, _FINE, out)
+    rest = np.r_[rest, _level(plant, paths, short, _SHORT, out)]
+    rest = _level(plant, paths, rest, _USUAL, out)
+    _level(plant, paths, rest, _FINE, out)
     return out
 
 
-def _short(line: ArmLine) -> bool:
-    X_0, X_1 = line.X_WF_0, line.X_WF_1
-    turn = np.arccos(np.clip((np.sum(X_0[:3, :3] * X_1[:3, :3]) - 1) / 2, -1, 1))
-    return bool(line.arc is None and np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
+def _short(segment: Segment) -> bool:
+    return segment.straight and segment.length < _SMALL[0] and segment.angle < _SMALL[1]
 
 
 def _level(
-    plant: Plant, lines: Sequence[ArmLine], which: IndexArray, samples: int, out: list[Followed | None]
+    plant: Plant, paths: Sequence[ArmPath], which: IndexArray, samples: int, out: list[Followed | None]
 ) -> IndexArray:
-    """Follow some lines with so many samples; gives those back that need more."""
+    """Follow some paths with so many samples; gives those back that need more."""
     again: list[int] = []
     per = max(_AT_ONCE // samples, 1)
     for start in range(0, len(which), per):
         some = which[start : start + per]
-        chords, q, known = _sampled(plant, [lines[i] for i in some], samples)
+        q, known = _sampled(plant, [paths[i] for i in some], samples)
         steps = np.abs(np.diff(q, axis=1))
         fast: BoolArray = np.asarray(~(steps <= _FAST).all(axis=(1, 2)))  # NaN is fast, too
         weak: BoolArray = np.asarray(plant.robot.walls(q)[1] < _WRIST)
@@ -117,25 +107,21 @@ def _level(
             elif samples < _FINE and (fast[j] or weak[j].any()):
                 again.append(i)
             else:
-                out[i] = _followed(plant, float(chords[j]), q[j], steps[j], weak[j])
+                out[i] = _followed(plant, paths[i].segment.length, q[j], steps[j], weak[j])
     return np.array(again, dtype=np.intp)
 
 
-def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Array, Array, Array]:
-    """Chords (m,), joints (m, samples, 6) along each line, and which of them have a branch at the start."""
-    m, s = len(lines), np.linspace(0, 1, samples)
-    X_FT = np.array([line.X_FT for line in lines])
-    X_0, X_1 = (np.array(ends) @ X_FT for ends in zip(*((n.X_WF_0, n.X_WF_1) for n in lines), strict=True))
-    X_WT, chords = poses_of_many(X_0, X_1, s), np.linalg.norm(X_1[:, :3, 3] - X_0[:, :3, 3], axis=1)
-    for i, line in enumerate(lines):
-        if line.arc is not None:
-            X_WT[i], chords[i] = line.arc.pose(s), line.arc.length
+def _sampled(plant: Plant, paths: Sequence[ArmPath], samples: int) -> tuple[Array, Array]:
+    """Joints (m, samples, 6) along each path, and which of them have a branch at the start."""
+    m, s = len(paths), np.linspace(0, 1, samples)
+    X_FT = np.array([path.X_FT for path in paths])
+    X_WT = along_all([path.segment for path in paths], [s] * m)[0].reshape(m, samples, 4, 4)
     X_WF = X_WT @ inverse_pose(X_FT)[:, None]
-    rail = np.array([line.rail for line in lines])
+    rail = np.array([path.rail for path in paths])
     rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
     branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
     branches = branches.reshape(m, samples, *branches.shape[1:])
-    start = np.array([line.q for line in lines])
+    start = np.array([path.q for path in paths])
     away = branches[:, 0] - start[:, None]
     away = np.abs(away - 2 * np.pi * np.round(away / (2 * np.pi))).max(axis=-1)
     away = np.where(np.isnan(away), np.inf, away)
@@ -143,11 +129,11 @@ def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Arra
     each = np.arange(m)
     q = np.unwrap(branches[each, :, branch], axis=1)
     q += 2 * np.pi * np.round((start - q[:, 0]) / (2 * np.pi))[:, None]
-    return chords, q, away[each, branch] <= _SAME
+    return q, away[each, branch] <= _SAME
 
 
-def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArray) -> Followed:
-    """What joints (samples, 6) along one line come to. steps: between them; weak: where the wrist is straight."""
+def _followed(plant: Plant, length: float, q: Array, steps: Array, weak: BoolArray) -> Followed:
+    """What joints (samples, 6) along one path come to. steps: between them; weak: where the wrist is straight."""
     last = len(q) - 1
     gone = np.flatnonzero(np.isnan(q[:, 0]))
     lost = None if not len(gone) else int(gone[0]) / last
@@ -164,10 +150,10 @@ def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArra
         sample = int(np.argmax(out.any(axis=1)))
         joint = int(np.argmax(out[sample]))
         beyond = (joint, sample / last, float(low[joint] if q[sample, joint] < low[joint] else high[joint]))
-    first = min(share for share in (lost, singular, None if beyond is None else beyond[1], 2.0) if share is not None)
+    first = min(s for s in (lost, singular, None if beyond is None else beyond[1], 2.0) if s is not None)
     return Followed(
         q[-1],
-        chord,
+        length,
         lost if lost == first else None,
         singular if singular == first else None,
         jump,

@@ -36,11 +36,9 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.path.turning import Turning
+from trajopt_cli.path.segment import Segment
 from trajopt_cli.problem.acceleration_settings import acceleration_share, path_acceleration, tcp_acceleration
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom, RailFreedom
@@ -132,7 +130,7 @@ class Leg:
     v_rail: float
     duration: float | None = None
     rail_moves: bool = True
-    segment: Line | Arc | Turning | None = None
+    segment: Segment | None = None
     acceleration: float = 1.0
     least: float = 0.0
     load: ToolLoad | None = None
@@ -142,23 +140,18 @@ class Leg:
 
     @cached_property
     def key(self) -> bytes:
-        """Its way, its caps and its load: equal where the same is asked, wherever it stands in a program."""
+        """Its path, its caps and its load: equal where the same is asked, wherever it stands in a program."""
         numbers = self.v_tcp, self.a_tcp, self.v_ori, self.v_rail, self.duration, self.rail_moves, self.acceleration
         parts = [self.kind.value.encode(), repr((*numbers, self.least, self.along)).encode(), _digits(self.X_FT)]
         if self.load is not None:
             parts.append(repr(self.load.numbers).encode())
-        way = self.segment
-        if isinstance(way, Turning):
-            parts, way = [*parts, repr(self.units).encode()], way.way
-        if way is not None:
-            parts.append(_digits(way.pose(np.array([0.0, 1.0]))))
-        if isinstance(way, Arc):
-            parts.append(_digits(way.numbers))
+        if self.segment is not None:
+            parts += [repr(self.units).encode(), _digits(self.segment.numbers)]
         return b"|".join(parts)
 
     @property
     def chord(self) -> float:
-        """The tool's way on a line or an arc [m]."""
+        """The length of a line or an arc [m]."""
         return 0.0 if self.segment is None else self.segment.length
 
     @property
@@ -168,7 +161,7 @@ class Leg:
 
     @property
     def fastest_turn(self) -> float:
-        """The highest rate of turning on a line or an arc per unit of its share [rad]."""
+        """The highest rate of turning on a line or an arc by its path parameter [rad]."""
         return 0.0 if self.segment is None else self.segment.fastest_turn
 
     @property
@@ -237,6 +230,12 @@ class Problem:
         held = self.freedom.rail.value, self.freedom.through_stops, self.coupling.value
         points = [point.key for point in self.waypoints[first : last + 1]]
         return b"|".join([*points, *(leg.key for leg in self.legs[first:last]), repr(held).encode()])
+
+    def segment(self, k: int) -> Segment:
+        """The tool's path on leg k; of a wait, which has none of its own, the line of no length where it stands."""
+        leg = self.legs[k]
+        X_WT = self.waypoints[k].X_WF @ leg.X_FT
+        return leg.segment or Line(X_WT, X_WT)
 
     def motion(self, index: int) -> Motion:
         """The program's motion number index."""
@@ -471,17 +470,16 @@ class _Build:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
         start = self.waypoints[-1]
         end = self._at_pose(index, motion)
-        way = segment_of(motion, start.X_WF @ motion.tool.X_FT)
-        assert not isinstance(way, Dwell)
+        path = segment_of(motion, start.X_WF @ motion.tool.X_FT)
         units = turned_under(motion)
-        still = way.length < _POINT and way.angle < _POINT and not units
+        still = path.length < _POINT and path.angle < _POINT and not units
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         if still and motion.least and not _apart(start.rail, end.rail):
             self._stand(motion, end, moves)
             return
         self._to(end, motion, _caps(motion, self._plant))
-        kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
+        kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, path)
         moves = moves and self.legs[-1].rail_moves
         self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment, units=units)
 

@@ -1,4 +1,4 @@
-"""What only the start of a motion tells: arcs whose three points make no circle, and speeds of 0 that it needs.
+"""What only the start of a motion tells: paths that it leaves open, and speeds of 0 that it needs.
 
 The reader refuses points that are too near each other where it knows all three; the start behind a move to joints is
 known only here. Of `speeddata` a part may be 0 where nothing moves by it, as in vrot10 and vlin10.
@@ -15,16 +15,14 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, PoseMove
-from trajopt_cli.path.arc import Arc
+from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, PathMove, PoseMove
 from trajopt_cli.path.circle import Point, circle_through
 from trajopt_cli.path.of_motion import segment_of, turns_of
-from trajopt_cli.path.turning import Turning, turned_back
+from trajopt_cli.path.turning import turned_back
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.units import MM
 
 NEAR = 0.1 * MM  # m; a controller refuses circles with points nearer than this
-LEAST_SHARE = 0.25  # of the arc: CirPointOri wants its circle point between this and 1 - this (manual: CirPathMode)
 _TURNS = radians(0.01)  # rad between the orientations at both ends; less is the rounding of quaternions
 _MOVES = 1e-3 * MM  # m of rail
 
@@ -36,7 +34,7 @@ class Starts:
         self._free_speed = plant.free_speed
         self._robot, self._layout, self._rail_value = plant.robot, plant.layout, plant.rail_value
         self._rail = float(plant.layout.place(plant.start))
-        self._at: Array = plant.start  # all axes (k,), or the flange (4, 4): made only where an arc asks
+        self._at: Array = plant.start  # all axes (k,), or the flange (4, 4): made only where a path asks
         self._carried = 0.0  # m that the rail has gone since, alone
 
     def wrong(self, motion: Move) -> Iterator[tuple[str, str, str]]:
@@ -49,10 +47,8 @@ class Starts:
         if isinstance(motion, MoveExtJ):
             self._carried += self._rail - before
             return
-        if isinstance(motion, MoveC):
-            X_WF = self._flange()
-            if found := _wrong(_points(motion, X_WF)) or _unclear(motion, X_WF):
-                yield "no circle", *found
+        if isinstance(motion, PathMove) and (found := self._unclear(motion)):
+            yield "no circle", *found
         if isinstance(motion, MoveAbsJ):
             self._at = self._layout.join(self._rail, motion.q)
         else:
@@ -72,16 +68,25 @@ class Starts:
             yield "v_ori of 0", what, "give it a speed of reorientation above 0, or keep the orientation"
 
     def _turn(self, motion: PoseMove | MoveAbsJ) -> float:
-        """How far a motion turns the tool [rad]; an arc as CirPathMode says."""
+        """How far a motion turns the tool [rad]."""
         X_WT = self._flange() @ motion.tool.X_FT
-        if isinstance(motion, MoveC) and not motion.tool.stationary:
+        if isinstance(motion, PathMove) and not motion.tool.stationary:
             with suppress(InputError):  # no circle, which is told as such
                 return segment_of(motion, X_WT).angle
         if isinstance(motion, MoveAbsJ):
             there = self._robot.forward(self._layout.join(self._rail, motion.q)) @ motion.tool.X_FT
         else:
-            there = turned_back(turns, motion.X_WT) if (turns := turns_of(motion)) else motion.X_WT
+            there = turned_back(turns_of(motion), motion.X_WT)
         return axis_angle(X_WT[:3, :3].T @ there[:3, :3])[1]
+
+    def _unclear(self, motion: PathMove) -> tuple[str, str] | None:
+        """What the program leaves open of a path."""
+        X_WF = self._flange()
+        if isinstance(motion, MoveC) and (found := _wrong(_points(motion, X_WF))):
+            return found
+        if motion.tool.stationary or motion.settings.circle.wrist_alone:  # refused as such
+            return None
+        return segment_of(motion, X_WF @ motion.tool.X_FT).unclear
 
     def _flange(self) -> Array:
         X_WF = np.array(self._at if self._at.ndim == 2 else self._robot.forward(self._at))
@@ -103,27 +108,6 @@ def _points(motion: MoveC, X_WF: Array) -> dict[str, Point]:
         name: (float(x), float(y), float(z))
         for name, (x, y, z) in zip(("start", "point on the way", "end"), (X[:3, 3] for X in poses), strict=True)
     }
-
-
-def _unclear(motion: MoveC, X_WF: Array) -> tuple[str, str] | None:
-    """What is wrong with the orientation of the circle point."""
-    if motion.tool.stationary or motion.settings.circle.wrist_alone:  # refused as such
-        return None
-    way = segment_of(motion, X_WF @ motion.tool.X_FT)
-    arc = way.way if isinstance(way, Turning) else way
-    assert isinstance(arc, Arc)
-    if not arc.decided:
-        return (
-            "turns the tool by half a turn relative to the circle, and its circle point does not say to which side",
-            "give the circle point an orientation between those of both ends",
-        )
-    if not arc.even and not LEAST_SHARE <= arc.passed <= 1 - LEAST_SHARE:
-        return (
-            f"has its circle point at {arc.passed:.0%} of the arc under CirPathMode \\CirPointOri, which takes"
-            f" {LEAST_SHARE:.0%} to {1 - LEAST_SHARE:.0%}",
-            "move the circle point to the middle",
-        )
-    return None
 
 
 def _wrong(points: dict[str, Point]) -> tuple[str, str] | None:

@@ -27,7 +27,6 @@ from trajopt_cli.motion import (
     Motion,
     Move,
     MoveAbsJ,
-    MoveC,
     MoveExtJ,
     MoveL,
     PathMove,
@@ -38,9 +37,8 @@ from trajopt_cli.motion import (
     Wait,
     Zone,
 )
-from trajopt_cli.path.circle import Point, arc_length, circle_through
 from trajopt_cli.path.of_motion import segment_of, turns_of
-from trajopt_cli.path.segment import POINT
+from trajopt_cli.path.segment import POINT, Segment
 from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
 
@@ -293,30 +291,27 @@ def _travel(kinematics: Kinematics | None, before: ExternalAxes, extax: External
 
 
 def _length(motion: PoseMove | MoveAbsJ, before: _Place, after: _Place) -> float:
-    turns = turns_of(motion)  # of a table under it, as it stands at the start
-    X_0, X_1 = before.seen_by(motion.tool), turned_back(turns, after.seen_by(motion.tool))
-    start, end = _point(X_0[:3, 3]), _point(X_1[:3, 3])
-    if isinstance(motion, MoveC) and not motion.tool.stationary:  # else the work moves: its points pass the tool
-        course = circle_through(start, _point(turned_back(turns, motion.X_WV)[:3, 3]), end)
-        if course is not None:
-            return arc_length(course, start)
-    return dist(start, end)
+    if curve := _curve(motion, before):
+        return curve.length
+    X_1 = turned_back(turns_of(motion), after.seen_by(motion.tool))  # as a table under it stands at the start
+    return dist(before.seen_by(motion.tool)[:3, 3].tolist(), X_1[:3, 3].tolist())
 
 
 def _angle(motion: PoseMove | MoveAbsJ, before: _Place, after: _Place) -> float:
-    """Reorientation [rad] on the way; of an arc what CirPathMode makes it."""
-    X_0 = before.seen_by(motion.tool)
-    if isinstance(motion, MoveC) and not motion.tool.stationary:
+    """Reorientation [rad] on the way."""
+    if curve := _curve(motion, before):
+        return curve.angle
+    return axis_angle(before.seen_by(motion.tool)[:3, :3].T @ after.seen_by(motion.tool)[:3, :3])[1]
+
+
+def _curve(motion: PoseMove | MoveAbsJ, before: _Place) -> Segment | None:
+    """The path of a motion that prescribes another one than a line."""
+    if isinstance(motion, PathMove) and not isinstance(motion, MoveL) and not motion.tool.stationary:
         with suppress(InputError):  # what is no circle is refused where it is planned
-            return segment_of(motion, X_0).angle
-    return axis_angle(X_0[:3, :3].T @ after.seen_by(motion.tool)[:3, :3])[1]
+            return segment_of(motion, before.seen_by(motion.tool))
+    return None  # of a stationary tool the work moves: its points pass the tool
 
 
 def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
     a, b, c, d, e, f = (old if new is None else new for old, new in zip(before, given, strict=True))
     return (a, b, c, d, e, f)
-
-
-def _point(p: Array) -> Point:
-    x, y, z = p.tolist()
-    return x, y, z

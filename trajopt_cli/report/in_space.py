@@ -15,7 +15,7 @@ from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.motion import MoveC, MoveL, Wait
+from trajopt_cli.motion import MoveL, PathMove, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report import obstacles
@@ -130,7 +130,7 @@ def _kind(leg: TimedMotion) -> str:
     match leg.motion:
         case MoveL():
             return "line"
-        case MoveC():
+        case PathMove():
             return "arc"
         case Wait():
             return "wait"

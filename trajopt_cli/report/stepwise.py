@@ -16,9 +16,9 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, readonly
-from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, Program, SignalEvent, Source, Wait, motion_name
-from trajopt_cli.path.arc import Arc
+from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, PathMove, Program, SignalEvent, Source, Wait, motion_name
 from trajopt_cli.path.of_motion import segment_of
+from trajopt_cli.path.segment import Segment
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.timing.double_integrator import trapezoid_time
 
@@ -181,9 +181,9 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     length = float(np.linalg.norm(X_BT_1[:3, 3] - X_BT_0[:3, 3]))
     seen, real = (np.array([X_0[:3, 3], X_1[:3, 3]]) for X_0, X_1 in (X_BT, (X_WT_0, X_WT_1)))
     angle = axis_angle(X_BT_0[:3, :3].T @ X_BT_1[:3, :3])[1]
-    if isinstance(motion, MoveC) and isinstance(arc := segment_of(motion, X_WT_0), Arc):
-        length, seen, real = _along(arc, plant, rail)
-        angle = arc.angle
+    if isinstance(motion, PathMove) and not (path := segment_of(motion, X_WT_0)).straight:
+        length, seen, real = _along(path, plant, rail)
+        angle = path.angle
     way = abs(rail[1] - rail[0])
     v_tcp = min(motion.speed.v_tcp, plant.tcp.speed)
     if max(length, angle) <= _STANDS:
@@ -211,14 +211,14 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     )  # fmt: skip
 
 
-def _along(arc: Arc, plant: Plant, rail: tuple[float, float]) -> tuple[float, Array, Array]:
-    """An arc as the carriage sees it, the rail going in proportion: its length, and places on it from there and in the
+def _along(path: Segment, plant: Plant, rail: tuple[float, float]) -> tuple[float, Array, Array]:
+    """A path as the carriage sees it, the rail going in proportion: its length, and places on it from there and in the
     world (n, 3)."""
     x, weight = np.polynomial.legendre.leggauss(_GAUSS)
     carried = np.zeros(3) if plant.robot.rail_axis_W is None else (rail[1] - rail[0]) * plant.robot.rail_axis_W
-    length = float(weight @ np.linalg.norm(arc.twist((1 + x) / 2)[:, :3] - carried, axis=1)) / 2
+    length = float(weight @ np.linalg.norm(path.twist((1 + x) / 2)[:, :3] - carried, axis=1)) / 2
     s = np.linspace(0.0, 1.0, _PLACES)
-    X_WT = arc.pose(s)
+    X_WT = path.pose(s)
     X_BT = inverse_pose(plant.robot.base(rail[0] + s * (rail[1] - rail[0]))) @ X_WT
     return length, X_BT[:, :3, 3], X_WT[:, :3, 3]
 

@@ -14,7 +14,6 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Motion, Move, Program, motion_name, turned_under
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
@@ -66,9 +65,9 @@ class BaselineLeg:
         return self.leg.kind is not LegKind.JOINT and not self.holds
 
     @property
-    def is_arc(self) -> bool:
-        """Whether the TCP goes along an arc."""
-        return isinstance(self.leg.segment, Arc)
+    def curved(self) -> bool:
+        """Whether the TCP goes along a curve."""
+        return self.leg.segment is not None and not self.leg.segment.straight
 
     @property
     def key(self) -> bytes:
@@ -102,7 +101,7 @@ class StopToStop:
     @property
     def by_parts(self) -> bool:
         """Whether it is timed part by part of its path: legs with corners between them, and arcs."""
-        return len(self.legs) > 1 or (self.path is not None and self.legs[0].is_arc)
+        return len(self.legs) > 1 or (self.path is not None and self.legs[0].curved)
 
     @property
     def least(self) -> float:
@@ -183,7 +182,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
         if legs and (leg.motion not in passed or k + 1 == len(problem.legs)):
             run, path = StopToStop(tuple(legs.values())), None
             if len(legs) > 1 or run.legs[0].on_line:
-                nodes = plant.settings.run_nodes if len(legs) > 1 or run.legs[0].is_arc else _LINE_NODES
+                nodes = plant.settings.run_nodes if len(legs) > 1 or run.legs[0].curved else _LINE_NODES
                 path = sample_path(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes)
                 if path is None:
                     why = f"{motion_name(motion)} has no path, although the fixed-rail plan has one"

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, Move, MoveC, MoveJ, PathMove, PoseMove, Program, motion_name
+from trajopt_cli.motion import Motion, Move, MoveJ, MoveL, PathMove, PoseMove, Program, motion_name
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.editable import droppable
@@ -186,7 +186,7 @@ def _arm_time(motion: PoseMove, X_before: Array, plant: Plant) -> float:
     """Seconds the thesis' generator takes from the point before, every Cartesian axis from rest to rest; on an arc the
     one axis along it."""
     speed = plant.tcp.speed if isinstance(motion, MoveJ) else min(plant.tcp.speed, motion.speed.v_tcp)
-    if isinstance(motion, MoveC):
+    if isinstance(motion, PathMove) and not isinstance(motion, MoveL):
         ways: Array | float = segment_of(motion, X_before).length
     else:
         ways = np.abs(motion.X_WT[:3, 3] - X_before[:3, 3])

@@ -15,9 +15,7 @@ from typing import Literal
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.path.along import along_all
-from trajopt_cli.path.segment import Segment
-from trajopt_cli.path.turning import over_work
+from trajopt_cli.path.segment import Segment, along_all, over_work
 from trajopt_cli.trajectories.axes import Axes
 
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics tells joints 4 and 6 apart by convention only

@@ -17,9 +17,9 @@ from trajopt_cli.iiwa.task.rapid_path import chain_of
 from trajopt_cli.motion import (
     FlyBy,
     Motion,
-    MoveC,
     MoveJ,
     MoveL,
+    PathMove,
     PoseMove,
     Program,
     SignalEvent,
@@ -107,8 +107,9 @@ def program_route(
                 waypoints[-1] = Waypoint(last.name, last.pose, last.place, last.dwell + motion.duration)
             case Wait():
                 raise _refused(motion.source, f"waits for {motion.condition}, which has no known length; remove it")
-            case MoveC() if tolerance is None:
-                message = "MoveC is not a straight segment; give 'passing' a tolerance, under which arcs are followed"
+            case PathMove() if tolerance is None and not isinstance(motion, MoveL):
+                message = f"{type(motion).__name__} is not a straight segment; give 'passing' a tolerance, under which"
+                message += " arcs are followed"
                 raise _refused(motion.source, message)
             case PoseMove() if isinstance(motion, MoveJ) != bool(waypoints) or isinstance(motion, MoveL):
                 _check_plain(motion)

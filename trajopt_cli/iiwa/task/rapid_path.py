@@ -10,10 +10,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import FlyBy, PathMove, PoseMove
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
-from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
+from trajopt_cli.path.segment import Segment
 
 _SHARE = 0.1  # of the tolerance that a chord may be away from its curve
 _TURN = radians(2.0)  # from pose to pose at most, where orientations are to follow the program's
@@ -29,18 +28,16 @@ def chain_of(
     zones: the corners that are driven at ends of moves. Raises InputError for a MoveC whose points make no circle.
     """
     X, of, ends = [moves[0].X_WT[None]], [0], [0]
-    ways: list[Line | Arc] = []
+    ways: list[Segment] = []
     for before, move in pairwise(moves):
         assert isinstance(move, PathMove)
-        way = segment_of(move, before.X_WT)
-        assert isinstance(way, Line | Arc)
-        ways.append(way)
+        ways.append(segment_of(move, before.X_WT))
     entered = 0.0
     for k, way in enumerate(ways, start=1):
         corner = None
         if k in zones and k < len(ways):
             corner = Corner.of_zone(way, ways[k], zones[k].radius, zones[k].turning)
-        left = 1.0 - (corner.share_before if corner else 0.0)
+        left = 1.0 - (corner.fraction_before if corner else 0.0)
         if left > entered:
             count = _pieces(way, left - entered, tolerance)
             shares = entered + (left - entered) * np.arange(1, count + 1) / count
@@ -54,20 +51,21 @@ def chain_of(
         X.append(corner.pose(np.arange(1, 2 * half + 1) / (2 * half)))
         ends.append(len(of) - 1 + half)
         of += [k] * half + [k + 1] * half
-        entered = corner.share_after
+        entered = corner.fraction_after
     return np.concatenate(X), of, ends
 
 
-def _pieces(way: Line | Arc, share: float, tolerance: float) -> int:
-    """Into how many chords a part of a way is cut: by their distance from it, and by what they turn."""
-    count = max(1, ceil(way.angle * share / _TURN))
-    if isinstance(way, Arc):
-        count = max(count, ceil(way.length * share / sqrt(8 * way.radius * _SHARE * tolerance)))
-    return count
+def _pieces(segment: Segment, fraction: float, tolerance: float) -> int:
+    """Into how many chords a part of a path is cut: by their distance from it, and by what they turn."""
+    return max(1, ceil(segment.angle * fraction / _TURN), ceil(fraction * _chords(segment, tolerance)))
+
+
+def _chords(segment: Segment, tolerance: float) -> float:
+    """How many chords keep within a part of the tolerance of a segment."""
+    bend = segment.twist_rate(np.linspace(0.0, 1.0, 9))[:, :3]
+    return sqrt(float(np.linalg.norm(bend, axis=1).max()) / (8 * _SHARE * tolerance))
 
 
 def _half(corner: Corner, tolerance: float) -> int:
     """Chords in one half of a corner."""
-    bend = corner.twist_rate(np.linspace(0.0, 1.0, 9))[:, :3]
-    most = float(np.linalg.norm(bend, axis=1).max())
-    return max(_FEWEST, ceil(sqrt(most / (8 * _SHARE * tolerance)) / 2), ceil(corner.angle / _TURN / 2))
+    return max(_FEWEST, ceil(_chords(corner, tolerance) / 2), ceil(corner.angle / _TURN / 2))

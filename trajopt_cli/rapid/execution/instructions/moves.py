@@ -20,6 +20,7 @@ from trajopt_cli.motion import (
     MoveJ,
     MoveL,
     PathEvent,
+    PoseMove,
     Process,
     Span,
     Speed,
@@ -55,7 +56,7 @@ POSE_OPTIONS = ("Conc", "ID", "V", "T", "Z", "Inpos", "WObj", "Corr", "TLoad")
 _JOINT_OPTIONS = ("Conc", "ID", "NoEOffs", "V", "T", "Z", "Inpos", "WObj", "TLoad")
 _EXTERNAL_OPTIONS = ("Conc", "ID", "UseEOffs", "T", "Inpos")
 
-PoseKind = type[MoveJ] | type[MoveL] | type[MoveC]
+PoseKind = type[PoseMove]
 
 
 class Target(NamedTuple):
@@ -95,7 +96,7 @@ def asked(args: Arguments, via: bool) -> Asked:
 
 def _to_pose(kind: PoseKind) -> Handler:
     """MoveJ, MoveL or MoveC."""
-    via = ("CirPoint",) if kind is MoveC else ()
+    via = kind.via
 
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, (*via, "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)

@@ -55,8 +55,7 @@ def _process(
     zone False: the instruction has no zone and always stops. governing: which of data says the speed of the process.
     more: one that stands before the last of data in some versions.
     """
-    via = kind is MoveC
-    points = ("CirPoint", "ToPoint") if via else ("ToPoint",)
+    points = (*kind.via, "ToPoint")
     behind = 2 if zone else 1
 
     ends = ("Zone", "Tool") if zone else ("Tool",)
@@ -74,7 +73,7 @@ def _process(
         parts = tuple((label, run.text(value)) for label, value in zip(kinds[len(extra)], extra, strict=True))
         parts += tuple((label, "" if value is None else run.text(value)) for label, value in own.items())
         rest = places[-behind:] if zone else [places[len(points)], places[-1]]  # a zone that is not read
-        request = asked(Arguments((*places[: len(points) + 1], *rest), plain.optional), via=via)
+        request = asked(Arguments((*places[: len(points) + 1], *rest), plain.optional), via=bool(kind.via))
         if not zone:
             request = request._replace(zone=None, args=Arguments((), _without_stop(plain.optional)))
         speed = None

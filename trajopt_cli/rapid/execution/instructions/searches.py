@@ -33,7 +33,7 @@ _FLANKS = ("Flanks", "PosFlank", "NegFlank", "HighLevel", "LowLevel")
 
 
 def _search(kind: PoseKind, name: str) -> Handler:
-    via = ("CirPoint",) if kind is MoveC else ()
+    via = kind.via
     required = ("Signal", "SearchPoint", *via, "ToPoint", "Speed", "Tool")
     options = ("Stop", "PStop", "SStop", "Sup", *_FLANKS, "ID", "V", "T", "WObj", "Corr", "TLoad")
 

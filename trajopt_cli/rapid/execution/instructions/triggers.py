@@ -71,7 +71,7 @@ def _output(run: Context, node: ProcedureCall, args: Arguments) -> str:
 
 
 def _triggered(kind: PoseKind, name: str) -> Handler:
-    via = ("CirPoint",) if kind is MoveC else ()
+    via = kind.via
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
     def handler(run: Context, node: ProcedureCall) -> None:
@@ -105,7 +105,7 @@ def _happen(run: Context, event: PathEvent) -> None:
 
 def _with_output(kind: PoseKind, name: str) -> Handler:
     """MoveLDO and its like: the output is set in the middle of the corner."""
-    via = ("CirPoint",) if kind is MoveC else ()
+    via = kind.via
     group = name.endswith("GO")
 
     def handler(run: Context, node: ProcedureCall) -> None:
@@ -124,7 +124,7 @@ def _with_output(kind: PoseKind, name: str) -> Handler:
 
 def _with_procedure(kind: PoseKind, name: str) -> Handler:
     """MoveLSync and its like: a procedure is run in the middle of the corner; here right after the move."""
-    via = ("CirPoint",) if kind is MoveC else ()
+    via = kind.via
 
     def handler(run: Context, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "ProcName")
