@@ -249,28 +249,28 @@ def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: 
     dosed = task.parent / "out-dosed"
     shown = capsys.readouterr().out
     assert "lower bound" in shown
-    assert "on a long line that lag allows 40 mm/s" in shown  # 20 mm times 1000 N/m over 500 N s/m
+    assert "40 mm/s on a long line" in shown  # 20 mm times 1000 N/m over 500 N s/m
     assert run(["iiwa", "simulate", str(dosed)]) == 0
     heads, rows = table(dosed / "simulation.csv")
-    assert 0.0199 < rows[:, heads.index("deviation [m]")].max() <= 0.02 * (1 + 1e-9)
+    assert rows[:, heads.index("deviation [m]")].max() <= 0.02 * (1 + 1e-9)
+    assert 0.0199 < np.linalg.norm(rows[:, 1:4] - rows[:, 7:10], axis=1).max() <= 0.02 * (1 + 1e-6)  # nor pushes more
     end = rows[-1, 1:7]
     there = (np.linalg.norm(rows[:, 7:10] - end[:3], axis=1) <= 1e-3) & (
         np.linalg.norm(rows[:, 10:13] - end[3:], axis=1) <= np.radians(0.1)
     )
     dosing = json.loads((dosed / "summary.json").read_text())["dosing"]
     assert [way["feed"] for way in dosing["undosed"]] == ["as programmed", "with the equilibrium's speed"]
-    assert list(dosing["feeds"]) == [dosing["feed"]] == ["position"]
-    assert dosing["feeds"]["position"]["arrived_s"] == pytest.approx(rows[np.flatnonzero(~there)[-1] + 1, 0], abs=1e-9)
+    assert list(dosing["feeds"]) == [dosing["feed"]] == ["inverse"]
+    assert dosing["feeds"]["inverse"]["arrived_s"] == pytest.approx(rows[np.flatnonzero(~there)[-1] + 1, 0], abs=1e-9)
     assert dosing["undosed"][0]["lag"]["largest_m"] > dosing["undosed"][1]["lag"]["largest_m"]
     _, sequence = table(dosed / "equilibrium.csv")
     _, given = table(folder / "equilibrium.csv")
     np.testing.assert_array_equal(sequence[-1, 1:], given[-1, 1:])
 
 
-@pytest.mark.parametrize("feed", ["velocity", "inverse"])
-def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_lead_is_kept_in_the_loop_as_it_is_told(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
-    options = ["--max-lag", "3mm", "--max-lead", "20N", "--feed", feed]
+    options = ["--max-lag", "3mm", "--max-lead", "20N"]
     assert run(["iiwa", "dose", str(folder), *options]) == 0
     dosed = task.parent / "out-dosed"
     shown = capsys.readouterr().out
@@ -280,28 +280,35 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     # the whole loop on an arm that follows, fed as the folder says
     assert run(["iiwa", "simulate", str(dosed), "--engine", "spring"]) == 0
     simulated = capsys.readouterr().out
-    assert f"feed {'velocity' if feed == 'velocity' else 'position'}" in simulated
     assert f"force if blocked: up to {told[1]} N" in simulated  # the same number from both commands
-    assert (", counted from plan.csv" in simulated) == (feed == "inverse")
+    assert ", counted from plan.csv" in simulated
     heads, rows = table(dosed / "simulation.csv")
     assert rows[:, heads.index("deviation [m]")].max() <= 3e-3 * (1 + 1e-6)
     x_e, x = rows[:, 1:4], rows[:, 7:10]
     push = 1000 * (x_e - x)
-    if feed == "velocity":
-        push[:-1] += 500 * np.diff(x_e, axis=0) / H
     assert 19 < np.linalg.norm(push, axis=1).max() <= 20 * (1 + 1e-4)  # of differences of printed rows
-    if feed == "inverse":
-        turned = 30 * (rows[:, 4:7] - rows[:, 10:13])
-        assert float(told[2]) == pytest.approx(np.linalg.norm(turned, axis=1).max(), abs=0.006)
-    assert (dosed / "plan.csv").is_file() == (feed == "inverse")
+    turned = 30 * (rows[:, 4:7] - rows[:, 10:13])
+    assert float(told[2]) == pytest.approx(np.linalg.norm(turned, axis=1).max(), abs=0.006)
+    assert (dosed / "plan.csv").is_file()
     assert run(["iiwa", "dose", str(dosed), "--max-lag", "3mm"]) == 2
     assert "is dosed already" in capsys.readouterr().err
-    if feed == "inverse":  # its equilibrium jumps
-        assert run(["iiwa", "joints", str(dosed)]) == 1
-        told_of_joints = capsys.readouterr().err
-        assert "these are no joints of the arm" in told_of_joints
-        assert "mm from plan.csv" in told_of_joints
-        assert "a_max" not in told_of_joints
+    assert run(["iiwa", "joints", str(dosed)]) == 1  # its equilibrium jumps
+    told_of_joints = capsys.readouterr().err
+    assert "these are no joints of the arm" in told_of_joints
+    assert "mm from plan.csv" in told_of_joints
+    assert "a_max" not in told_of_joints
+
+
+def test_feeds_by_their_old_names_are_fed_by_the_inverse_law_with_a_warning(
+    task: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    task.write_text(TASK.replace("h: 4", "h: 8"))
+    folder, dosed, lengths = segments(task), task.parent / "out-dosed", {}
+    for feed in ("position", "velocity", "inverse"):
+        assert run(["iiwa", "dose", str(folder), "--max-lag", "3mm", "--feed", feed, "--output", str(dosed)]) == 0
+        assert capsys.readouterr().err.startswith(f"warning: --feed {feed}") == (feed != "inverse")
+        lengths[feed] = len((dosed / "equilibrium.csv").read_text().splitlines())
+    assert lengths["position"] > 2 * lengths["velocity"] == 2 * lengths["inverse"]  # which no spring's push bounds
 
 
 @pytest.mark.parametrize("rotation", ["tait-bryan", "slerp\nangles: absolute"])
@@ -320,7 +327,6 @@ def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
     printed = capsys.readouterr().out
     dosing = json.loads(printed[printed.index("{") :])
     assert dosing["feed"] == "inverse"
-    assert dosing["feeds"]["inverse"]["duration_s"] < dosing["feeds"]["position"]["duration_s"] / 4
     assert any(note.startswith("slowed down for joint_") for note in dosing["notes"])
     worst = [one["value"] / one["limit"] for one in dosing["joints"]["findings"] if one["check"] == "acceleration"]
     assert 0.8 < max(worst) <= 1  # no slower than it has to be
@@ -328,7 +334,7 @@ def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
 
 
 @pytest.mark.usefixtures("only_png")
-def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_front_shows_what_other_leads_would_allow(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     task.write_text(TASK.replace("h: 4", "h: 8"))
     folder = segments(task)
     plots = task.parent / "plots"
@@ -336,15 +342,13 @@ def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.
     assert run(["iiwa", "dose", str(folder), *options]) == 0
     printed = capsys.readouterr().out
     dosing = json.loads(printed[printed.index("{") :])
-    durations = {feed: made["duration_s"] for feed, made in dosing["feeds"].items()}
-    assert set(durations) == {"position", "velocity", "inverse"}
-    assert durations[dosing["feed"]] == min(durations.values())
     leads = [point["lead"]["most"] for point in dosing["front"]]
     assert leads == sorted(leads, reverse=True)
     assert 0.015 in leads
-    for feed in durations:  # what is allowed more never takes longer, but for what a period costs
-        times = [point[f"{feed}_s"] for point in dosing["front"]]
-        assert all(longer >= shorter - 0.02 for shorter, longer in pairwise(times))
+    times = [
+        point["inverse_s"] for point in dosing["front"]
+    ]  # what is allowed more never takes longer, but for a period
+    assert all(longer >= shorter - 0.02 for shorter, longer in pairwise(times))
     assert (plots / "dosing_front.png").is_file()
     assert run(["iiwa", "dose", str(folder), "--max-lag", "3mm", "--front"]) == 2
     assert "--front: needs a bound on the lead; give --max-lead" in capsys.readouterr().err

@@ -21,7 +21,7 @@ from iiwa_folders import (
 from spoiled_iiwa import SPOILED
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed, Lead
+from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
 from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob, schedule_feed
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.verify import Judged, verify_folder
@@ -186,23 +186,19 @@ def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str]
     assert {"path", "position"} <= failed(verify_folder(folder))
 
 
-@pytest.mark.parametrize("feed", list(DoseFeed))
-def test_a_dosed_sequence_keeps_its_path_and_its_caps(
-    feed: DoseFeed, bases: Callable[[str], Path], tmp_path: Path
-) -> None:
-    dosed = schedule_feed(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)), feed)
+def test_a_dosed_sequence_keeps_its_path_and_its_caps(bases: Callable[[str], Path], tmp_path: Path) -> None:
+    dosed = schedule_feed(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)))
     assert isinstance(dosed, ScheduledJob)
     judged = verify_folder(tmp_path / "dosed")
     assert messages(judged) == []
-    plan = "plan_quaternion.csv" if feed is DoseFeed.INVERSE else "equilibrium_quaternion.csv"
-    checks = {finding.check for finding in judged.reports[plan].findings}
+    checks = {finding.check for finding in judged.reports["plan_quaternion.csv"].findings}
     assert {"path", "v_max", "dwell"} <= checks
     assert not checks & {"a_max", "standing"}
 
 
 def test_a_plan_that_passes_its_corners_at_speed_has_rows_at_them(tmp_path: Path) -> None:
     make_folder(tmp_path / "cube", shipped("cube").replace("profile: trapezoid", "profile: thesis"), joints=False)
-    dosed = schedule_feed(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)), DoseFeed.INVERSE)
+    dosed = schedule_feed(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)))
     assert isinstance(dosed, ScheduledJob)
     assert any("slowed down" in note for note in dosed.scheduled.notes)  # or the joints would break theirs
     assert dosed.scheduled.lag.maximum > 4e-3  # corners are cut

@@ -148,7 +148,7 @@ def dose(
             "--max-lead",
             metavar="50N|40mm",
             help="How hard the tool may begin to push if somebody holds it, or how far a spring that pushes as much is"
-            " stretched; then every feed is tried.",
+            " stretched; default: the lag.",
         ),
     ] = None,
     max_turn_lag: Annotated[
@@ -161,8 +161,8 @@ def dose(
         Literal["position", "velocity", "inverse"] | None,
         typer.Option(
             "--feed",
-            help="What is fed: the plan, its speed too, or what moves the arm along it (u = x + D/K x' + M/K x'');"
-            " default: positions, with a lead the fastest.",
+            help="Without --max-lead: position (default) pushes no harder than a spring stretched by the lag, inverse"
+            " as hard as the programmed speed asks. Fed is what moves the arm on its plan: u = x + D/K x' + M/K x''.",
         ),
     ] = None,
     front: Annotated[
@@ -187,9 +187,17 @@ def dose(
       trajopt iiwa dose results/iiwa_cube --max-lag 5mm --max-lead 100N
     """
     from trajopt_cli import iiwa
+    from trajopt_cli.cli.console import warn
 
+    if feed in ("position", "velocity"):
+        warn(f"warning: --feed {feed}: the inverse law is fed all the same; the value goes with the next version")
     bounds = (max_lag, max_turn_lag, max_lead, max_turn_lead)
-    _report(iiwa.schedule_feed(results, *bounds, feed, front, output, plots), as_json, quiet, plots)
+    _report(
+        iiwa.schedule_feed(results, *bounds, feed in ("velocity", "inverse"), front, output, plots),
+        as_json,
+        quiet,
+        plots,
+    )
 
 
 @app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")

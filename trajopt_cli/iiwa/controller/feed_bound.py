@@ -3,12 +3,12 @@
 When the plan is at waypoint X_i the arm is within b of it, at p_i = X_i + b xi_i with ||xi_i|| <= 1 (the first exactly
 at it, at rest). Along the chord n between two of them the arm gains at most c(n) a second, because its speed is a
 weighted sum of what the law pushed with: c(n) = B/h sum_j ||W_j n||, W_j the weights on the push j periods ago and B
-its bound; fed positions alone, the push is the spring's, and the lag bounds it. So the way takes n (p_k - p_i) / c(n).
+its bound. So the way takes n (p_k - p_i) / c(n).
 
 Summed over the legs by parts, a corner with mu = n/c before and mu' after gives back at most b ||mu - mu'||. Where legs
 are short against b that sum is void; then chords over many legs may say more: of all ways to lay chords that do not
-overlap, with the time at the caps between them, the one that asks most is a bound, too. Both hold for every sequence
-of the feed, corners cut or not. Angles count where only one of them changes, for only there is a sum of turns a turn.
+overlap, with the time at the caps between them, the one that asks most is a bound, too. Both hold for every sequence,
+corners cut or not. Angles count where only one of them changes, for only there is a sum of turns a turn.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed
+from trajopt_cli.iiwa.controller.feed_limits import Allowed
 from trajopt_cli.iiwa.controller.feed_path import DosePath
-from trajopt_cli.iiwa.controller.greedy_feed import SLIVER, moving_axes
 from trajopt_cli.iiwa.controller.regulator import Coefficients, coefficients
 from trajopt_cli.iiwa.task.model import Compliance, Integration
 
 _TAIL = 1e-15  # weights are summed until what is left is below this share of the sum
 _MANY = 1_000_000  # weights at most; fewer than needed would make the bound too high
+_ROUNDING = 1e-10  # share taken off the bound
 _CHORDS = 600  # places of the path between which chords are laid
 
 
@@ -49,42 +49,32 @@ class _Measure:
         return self.most / h * float(np.sum(np.max(np.abs(self.weights), axis=1)))
 
 
-def least_duration(
-    path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration, feed: DoseFeed
-) -> float:
-    """Lower bound [s] of the duration of any sequence along path, fed like this, that keeps what is allowed.
+def least_duration(path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration) -> float:
+    """Lower bound [s] of the duration of any sequence along path that keeps what is allowed.
 
     h [s]: the period. Dwells and the caps on ds/dt are counted.
     """
     own = _own(path)
-    measures = _measures(path, h, law, allowed, integration, feed)
+    measures = _measures(path, h, law, allowed, integration)
     choices = [[measure] for measure in measures] + ([measures] if len(measures) > 1 else [])
     bounds = [_total(path, h, own, choice) for choice in choices]
     bounds += [_chords(path, h, measure) for measure in measures]
-    # a walk may be faster than its caps by so much
-    return max([float(np.sum(own)), *bounds]) * (1 - SLIVER)
+    return max([float(np.sum(own)), *bounds]) * (1 - _ROUNDING)
 
 
-def _measures(
-    path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration, feed: DoseFeed
-) -> list[_Measure]:
+def _measures(path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration) -> list[_Measure]:
     axes = coefficients(law.K, law.D, law.M, h, integration)
-    moves = moving_axes(path)
-    lags = allowed.lags(law.K) if feed is DoseFeed.POSITION else (None, None)
+    moves = path.moves
     out = []
-    for part, slack, behind, lead in (
-        (slice(0, 3), allowed.lag, lags[0], allowed.lead),
-        (slice(3, 6), allowed.turn_lag, lags[1], allowed.turn_lead),
+    for part, slack, lead in (
+        (slice(0, 3), allowed.lag, allowed.lead),
+        (slice(3, 6), allowed.turn_lag, allowed.turn_lead),
     ):
         if slack is None or not any(moves[part]) or (part.start == 3 and sum(moves[part]) > 1):
             continue
         weights = _weights(axes[part], moves[part])  # by the deviation x_e - x
-        if weights is None:
-            continue
-        if behind is not None:
-            out.append(_Measure(part, min(slack, behind), behind, weights))
-        elif lead is not None and not (feed is DoseFeed.VELOCITY and integration is Integration.EXACT):
-            # a push of P is a deviation of P / k; the exact law takes a fed speed for a little more than a push
+        if weights is not None and lead is not None:
+            # a push of P is a deviation of P / k
             push = np.where(moves[part], law.K[part] * lead.weight(law.K[part]), 1.0)
             out.append(_Measure(part, slack, lead.most, weights / push))
     return out

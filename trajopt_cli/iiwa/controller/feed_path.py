@@ -8,7 +8,7 @@ turn as slerp has them, the last three coordinates are the turns made so far, su
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,20 +33,6 @@ class PathInterval:
 
 
 @dataclass(frozen=True, eq=False)
-class Schedule:
-    """A feed before it is simulated: rows fed and where the arm should be, poses (m, 6) and R (m, 3, 3) each, at path
-    parameters s (m,), by leg. braked: periods in which it holds back for a later corner or end."""
-
-    pose: Array
-    R: Array
-    plan: Array
-    R_plan: Array
-    s: Array
-    pieces: tuple[Piece, ...]
-    braked: int = 0
-
-
-@dataclass(frozen=True, eq=False)
 class DosePath:
     """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each segment, > 0.
 
@@ -59,6 +45,11 @@ class DosePath:
     cap: Array
     legs: tuple[PathInterval, ...]
     R: Array | None = None
+
+    @property
+    def moves(self) -> tuple[bool, ...]:
+        """Along which of the six coordinates the path moves at all."""
+        return tuple(bool(np.any(column != column[0])) for column in self.pose.T)
 
     @property
     def least_time(self) -> float:
@@ -138,18 +129,6 @@ def _coordinates(equilibrium: Equilibrium) -> Array:
         return equilibrium.pose
     turns = rotation_vector(equilibrium.R[1:] @ np.swapaxes(equilibrium.R[:-1], 1, 2))
     return np.hstack([equilibrium.pose[:, :3], np.concatenate([np.zeros((1, 3)), np.cumsum(turns, axis=0)])])
-
-
-def coarser(path: DosePath, step: float) -> DosePath:
-    """The same path in segments of about step [s] where it had shorter ones; waypoints and least time are kept."""
-    kept = np.r_[True, np.diff(np.floor(path.s / step)) > 0]
-    kept[[0, *(leg.last for leg in path.legs)]] = True
-    rows = np.flatnonzero(kept)
-    s = path.s[rows]
-    cap = np.diff(s) / np.add.reduceat(np.diff(path.s) / path.cap, rows[:-1])
-    place = np.cumsum(kept) - 1
-    legs = (replace(leg, first=int(place[leg.first]), last=int(place[leg.last])) for leg in path.legs)
-    return DosePath(s, path.pose[rows], cap, tuple(legs), None if path.R is None else path.R[rows])
 
 
 def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds | None) -> Array:

@@ -1,55 +1,49 @@
 """Feed schedules: the equilibrium's timing along its path, so that neither the arm's lag nor its push passes a bound.
 
-The path stays what it was; its timing becomes the fastest that one of three feeds allows:
-
-position: the equilibrium is the plan, as far ahead of the arm as lag and lead let it. On one line that is the optimum
-of this feed, because the law's answer to a deviation never takes anything back (see greedy_feed for corners).
-velocity: the same with the plan's speed fed, too, so that only the inertia lags.
-inverse: the equilibrium is what moves the arm along its plan (see feed_inverse).
-
-Whatever the feed, M x'' + D x' is the push: with one bound on it the three differ by what the lag adds to that.
+The feed inverts the law: u = x + (D/K) x' + (M/K) x'' moves the arm along x. That motion comes first: the path with
+its corners rounded within the lag, as fast as the lead allows. As M x'' + D x' is what the law pushes with, a bound on
+the lead is one on that.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from enum import Enum
-from math import isfinite
+from math import ceil, isfinite
 
 import numpy as np
-from numpy.typing import NDArray
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, rotations_by
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
-from trajopt_cli.iiwa.controller.feed_inverse import inverse
-from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
-from trajopt_cli.iiwa.controller.feed_path import DosePath, Schedule, coarser
-from trajopt_cli.iiwa.controller.feed_plan import ROWS, plan
-from trajopt_cli.iiwa.controller.greedy_feed import SpeedFed, Walk, moving_axes
+from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, Lead
+from trajopt_cli.iiwa.controller.feed_path import DosePath
+from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
-from trajopt_cli.iiwa.controller.regulator import coefficients, equilibrium_rates, response, response_rotation
+from trajopt_cli.iiwa.controller.regulator import response, response_rotation
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.task.angles import angles_near, rotation, rotation_vector
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import BETA_LIMIT, Compliance, Feed, Integration
+from trajopt_cli.iiwa.task.equilibrium import Piece
+from trajopt_cli.iiwa.task.model import BETA_LIMIT, Compliance, Integration
 
+ROWS = 3_000_000
+"""Rows a dosed sequence may have: 50 min at 1 ms."""
 ARRIVED = 1e-3
 """Distance [m] from the last pose at which the arm counts as arrived, where its orientation is there too."""
 ARRIVED_TURN = float(np.radians(0.1))
 """Angle [rad] from the last pose's orientation at which the arm counts as arrived."""
 SLOWEST = 100_000
 """Periods that the slowest axis on the path may take to lose two thirds of a deviation; more is refused at once."""
-SLOWEST_SWING = 20_000
-"""The same of an axis that swings meanwhile, which takes far more looking ahead."""
+TURNED = float(np.radians(1.0))
+"""How far [rad] corners of the orientation are rounded where no turn lag is bounded."""
 _TOLERANCE = 1e-9  # relative excess over a bound that the final check forgives as rounding
-_COARSE = 0.05  # period of the search for brakes, in 1/pulse of the axis that swings fastest
 _REST = 10.0  # slowest time constants after which the arm counts as at rest
 _CORRECTIONS = 8  # times that a plan is made again with what it passed its bounds by taken off them
-_WORTH = 0.02  # share of a turn lag that has to be left before it is planned again with more
 _SPARE = 1e-3  # share of a bound taken off in addition
 _USEFUL = 2.0  # times a lower bound up to which it says something
 _LARGEST_LEAD = float(np.radians(150.0))  # an equilibrium turned farther than that would pull the other way round
+_EASED_LEAD = 0.9  # share of it that is planned with where no bound on the turn's lead is given and it is passed
+_AT_REST = 1e-6  # of the path's length: rows this near to a waypoint are at it
+_PIECES = (2_000, 40_000)  # of the grid at least and at most; between them one per period
 
 
 @dataclass(frozen=True)
@@ -63,17 +57,15 @@ class CannotDose:
 class Dosed:
     """A retimed sequence: what is fed, pose (m, 6) and R (m, 3, 3) every h [s], at path parameter s (m,).
 
-    plan, R_plan: where the arm should be, the same as what is fed but for the inverse feed. x (m, 6), R_x: where it is.
+    plan, R_plan: where the arm should be. x (m, 6), R_x: where it is.
     pieces: the rows by leg. lag: the worst deviation from the plan, the coming to rest after the end included; its turn
-    is the angle between orientations. push [N], turn_push [Nm]: the greatest K (x_e - x) + D v_e, with which the
+    is the angle between orientations. push [N], turn_push [Nm]: the greatest K (x_e - x), with which the
     controller would begin to push if the arm were held; lead [m], turn_lead [rad]: the same as a stretch of the spring.
     arrived [s]: from when on the arm is within ARRIVED and ARRIVED_TURN of the end, None when it takes longer than the
-    simulation. least [s]: what no sequence fed like this and within these bounds can go below; None where what is known
-    is less than half of the duration, and tells nothing. braked: how many periods the equilibrium had to hold back for
-    a later corner or end.
+    simulation. least [s]: what no sequence within these bounds can go below; None where what is known is less than half
+    of the duration, and tells nothing.
     """
 
-    feed: DoseFeed
     h: float
     pose: Array
     R: Array
@@ -91,8 +83,7 @@ class Dosed:
     turn_lead: float
     arrived: float | None
     least: float | None
-    braked: int
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     @property
     def duration(self) -> float:
@@ -106,118 +97,85 @@ class Dosed:
 
 
 @dataclass(frozen=True, eq=False)
-class _Case:
-    """What is asked for, as of dose. rest [s]: until the arm counts as at rest after the end."""
+class _Schedule:
+    """A feed before it is simulated: rows fed and where the arm should be, poses (m, 6) and R (m, 3, 3) each, at path
+    parameters s (m,), by leg."""
 
-    path: DosePath
-    law: Compliance
-    h: float
-    allowed: Allowed
-    feed: DoseFeed
-    integration: Integration
-    acceleration: tuple[float | None, float | None]
-    rest: float
+    pose: Array
+    R: Array
+    plan: Array
+    R_plan: Array
+    s: Array
+    pieces: tuple[Piece, ...]
 
 
 def dose(
     path: DosePath,
-    compliance: Compliance,
+    law: Compliance,
     h: float,
     allowed: Allowed,
     *,
-    feed: DoseFeed = DoseFeed.POSITION,
     integration: Integration = Integration.EULER,
     acceleration: tuple[float | None, float | None] = (None, None),
 ) -> Dosed | CannotDose:
-    """The fastest sequence along path for this feed that keeps what is allowed, simulated and held against it.
+    """The fastest sequence along path that keeps what is allowed, simulated and held against it.
 
-    acceleration: greatest of the arm [m/s2] and [rad/s2] where the feed is the inverse one. Any bound can be kept,
-    since the equilibrium may stand; what a small one costs is time, and more than three million rows are refused, as
-    are lags beyond LAGS and TURN_LAGS and laws slower than SLOWEST or SLOWEST_SWING.
+    h [s]: the period. acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. More than three million
+    rows are refused, as are lags beyond LAGS and TURN_LAGS and laws slower than SLOWEST.
     """
-    laws = stability(compliance, h, integration)
+    laws = stability(law, h, integration)
     refusal = _beyond(allowed) or _unfollowed(path, laws, h, integration)
     if refusal is not None:
         return refusal
-    least = least_duration(path, h, compliance, allowed, integration, feed)
+    least = least_duration(path, h, law, allowed, integration)
     if least / h > ROWS:
         return CannotDose(
             f"{_named(allowed)} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more, or give more stiffness or less damping"
         )
-    rest = _resting_time(moving_axes(path), laws, h)
-    case = _Case(path, compliance, h, allowed, feed, integration, acceleration, rest)
-    tried, best = allowed, None
+    rest = resting_time(path.moves, laws, h)
+    tried = allowed
     for _ in range(_CORRECTIONS):
-        schedule = _inverse(case, tried) if feed is DoseFeed.INVERSE else _greedy(case, tried)
+        schedule = _inverse(path, law, h, tried, integration, acceleration)
         if isinstance(schedule, CannotDose):
-            return best or schedule
-        found = _simulated(case, schedule)
+            return schedule
+        found = _simulated(path, law, h, allowed, integration, schedule, rest)
         tighter = _corrected(found, allowed, tried)
-        if tighter is not None:
-            if best is not None:
-                break
-            tried = tighter
-            continue
-        better = best is None or found.duration < best.duration
-        best = found if better else best
-        looser = _loosened(path, found, allowed, tried)
-        if looser is None or not better:
-            break
-        tried = looser
-    if best is None:
-        return CannotDose(f"{_named(allowed)} is too small for the rounding of positions; allow more")
-    return replace(best, least=least if best.duration <= _USEFUL * least else None)
+        if tighter is None:
+            return replace(found, least=least if found.duration <= _USEFUL * least else None)
+        tried = tighter
+    return CannotDose(f"{_named(allowed)} is too small for the rounding of positions; allow more")
 
 
-def _greedy(case: _Case, allowed: Allowed) -> Schedule | CannotDose:
-    """The plan itself as feed, one period after another."""
-    path, law, h = case.path, case.law, case.h
-    axes = coefficients(law.K, law.D, law.M, h, case.integration)
-    lag, turn_lag = allowed.lags(law.K)
-    fed = _speed_fed(law, allowed) if case.feed is DoseFeed.VELOCITY else None
-    walk = Walk(path, h, axes, lag, turn_lag, fed)
-    swinging = _swinging(path, law, turn_lag is not None)
-    if swinging is None:
-        states, braked = plan(walk, None, 0.0)
-    else:
-        longest, pulse = swinging
-        longer = max(h, _COARSE / pulse)
-        rough = coefficients(law.K, law.D, law.M, longer, Integration.EXACT)
-        states, braked = plan(walk, Walk(coarser(path, longer), longer, rough, lag, turn_lag, fed), longest)
-    if not walk.done(states[-1]):
-        more = "stiffness or less damping" if swinging is None else "damping, so that the arm swings less"
-        return CannotDose(
-            f"given up after {len(states)} rows and {walk.lookahead} periods of looking ahead, at "
-            f"{walk.s(states[-1]) / path.s[-1]:.0%} of the path; allow more lag, or more {more}"
-        )
-    s = np.array([walk.s(state) for state in states])
-    pose, R = path.poses(path.at(s), np.clip(np.searchsorted(path.s, s, side="right") - 1, 0, len(path.s) - 1))
-    segment = np.array([state.segment for state in states])
-    arrivals = np.searchsorted(segment, [leg.last for leg in path.legs]).tolist()
-    return Schedule(pose, R, pose, R, s, path.pieces(arrivals, h), braked)
+def resting_time(moves: Sequence[bool], laws: Sequence[AxisStability], h: float) -> float:
+    """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
+    slowest = (law.slowest for law, there in zip(laws, moves, strict=True) if there and isfinite(law.slowest))
+    return _REST * min(max(slowest, default=h), SLOWEST * h)
 
 
-def _speed_fed(law: Compliance, allowed: Allowed) -> SpeedFed:
-    leads = (allowed.lead, slice(0, 3)), (allowed.turn_lead, slice(3, 6))
-    weight = np.concatenate([np.ones(3) if lead is None else lead.weight(law.K[part]) for lead, part in leads])
-    most, turn_most = (None if lead is None else lead.most for lead, _ in leads)
-    return SpeedFed(weight * law.K, weight * law.D, most, turn_most)
-
-
-def _inverse(case: _Case, allowed: Allowed) -> Schedule | CannotDose:
+def _inverse(
+    path: DosePath,
+    law: Compliance,
+    h: float,
+    allowed: Allowed,
+    integration: Integration,
+    acceleration: tuple[float | None, float | None],
+) -> _Schedule | CannotDose:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
-    found = inverse(case.path, case.law, case.h, allowed, case.integration, case.acceleration)
+    found = _scheduled(path, law, h, allowed, integration, acceleration)
     if len(found.s) > ROWS:
         return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
-    turned = float(np.max(_angles(found.R, found.R_plan)))
+    turned = float(np.max(np.linalg.norm(rotation_vector(found.R @ np.swapaxes(found.R_plan, 1, 2)), axis=1)))
+    if turned > _LARGEST_LEAD and allowed.turn_lead is None:
+        eased = replace(allowed, turn_lead=Lead(_EASED_LEAD * _LARGEST_LEAD, stretch=True))
+        return _inverse(path, law, h, eased, integration, acceleration)
     if turned > _LARGEST_LEAD:
         return CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
             "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
     beta = float(np.max(np.abs(found.pose[:, 4])))
-    if case.path.R is None and beta > BETA_LIMIT:
+    if path.R is None and beta > BETA_LIMIT:
         return CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
             "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
@@ -225,34 +183,152 @@ def _inverse(case: _Case, allowed: Allowed) -> Schedule | CannotDose:
     return found
 
 
-def _simulated(case: _Case, fed: Schedule) -> Dosed:
-    """The controller's answer to a feed, and the greatest lag and push."""
-    path, law, h, integration = case.path, case.law, case.h, case.integration
-    x_e, plan_x = held(fed.pose, case.rest, h), held(fed.plan, case.rest, h)
+def _scheduled(
+    path: DosePath,
+    law: Compliance,
+    h: float,
+    allowed: Allowed,
+    integration: Integration,
+    acceleration: tuple[float | None, float | None],
+) -> _Schedule:
+    """The fastest motion along path under allowed, and what to feed for it."""
+    moves = np.array(path.moves)
+    radius = _radius(law, moves)
+    turn_lag = TURNED if allowed.turn_lag is None else allowed.turn_lag
+    pieces = int(np.clip(path.least_time / h, *_PIECES))
+    pushes = _pushes(law, allowed, acceleration)
+    # a path that stands at its corners anyway is not helped by rounding them, and is the same twice without any
+    passing, stopping = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
+    rounds = (passing,) if np.array_equal(passing.tau, stopping.tau) else (passing, stopping)
+    ways = (_with_rows_at_waypoints(way, h) for way in rounds)
+    paces = [(fastest(way, pushes, pieces, h), way) for way in ways]
+    pace, way = min(paces, key=lambda found: found[0].t[-1])
+    s, coordinates, effort = _motion(way, pace, law, h, integration)
+    lead = np.divide(effort, law.K, out=np.zeros_like(effort), where=(law.K > 0) & moves)
+    row = way.row[way.corner(s)]
+    planned = _through_waypoints(way, s)
+    plan = path.poses(way.plain(planned), way.row[way.corner(planned)])
+    if path.R is None:
+        feed = path.poses(coordinates + lead, row)
+    else:
+        arm = path.poses(coordinates, row)
+        R = rotations_by(lead[:, 3:]) @ arm[1]
+        feed = (np.hstack([arm[0][:, :3] + lead[:, :3], angles_near(R, arm[0][:, 3:])]), R)
+    # one that only passes a waypoint ends with the first row at or past it
+    arrivals = np.searchsorted(planned, way.along[[leg.last for leg in path.legs]]).tolist()
+    *before, end = path.pieces(arrivals, h)
+    rows = (*before, replace(end, last=len(planned) - 1))
+    return _Schedule(*feed, *plan, np.interp(planned, way.along, path.s), rows)
+
+
+def _radius(law: Compliance, moves: Array) -> float:
+    """Where a mass turns with the inertia of the rotation [m]; 1 where the path only turns."""
+    if not np.any(moves[:3]):
+        return 1.0
+    return float(np.sqrt(np.max(law.M[3:]) / np.max(law.M[:3])))
+
+
+def _pushes(law: Compliance, allowed: Allowed, acceleration: tuple[float | None, float | None]) -> list[Push]:
+    out = []
+    for part, lead, most in zip(
+        (slice(0, 3), slice(3, 6)), (allowed.lead, allowed.turn_lead), acceleration, strict=True
+    ):
+        if lead is not None:
+            weight = lead.weight(law.K[part])
+            out.append(Push(part, weight * law.M[part], weight * law.D[part], lead.most))
+        if most is not None:
+            out.append(Push(part, np.ones(3), np.zeros(3), most))
+    return out
+
+
+def _motion(
+    way: Rounded, pace: Pace, law: Compliance, h: float, integration: Integration
+) -> tuple[Array, Array, Array]:
+    """Parameter (m,), the arm's coordinates (m, 6) and the effort M x'' + D x' (m, 6) that drives it, a row every h.
+
+    Euler's law moves with the speed it had, so its arm stands for the first period, and its rows give their rates by
+    differences; the exact law's effort is the mean over a period.
+    """
+    count = ceil(pace.t[-1] / h - 1e-9)
+    t = np.arange(count + 1) * h
+    if integration is Integration.EULER:
+        t = np.concatenate([[0.0], t])
+        s = pace.at(t)[0]
+        x = way.at(s)[0]
+        v = np.diff(x, axis=0, append=x[-1:]) / h
+        rate, pull = v, np.diff(v, axis=0, append=np.zeros((1, 6))) / h
+        return s, x, law.M * pull + law.D * rate
+    s, pace_s, _ = pace.at(t)
+    x, dx, _ = way.at(s)
+    v = dx * pace_s[:, None]
+    mean = np.diff(x, axis=0, append=x[-1:]) / h
+    pull = np.diff(v, axis=0, append=np.zeros((1, 6))) / h
+    # the equilibrium is held for a period while the arm moves on, by half of it in the mean
+    return s, x, law.M * pull + law.D * mean + law.K * mean * h / 2
+
+
+def _with_rows_at_waypoints(way: Rounded, h: float) -> Rounded:
+    """The same with caps that leave a plan room to be up to half a period's way ahead of the arm or behind at both
+    ends."""
+    cap = way.cap.copy()
+    passed = way.tau[np.searchsorted(way.row, [(leg.first, leg.last) for leg in way.path.legs])] > 0
+    for leg, ends in zip(way.path.legs, np.any(passed, axis=1).tolist(), strict=True):
+        if ends and leg.last > leg.first:
+            rows = slice(leg.first, leg.last)
+            cap[rows] /= 1 + 2 * np.max(cap[rows]) * h / (way.along[leg.last] - way.along[leg.first])
+    return replace(way, cap=cap)
+
+
+def _through_waypoints(way: Rounded, s: Array) -> Array:
+    """The plan's parameter (m,) beside the arm's: the row nearest to a waypoint is at it, as the sequence's own had it.
+
+    What that moves the row by is spread over the rows of both legs, unless the arm all but stands there.
+    """
+    marks = np.unique(way.along[[0, *(leg.last for leg in way.path.legs)]])
+    near = _AT_REST * way.length[-1]
+    first, last = np.searchsorted(s, marks - near), np.searchsorted(s, marks + near, side="right") - 1
+    passed = last < first  # no row is there
+    before = np.maximum(first - 1, 0)
+    first = np.where(passed & (marks - s[before] < s[np.minimum(first, len(s) - 1)] - marks), before, first)
+    last = np.where(passed, first, last)
+    own = np.insert(np.diff(first) > 0, 0, True)  # of waypoints nearer than a period's way to one another the first
+    anchors = np.unique(np.concatenate([first[own], last[own]]))
+    ends = np.searchsorted(first[own], anchors, side="right") - 1
+    off = np.interp(np.arange(len(s)), anchors, np.where(passed[own], marks[own] - s[first[own]], 0.0)[ends])
+    out = np.clip(s + off, 0.0, way.length[-1])
+    for mark, a, b in zip(marks[own].tolist(), first[own].tolist(), last[own].tolist(), strict=True):
+        out[a : b + 1] = mark
+    return np.maximum.accumulate(out)
+
+
+def _simulated(
+    path: DosePath,
+    law: Compliance,
+    h: float,
+    allowed: Allowed,
+    integration: Integration,
+    fed: _Schedule,
+    rest: float,
+) -> Dosed:
+    """The controller's answer to a feed, and the greatest lag and push. rest [s]: after the end."""
+    x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
     more = len(x_e) - len(fed.pose)
     R_e, R_plan = (np.concatenate([R, np.repeat(R[-1:], more, axis=0)]) for R in (fed.R, fed.R_plan))
-    feed = Feed.VELOCITY if case.feed is DoseFeed.VELOCITY else Feed.POSITION
-    x = response(x_e, h, law, integration=integration, feed=feed, x_0=fed.plan[0]).x
+    x = response(x_e, h, law, integration=integration, x_0=fed.plan[0]).x
     behind = x_e - x
-    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
     R_x = rotation(x[:, 3:])
     if path.R is not None:
         R_x = R_plan
-        if np.any(moving_axes(path)[3:]):
+        if any(path.moves[3:]):
             diagonals = law.K[3:], law.D[3:], law.M[3:]
-            R_x = response_rotation(R_e, h, *diagonals, integration=integration, feed=feed, R_0=fed.R_plan[0]).R
+            R_x = response_rotation(R_e, h, *diagonals, integration=integration, R_0=fed.R_plan[0]).R
         x = np.column_stack([x[:, :3], angles_near(R_x, plan_x[:, 3:])])
         behind[:, 3:] = rotation_vector(R_e @ np.swapaxes(R_x, 1, 2))
-        if feed is Feed.VELOCITY:
-            v_e[:-1, 3:] = rotation_vector(R_e[1:] @ np.swapaxes(R_e[:-1], 1, 2)) / h
-    push = law.K * behind + law.D * v_e
-    lead = np.divide(push, law.K, out=np.zeros_like(push), where=law.K > 0)
+    lead = np.where(law.K > 0, behind, 0.0)
     parts = (slice(0, 3), slice(3, 6))
-    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (push, lead)]
-    held_back = f"the equilibrium holds back for {fed.braked * h:.3f} s, so that the arm does not overshoot by more"
+    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (law.K * behind, lead)]
     n = len(fed.pose)
     return Dosed(
-        feed=case.feed,
         h=h,
         pose=fed.pose,
         R=fed.R,
@@ -262,7 +338,7 @@ def _simulated(case: _Case, fed: Schedule) -> Dosed:
         x=x[:n],
         R_x=R_x[:n],
         pieces=fed.pieces,
-        allowed=case.allowed,
+        allowed=allowed,
         lag=worst_lag(x, fed.plan, h, fed.pieces),
         push=norms[0],
         lead=norms[1],
@@ -270,15 +346,13 @@ def _simulated(case: _Case, fed: Schedule) -> Dosed:
         turn_lead=norms[3],
         arrived=settling(x, fed.plan[-1], ARRIVED, ARRIVED_TURN, h),
         least=None,
-        braked=fed.braked,
-        notes=(held_back,) if fed.braked else (),
     )
 
 
 def _corrected(made: Dosed, allowed: Allowed, tried: Allowed) -> Allowed | None:
     """What to plan with instead of tried, so that less of what passed allowed is used; None where nothing passed it.
 
-    The walk knows the lag of angles, the rounded path the push between its places: both are nearly what they stand for.
+    The rounded path knows the push at its places, and the lag of angles: nearly what they stand for.
     """
     scaled: dict[str, float | Lead] = {}
     for name, measured in (("lag", made.lag.maximum), ("turn_lag", made.lag.turn_maximum)):
@@ -293,22 +367,6 @@ def _corrected(made: Dosed, allowed: Allowed, tried: Allowed) -> Allowed | None:
     return replace(tried, **scaled) if scaled else None  # type: ignore[arg-type]
 
 
-def _loosened(path: DosePath, made: Dosed, allowed: Allowed, tried: Allowed) -> Allowed | None:
-    """What to plan with where three Tait-Bryan angles are farther apart than the orientations; None where they are
-    not."""
-    turned = made.lag.turn_maximum
-    if path.R is not None or made.feed is DoseFeed.INVERSE or allowed.turn_lag is None or tried.turn_lag is None:
-        return None
-    if not 0 < turned < (1 - _WORTH) * allowed.turn_lag:
-        return None
-    return replace(tried, turn_lag=tried.turn_lag * allowed.turn_lag / turned * (1 - _SPARE))
-
-
-def _angles(R: Array, other: Array) -> Array:
-    """Angles (n,) [rad] between orientations (n, 3, 3)."""
-    return np.asarray(np.linalg.norm(rotation_vector(R @ np.swapaxes(other, 1, 2)), axis=1))
-
-
 def _named(allowed: Allowed) -> str:
     """What is allowed, in words."""
     out = f"a lag of at most {allowed.lag:g} m"
@@ -318,47 +376,6 @@ def _named(allowed: Allowed) -> str:
         if lead is not None:
             out += f", a lead of at most {lead.most:g} {stretched if lead.stretch else unit}"
     return out
-
-
-class Feeding(Enum):
-    """The ways to feed one path that compare holds against each other."""
-
-    UNDOSED = "as programmed"
-    VELOCITY = "with the equilibrium's speed"
-    DOSED = "dosed"
-
-
-@dataclass(frozen=True)
-class FeedRow:
-    """One way of feeding: duration of the sequence [s], arrived [s] as in Dosed (None: not yet), and the lag."""
-
-    feeding: Feeding
-    duration: float
-    arrived: float | None
-    lag: Lag
-
-
-def compare(
-    equilibrium: Equilibrium,
-    compliance: Compliance,
-    dosed: Dosed | None,
-    *,
-    integration: Integration = Integration.EULER,
-) -> tuple[FeedRow, ...]:
-    """The sequence as it is, the same with its speed fed too (eq. 4.2), and the dosed one where there is one."""
-    h = equilibrium.h
-    moves = np.any(equilibrium.pose != equilibrium.pose[0], axis=0)
-    x_e = held(equilibrium.pose, _resting_time(moves, stability(compliance, h, integration), h), h)
-    rows = []
-    for feeding, feed in ((Feeding.UNDOSED, Feed.POSITION), (Feeding.VELOCITY, Feed.VELOCITY)):
-        x = response(x_e, h, compliance, integration=integration, feed=feed).x
-        arrived = settling(x, x_e[-1], ARRIVED, ARRIVED_TURN, h)
-        rows.append(
-            FeedRow(feeding, equilibrium.duration, arrived, worst_lag(x, equilibrium.pose, h, equilibrium.pieces))
-        )
-    if dosed is not None:
-        rows.append(FeedRow(Feeding.DOSED, dosed.duration, dosed.arrived, dosed.lag))
-    return tuple(rows)
 
 
 def _beyond(allowed: Allowed) -> CannotDose | None:
@@ -376,7 +393,7 @@ def _beyond(allowed: Allowed) -> CannotDose | None:
 
 def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integration: Integration) -> CannotDose | None:
     """Why the arm would not follow along an axis that the path uses, or not while anyone waits; or None."""
-    for law, moves in zip(laws, moving_axes(path), strict=True):
+    for law, moves in zip(laws, path.moves, strict=True):
         if not moves:
             continue
         if law.k == 0:
@@ -386,7 +403,7 @@ def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integra
             )
         if law.verdict is not StabilityVerdict.STABLE:
             return CannotDose(f"the path moves along {law.axis}, but {law.sentence}")
-        most = h * (SLOWEST_SWING if law.damping_ratio < 1 else SLOWEST)
+        most = h * SLOWEST
         if law.slowest > most:
             takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "practically never loses"
             change = "raise k or lower d"
@@ -398,19 +415,3 @@ def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integra
                 f"{change}"
             )
     return None
-
-
-def _swinging(path: DosePath, compliance: Compliance, turns: bool) -> tuple[float, float] | None:
-    """Of the bounded axes along the path that swing (d^2 < 4 k m): longest time constant [s], highest pulse [rad/s]."""
-    K, D, M = compliance.K, compliance.D, compliance.M
-    bounded = np.array(moving_axes(path)) & (np.arange(6) < (6 if turns else 3))
-    swings = bounded & (D * D < 4 * K * M)
-    if not np.any(swings):
-        return None
-    return float(np.max(2 * M[swings] / D[swings])), float(np.max(np.sqrt(K[swings] / M[swings])))
-
-
-def _resting_time(moves: Sequence[bool] | NDArray[np.bool_], laws: Sequence[AxisStability], h: float) -> float:
-    """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
-    slowest = (law.slowest for law, there in zip(laws, moves, strict=True) if there and isfinite(law.slowest))
-    return _REST * min(max(slowest, default=h), SLOWEST * h)

@@ -129,13 +129,16 @@ def schedule_feed(
     max_turn_lag: str | None,
     max_lead: str | None,
     max_turn_lead: str | None,
-    feed: str | None,
+    unbounded: bool,
     front: bool,
     output: Path | None,
     plots: Path | None,
 ) -> Answer | Refused:
-    """Retime a folder's sequence within bounds given as text with units, into output, None for RESULTS-dosed."""
-    from trajopt_cli.iiwa.controller.feed_limits import Allowed, DoseFeed
+    """Retime a folder's sequence within bounds given as text with units, into output, None for RESULTS-dosed.
+
+    unbounded: no lead is assumed where none is given.
+    """
+    from trajopt_cli.iiwa.controller.feed_limits import Allowed
     from trajopt_cli.iiwa.job import feed_scheduling
 
     # '.' and '..' have no name of their own
@@ -153,7 +156,7 @@ def schedule_feed(
         lead,
         _lead(max_turn_lead, MOMENT, ANGLE, "--max-turn-lead"),
     )
-    found = feed_scheduling.schedule_feed(results, folder, allowed, DoseFeed(feed) if feed else None, front)
+    found = feed_scheduling.schedule_feed(results, folder, allowed, front, unbounded)
     if isinstance(found, Refused):
         return found
 
@@ -167,7 +170,7 @@ def schedule_feed(
         read_summary(folder)["dosing"],
         lines[0],
         [
-            texts.feeds_table(f"{results.name}: {texts.allowed_text(allowed)}", found),
+            texts.feeds_table(f"{results.name}: {texts.allowed_text(found.scheduled.allowed)}", found),
             lines,
             *([texts.front_table(found)] if found.front else []),
         ],

@@ -37,11 +37,11 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
     """Deviation and fed speed as programmed, fed with the equilibrium's speed, and scheduled; the front of leads."""
     made, allowed = job.scheduled, job.scheduled.allowed
-    runs = [_following(one.run, one.name) for one in job.before_feeds] + [_following(job.run, SCHEDULED[made.feed])]
+    runs = [_following(one.run, one.name) for one in job.before_feeds] + [_following(job.run, SCHEDULED)]
     title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
     pictures = picture("dosing", title, partial(feed_figure, runs, allowed.lag))
     if job.front and allowed.lead is not None:
-        curves = {SCHEDULED[feed]: [point.durations[feed] for point in job.front] for feed in job.front[0].durations}
+        curves = {SCHEDULED: [point.duration for point in job.front]}
         leads = [point.lead.most for point in job.front]
         unit = (MM, "mm") if allowed.lead.stretch else (1.0, "N")
         programmed = job.before.equilibrium.duration

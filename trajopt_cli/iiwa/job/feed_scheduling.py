@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
+from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, Lead
 from trajopt_cli.iiwa.job.folder import (
     Opened,
     check_place,
@@ -39,13 +38,9 @@ if TYPE_CHECKING:
     from trajopt_cli.iiwa.task.joints import Followed
 
 AS_PROGRAMMED, WITH_SPEED = "as programmed", "with the equilibrium's speed"
-SCHEDULED = {
-    DoseFeed.POSITION: "scheduled, positions",
-    DoseFeed.VELOCITY: "scheduled, with speed",
-    DoseFeed.INVERSE: "scheduled, inverse law",
-}
-LONG = 400_000
-"""Rows of a sequence that is worked out although another feed is known to be faster; more take minutes."""
+SCHEDULED = "scheduled, inverse law"
+FEED = "inverse"
+"""The feed's name in summary.json."""
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _EASED, _MARGIN = 12, 0.02
@@ -66,43 +61,36 @@ class FeedRun:
 
 @dataclass(frozen=True)
 class FrontPoint:
-    """What one lead allows: the least time [s] that was found for each feed, None where none was."""
+    """What one lead allows: the least time [s] that was found, None where none was."""
 
     lead: Lead
-    durations: Mapping[DoseFeed, float | None]
+    duration: float | None
 
 
 @dataclass(frozen=True, eq=False)
 class ScheduledJob:
     """A scheduled sequence in its folder, beside the feeds of the one it came from.
 
-    before_feeds: as programmed, with the equilibrium's speed. tried: what every feed that was asked for comes to;
-    scheduled: the fastest of them that the arm can follow, run: the controller's answer to it. joints: the arm's then.
-    passed_over: why faster feeds were not taken. steady: the speed [m/s] at which the arm would lag by the bound on a
-    long line along its slowest axis. front: by lead, empty if not asked for. left_out: what the task has that the
-    schedule does not regard.
+    before_feeds: as programmed, with the equilibrium's speed. run: the controller's answer to the scheduled sequence,
+    joints: the arm's then. steady: the speed [m/s] that the lead allows on a long line along the slowest axis, where no
+    lead was asked for; else None. front: by lead, empty if not asked for. left_out: what the task has that the schedule
+    does not regard.
     """
 
     before: Opened
     after: Opened
     scheduled: Dosed
     run: Simulated
-    tried: Mapping[DoseFeed, Dosed | CannotDose]
     before_feeds: tuple[FeedRun, ...]
     joints: Followed
-    passed_over: tuple[str, ...]
-    steady: float
+    steady: float | None
     front: tuple[FrontPoint, ...]
     left_out: tuple[str, ...]
     folder: Path
 
     def remarks(self) -> list[str]:
-        """Feeds that were not taken and why, and notes."""
-        from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
-
-        refused = [(feed, one.message) for feed, one in self.tried.items() if isinstance(one, CannotDose)]
-        lines = [f"not taken: {reason}" for reason in self.passed_over]
-        lines += [f"left out: {SCHEDULED[feed]}: {message}" for feed, message in refused]
+        """Notes, one line each."""
+        lines = []
         if self.left_out:
             lines.append(f"note: the schedule does not regard the task's {', '.join(self.left_out)}; simulate does")
         return [*lines, *(f"note: {note}" for note in self.scheduled.notes)]
@@ -121,18 +109,14 @@ class ScheduledJob:
             for one in self.before_feeds
         ]
         return {
-            "feed": self.scheduled.feed.value,
+            "feed": FEED,
             "max_lag_m": allowed.lag,
             "max_turn_lag_rad": allowed.turn_lag,
             "max_lead": lead_record(allowed.lead),
             "max_turn_lead": lead_record(allowed.turn_lead, ("Nm", "rad")),
-            "feeds": {feed.value: feed_record(made) for feed, made in self.tried.items()},
-            "passed_over": list(self.passed_over),
+            "feeds": {FEED: feed_record(self.scheduled)},
             "undosed": undosed,
-            "front": [
-                {"lead": lead_record(point.lead), **{f"{feed.value}_s": s for feed, s in point.durations.items()}}
-                for point in self.front
-            ],
+            "front": [{"lead": lead_record(one.lead), f"{FEED}_s": one.duration} for one in self.front],
             "left_out": list(self.left_out),
             "joints": joint_record(self.joints),
             "notes": list(self.scheduled.notes),
@@ -140,16 +124,15 @@ class ScheduledJob:
 
 
 def schedule_feed(
-    folder: Path, output: Path, allowed: Allowed, feed: DoseFeed | None = None, front: bool = False
+    folder: Path, output: Path, allowed: Allowed, front: bool = False, unbounded: bool = False
 ) -> ScheduledJob | Refused:
     """Retime a folder's sequence: least time within what is allowed, into output.
 
-    feed: the one to take; None for positions alone where no lead is bounded, else for the fastest of all. The sequence
+    Where no lead is bounded, a spring that is stretched by the lag is taken for one, unless unbounded. The sequence
     keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written where there
     is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced, and for a
     front without a bound on the lead.
     """
-    from trajopt_cli.iiwa.controller.feed_bound import least_duration
     from trajopt_cli.iiwa.controller.feed_path import dose_path
     from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, dose
     from trajopt_cli.iiwa.controller.lag import settling
@@ -191,29 +174,25 @@ def schedule_feed(
     except ValueError as error:
         return none(str(error))
 
-    def timed(feed: DoseFeed, allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
-        caps = acceleration or _accelerations(task)
-        law, how = task.compliance, task.integration
-        return dose(path, law, sequence.h, allowed, feed=feed, integration=how, acceleration=caps)
+    steady = None
+    if allowed.lead is None and allowed.turn_lead is None and not unbounded:
+        leads = [None if lag is None else Lead(lag, stretch=True) for lag in (allowed.lag, allowed.turn_lag)]
+        allowed = replace(allowed, lead=leads[0], turn_lead=leads[1])
+        steady = _steady(task, allowed.lag)
 
-    pushes = allowed.lead is not None or allowed.turn_lead is not None
-    feeds = [feed] if feed is not None else list(DoseFeed) if pushes else [DoseFeed.POSITION]
-    tried: dict[DoseFeed, Dosed | CannotDose] = {}
-    for one in reversed(feeds):  # the one that lags least first
-        best = min((made.duration for made in tried.values() if not isinstance(made, CannotDose)), default=inf)
-        least = least_duration(path, sequence.h, task.compliance, allowed, task.integration, one)
-        if least > max(best, LONG * sequence.h):
-            tried[one] = CannotDose(f"not worked out: it takes at least {least:.0f} s, and another feed {best:.3f} s")
-        else:
-            tried[one] = timed(one, allowed)
-    if all(isinstance(one, CannotDose) for one in tried.values()):
-        return none("; ".join(sorted({one.message for one in tried.values() if isinstance(one, CannotDose)})))
+    def timed(allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
+        caps = acceleration or _accelerations(task)
+        return dose(path, task.compliance, sequence.h, allowed, integration=task.integration, acceleration=caps)
+
+    made = timed(allowed)
+    if isinstance(made, CannotDose):
+        return none(made.message)
     # what happens to the controller besides its feed is left out: the schedule does not know it either
     quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
-    found = _fastest(quiet, tried, lambda caps: timed(DoseFeed.INVERSE, allowed, caps), none)
+    found = _followed(quiet, made, lambda caps: timed(allowed, caps), none)
     if isinstance(found, Refused):
         return found
-    scheduled, opened, run, joints, passed_over = found
+    scheduled, opened, run, joints = found
     before_feeds = []
     for name, how in ((AS_PROGRAMMED, Feed.POSITION), (WITH_SPEED, Feed.VELOCITY)):
         fed = run_controller(quiet, None, None, how, None, None)
@@ -225,12 +204,10 @@ def schedule_feed(
         replace(opened, task=task),
         scheduled,
         run,
-        tried,
         tuple(before_feeds),
         joints,
-        passed_over,
-        _steady(task, allowed.lags(task.compliance.K)[0]),
-        _front(timed, allowed, feeds) if front else (),
+        steady,
+        _front(timed, allowed) if front else (),
         _left_out(task),
         output,
     )
@@ -238,56 +215,44 @@ def schedule_feed(
     return job
 
 
-def _fastest(
-    before: Opened,
-    tried: dict[DoseFeed, Dosed | CannotDose],
-    gentler: Callable[[_Caps], Dosed | CannotDose],
-    none: Callable[[str], Refused],
-) -> tuple[Dosed, Opened, Simulated, Followed, tuple[str, ...]] | Refused:
-    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints: the sequence,
-    opened, run, the arm's joints, and why faster ones were passed over.
+def _followed(
+    before: Opened, made: Dosed, gentler: Callable[[_Caps], Dosed | CannotDose], none: Callable[[str], Refused]
+) -> tuple[Dosed, Opened, Simulated, Followed] | Refused:
+    """The first of ever slower feeds whose answer breaks no limit of the joints: the sequence, opened, run, and the
+    arm's joints.
 
-    gentler: the inverse feed under caps on the tool's acceleration, tried in its place where joints' would break.
+    gentler: the feed under caps on the tool's acceleration, tried where joints' would break.
     """
     from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
     from trajopt_cli.iiwa.task.joint_checks import ACCELERATION
     from trajopt_cli.iiwa.task.joints import Followed
 
-    timings = [one for one in tried.values() if not isinstance(one, CannotDose)]
-    refusals: list[Refused] = []
-    passed_over: list[str] = []
-    eased, slerp = 0, before.equilibrium.rotation is RotationLaw.SLERP
-    while timings:
-        made = timings.pop(min(range(len(timings)), key=lambda i: timings[i].duration))
+    refused, slerp = None, before.equilibrium.rotation is RotationLaw.SLERP
+    for _ in range(_EASED + 1):
         opened = _opened(before, made)
         run = run_controller(opened, None, None, opened.feed, None, None)
         if isinstance(run, Refused):
-            refusals.append(run)
-            continue
+            return refused or run
         joints = run.joints
         if not isinstance(joints, Followed):
             assert joints is not None
-            refusals.append(none(joints.message))
-            passed_over.append(f"{SCHEDULED[made.feed]}: {joints.message}")
-            continue
+            return refused or none(joints.message)
         broken = [finding for finding in joints.findings if not finding.passed]
         if not broken:
-            return made, opened, run, joints, tuple(passed_over)
+            return made, opened, run, joints
         # what is wrong, without a remedy: those are for sequences that are not scheduled
         failed = [finding.message.partition(";")[0] for finding in broken]
         last = "NOTHING WRITTEN: the arm cannot follow; allow less lead or lag, lower v_max, or move the path"
-        refusals.append(Refused("not followed", [*failed, last]))
-        if made.feed is DoseFeed.INVERSE and eased < _EASED and all(one.check == ACCELERATION for one in broken):
-            again = gentler(_gentler(made, slerp, min(one.limit / one.value for one in broken)))
-            if not isinstance(again, CannotDose):
-                eased += 1
-                note = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
-                again = replace(again, notes=(*again.notes, note))
-                tried[made.feed] = again
-                timings.append(again)
-                continue
-        passed_over.append(f"{SCHEDULED[made.feed]}: {failed[0]}")
-    return refusals[0]
+        refused = refused or Refused("not followed", [*failed, last])
+        if any(one.check != ACCELERATION for one in broken):
+            break
+        again = gentler(_gentler(made, slerp, min(one.limit / one.value for one in broken)))
+        if isinstance(again, CannotDose):
+            break
+        note = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
+        made = replace(again, notes=(*again.notes, note))
+    assert refused is not None
+    return refused
 
 
 def _gentler(made: Dosed, slerp: bool, fraction: float) -> _Caps:
@@ -303,15 +268,13 @@ def _gentler(made: Dosed, slerp: bool, fraction: float) -> _Caps:
     return caps[0], caps[1]
 
 
-def _front(
-    timed: Callable[[DoseFeed, Allowed], Dosed | CannotDose], allowed: Allowed, feeds: Sequence[DoseFeed]
-) -> tuple[FrontPoint, ...]:
+def _front(timed: Callable[[Allowed], Dosed | CannotDose], allowed: Allowed) -> tuple[FrontPoint, ...]:
     """Least times from the lead that the programmed speed asks for downwards, the one that is asked for among them."""
     from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
 
     if allowed.lead is None:
         raise InputError("--front: needs a bound on the lead; give --max-lead")
-    free = timed(DoseFeed.INVERSE, replace(allowed, lead=None))
+    free = timed(replace(allowed, lead=None))
     most = allowed.lead.most
     if not isinstance(free, CannotDose):
         most = free.lead if allowed.lead.stretch else free.push
@@ -319,9 +282,8 @@ def _front(
     others = (most / 2**i for i in range(FRONT if most > _STEADY else 0))
     points = []
     for lead in (replace(allowed.lead, most=one) for one in sorted({allowed.lead.most, *others}, reverse=True)):
-        made = {feed: timed(feed, replace(allowed, lead=lead)) for feed in feeds}
-        durations = {feed: None if isinstance(one, CannotDose) else one.duration for feed, one in made.items()}
-        points.append(FrontPoint(lead, durations))
+        made = timed(replace(allowed, lead=lead))
+        points.append(FrontPoint(lead, None if isinstance(made, CannotDose) else made.duration))
     return tuple(points)
 
 
@@ -335,7 +297,7 @@ def _accelerations(task: Task) -> _Caps:
 
 
 def _steady(task: Task, bound: float) -> float:
-    """The speed [m/s] at which the lag D v / K is bound [m] along the axis that lags most."""
+    """The speed [m/s] at which D v is what a spring stretched by bound [m] pushes with, along the slowest axis."""
     damped = (task.compliance.D[:3] > 0) & (task.compliance.K[:3] > 0)
     if not damped.any():
         return float("inf")
@@ -354,7 +316,7 @@ def _left_out(task: Task) -> tuple[str, ...]:
 
 
 def _opened(before: Opened, made: Dosed) -> Opened:
-    """The scheduled sequence in place of the one before, how it is fed, and its plan where that is another."""
+    """The scheduled sequence in place of the one before, and its plan."""
     sequence = before.equilibrium
 
     def of(pose: Array, R: Array, notes: tuple[str, ...]) -> Equilibrium:
@@ -363,8 +325,7 @@ def _opened(before: Opened, made: Dosed) -> Opened:
     return replace(
         before,
         equilibrium=of(made.pose, made.R, made.notes),
-        plan=of(made.plan, made.R_plan, ()) if made.feed is DoseFeed.INVERSE else None,
-        feed=Feed.VELOCITY if made.feed is DoseFeed.VELOCITY else Feed.POSITION,
+        plan=of(made.plan, made.R_plan, ()),
     )
 
 
@@ -373,12 +334,8 @@ def lead_record(lead: Lead | None, units: tuple[str, str] = ("N", "m")) -> dict[
     return None if lead is None else {"most": lead.most, "unit": units[lead.stretch]}
 
 
-def feed_record(made: Dosed | CannotDose) -> dict[str, Any]:
-    """What one feed comes to, as plain data."""
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
-
-    if isinstance(made, CannotDose):
-        return {"refused": made.message}
+def feed_record(made: Dosed) -> dict[str, Any]:
+    """What a schedule comes to, as plain data."""
     return {
         "duration_s": made.duration,
         "least_duration_s": made.least,
@@ -386,7 +343,6 @@ def feed_record(made: Dosed | CannotDose) -> dict[str, Any]:
         "lag": lag_record(made.lag),
         "largest_push_N": made.push,
         "largest_turn_push_Nm": made.turn_push,
-        "held_back_s": made.braked * made.h,
     }
 
 
@@ -397,7 +353,7 @@ def _write(job: ScheduledJob) -> None:
     assert found is not None
     inputs = {name: content for name, content in found.contents.items() if name.startswith(INPUT)}
     allowed = job.scheduled.allowed
-    options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": job.scheduled.feed.value}
+    options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": FEED}
     write_task_run(
         job.folder,
         "iiwa dose",

@@ -75,7 +75,7 @@ def simulation_page(run: Simulated) -> bytes:
 def feed_page(job: ScheduledJob) -> bytes:
     """The sequence as it was and as it is scheduled: times, lag against its bound, feed, force if blocked, joints."""
     first, *others = job.before_feeds
-    name, after, allowed = SCHEDULED[job.scheduled.feed], job.run, job.scheduled.allowed
+    name, after, allowed = SCHEDULED, job.run, job.scheduled.allowed
     pair: list[_Named] = [(first.name, first.run, BEFORE), (name, after, AFTER)]
     runs = [pair[0], *((one.name, one.run, style) for one, style in zip(others, AXES[1:], strict=False)), pair[1]]
     pushes = [Curve(who, run.t, np.linalg.norm(run.push, axis=1), style) for who, run, style in runs]
@@ -111,7 +111,7 @@ def feed_page(job: ScheduledJob) -> bytes:
         else "The arm cannot follow one of the two runs.",
         charts,
         [
-            Section("feeds", "Feeds", drawn(feeds_table("Every feed that was tried", job)) + points(job.remarks())),
+            Section("feeds", "Feeds", drawn(feeds_table("As it was, and scheduled", job)) + points(job.remarks())),
             Section("legs", "Legs", _legs(after), "Of the scheduled sequence."),
         ],
     )
@@ -234,7 +234,7 @@ def _feed_tiles(job: ScheduledJob) -> Iterator[Tile]:
     lag = first.run.lag.maximum / MM
     yield Tile(first.name, f"{first.run.opened.equilibrium.duration:.3f} s", f"lag {lag:.2f} mm, {arrived}", BEFORE)
     arrived = "" if made.arrived is None else f", arrived at {made.arrived:.3f} s"
-    yield Tile(SCHEDULED[made.feed], f"{made.duration:.3f} s", f"lag {made.lag.maximum / MM:.2f} mm{arrived}", AFTER)
+    yield Tile(SCHEDULED, f"{made.duration:.3f} s", f"lag {made.lag.maximum / MM:.2f} mm{arrived}", AFTER)
     if made.least is not None:
         what = "no sequence fed so and within these bounds is faster"
         yield Tile("lower bound", f"{made.least:.3f} s", what, "bound")

@@ -271,18 +271,15 @@ def loop_time_line(run: Simulated) -> list[str]:
 
 
 def feeds_table(title: str, job: ScheduledJob) -> TextTable:
-    """Every feed that was tried, with time, bound, lag and force if blocked."""
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
+    """The sequence as it was and as it is scheduled, with time, bound, lag and force if blocked."""
     from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED
 
     rows: list[tuple[str, float, float | None, float | None, Lag, float]] = [
         (one.name, one.run.opened.equilibrium.duration, None, one.arrived, one.run.lag, one.run.most_push)
         for one in job.before_feeds
     ]
-    for feed, label in SCHEDULED.items():
-        made = job.tried.get(feed)
-        if made is not None and not isinstance(made, CannotDose):
-            rows.append((label, made.duration, made.least, made.arrived, made.lag, made.push))
+    made = job.scheduled
+    rows.append((SCHEDULED, made.duration, made.least, made.arrived, made.lag, made.push))
     columns: dict[str, Callable[[tuple[str, float, float | None, float | None, Lag, float]], str]] = {
         "~feed": lambda row: row[0],
         ">time [s]": lambda row: seconds(row[1]),
@@ -297,39 +294,32 @@ def feeds_table(title: str, job: ScheduledJob) -> TextTable:
 
 
 def front_table(job: ScheduledJob) -> TextTable:
-    """The least time of every feed by the lead that is allowed."""
-    from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED
-
-    feeds, stretch = list(job.front[0].durations), job.front[0].lead.stretch
+    """The least time by the lead that is allowed."""
+    stretch = job.front[0].lead.stretch
     rows = [
-        (
-            f"{point.lead.most / MM if stretch else point.lead.most:.4g}",
-            *(seconds(point.durations[feed], "none") for feed in feeds),
-        )
-        for point in job.front
+        (f"{one.lead.most / MM if stretch else one.lead.most:.4g}", seconds(one.duration, "none")) for one in job.front
     ]
-    heads = (">lead [mm]" if stretch else ">lead [N]", *(f">{SCHEDULED[feed]} [s]" for feed in feeds))
+    heads = (">lead [mm]" if stretch else ">lead [N]", ">time [s]")
     return TextTable("least time by the allowed lead, without the joints' accelerations", heads, tuple(rows))
 
 
 def feed_lines(job: ScheduledJob) -> list[str]:
     """The scheduled sequence's time with its bound, why it is what it is, and what is not in it."""
-    from trajopt_cli.iiwa.controller.feed_limits import DoseFeed
     from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED
 
     made = job.scheduled
     bound = "no lower bound that says anything"
     if made.least is not None and made.gap is not None:
-        bound = f"lower bound of this feed {made.least:.3f} s, gap {100 * made.gap:.1f} %"
+        bound = f"lower bound {made.least:.3f} s, gap {100 * made.gap:.1f} %"
     lines = [
-        f"written: {SCHEDULED[made.feed]}, T = {made.duration:.3f} s ({bound}), one pose every {made.h / MM:g} ms",
+        f"written: {SCHEDULED}, T = {made.duration:.3f} s ({bound}), one pose every {made.h / MM:g} ms",
         f"force if blocked: up to {made.push:.1f} N"
         + (f" and {made.turn_push:.2f} Nm" if made.turn_push > _MOMENT else ""),
     ]
-    if made.feed is DoseFeed.POSITION and np.isfinite(job.steady):
+    if job.steady is not None and np.isfinite(job.steady):
         lines.append(
-            f"on a long line that lag allows {job.steady / MM:.3g} mm/s, fed positions alone (lag = D v / K);"
-            " a larger --max-lead, more stiffness, less damping or more lag allow more speed"
+            f"pushing no harder than a spring stretched by the lag: {job.steady / MM:.3g} mm/s on a long line (D v = K"
+            " lag); a larger --max-lead, more stiffness, less damping or more lag allow more speed"
         )
     return [*lines, *job.remarks()]
 
