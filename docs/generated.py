@@ -1,4 +1,8 @@
-"""The parts of the manual that are made from the code while it is built, each in place of <!-- generated: NAME -->."""
+"""The parts of the manual that are made from the code.
+
+`python docs/generated.py` writes them anew between <!-- generated: NAME --> and <!-- end -->, so that a checkout has
+them, too; <!-- generated: NAME at build --> stands where the manual's build puts one.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +10,27 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
+from importlib.resources import files
+from pathlib import Path
 from pkgutil import iter_modules
 from typing import Any
 
-_MARK = re.compile(r"<!-- generated: ([a-z-]+) -->")
+_PART = re.compile(r"(<!-- generated: ([a-z-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def filled(text: str) -> str:
-    """A page with its generated parts. Raises KeyError for a part that nobody makes."""
-    return _MARK.sub(lambda match: PARTS[match[1]](), text)
+    """A page with the parts that a build puts there. Raises KeyError for a part that nobody makes."""
+    return re.sub(r"<!-- generated: ([a-z-]+) at build -->", lambda match: PARTS[match[1]](), text)
+
+
+def rewritten(text: str) -> str:
+    """A page with the parts that it holds made anew. Raises KeyError for a part that nobody makes."""
+    return _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n{match[3]}", text)
+
+
+def pages() -> dict[Path, str]:
+    """Every page of the manual and what it ought to hold."""
+    return {path: rewritten(path.read_text("utf-8")) for path in sorted(Path(__file__).parent.glob("*.md"))}
 
 
 def with_subscripts(text: str) -> str:
@@ -108,6 +124,16 @@ def _title(package: Any, topic: str) -> str:
 
 def _names(names: list[str]) -> str:
     return " ".join(f"`{name}`" for name in names)
+
+
+def cell_key_table() -> str:
+    """What the keys of a cell file mean, one by one."""
+    return files("trajopt_cli.cell").joinpath("keys.md").read_text("utf-8")
+
+
+def task_key_table() -> str:
+    """What the keys of a task file mean, one by one."""
+    return files("trajopt_cli.iiwa.task").joinpath("keys.md").read_text("utf-8")
 
 
 def cell_keys() -> str:
@@ -217,7 +243,13 @@ PARTS: dict[str, Callable[[], str]] = {
     "commands": commands,
     "instructions": instructions,
     "functions": functions,
+    "cell-key-table": cell_key_table,
+    "task-key-table": task_key_table,
     "cell-keys": cell_keys,
     "task-keys": task_keys,
     "robot-keys": robot_keys,
 }
+
+if __name__ == "__main__":
+    for _path, _text in pages().items():
+        _path.write_text(_text, "utf-8")
