@@ -151,7 +151,7 @@ def fastest(way: Rounded, pushes: Sequence[Push], pieces: int, h: float) -> Pace
     _, dx, ddx = way.at((s[1:] + s[:-1]) / 2)
     products = [_products(push, dx, ddx) for push in pushes]
     terms = _terms(products, [push.most**2 for push in pushes], len(width))
-    top = _top(products, [push.most**2 for push in pushes])
+    top = _top(products, [push.most**2 for push in pushes], len(width))
     most = np.minimum(np.append(top, inf), np.insert(top, 0, inf))
     most = np.minimum(most, way.caps(s) ** 2)
     dwells = [(int(np.searchsorted(s, way.along[leg.last])), leg.dwell) for leg in way.path.legs if leg.dwell]
@@ -197,12 +197,12 @@ def _products(push: Push, dx: Array, ddx: Array) -> list[Array]:
     return [np.einsum("ij,ij->i", X, Y) for X, Y in pairs]
 
 
-def _top(products: Sequence[list[Array]], limits: Sequence[float]) -> Array:
+def _top(products: Sequence[list[Array]], limits: Sequence[float], pieces: int) -> Array:
     """Greatest square of the rate at which some change of it keeps all pushes, by place; inf where nothing is
     bounded."""
     if not products:
-        return np.asarray(inf)
-    low, high = np.zeros(len(products[0][0])), np.full(len(products[0][0]), _FASTEST)
+        return np.full(pieces, inf)
+    low, high = np.zeros(pieces), np.full(pieces, _FASTEST)
     for _ in range(_HALVINGS):
         rate = (low + high) / 2
         least, greatest = np.full(len(rate), -inf), np.full(len(rate), inf)

@@ -99,7 +99,7 @@ class Dosed:
 @dataclass(frozen=True, eq=False)
 class _Schedule:
     """A feed before it is simulated: rows fed and where the arm should be, poses (m, 6) and R (m, 3, 3) each, at path
-    parameters s (m,), by leg."""
+    parameters s (m,), by leg. turned [rad]: how far what is fed is ahead of the arm at most."""
 
     pose: Array
     R: Array
@@ -107,6 +107,7 @@ class _Schedule:
     R_plan: Array
     s: Array
     pieces: tuple[Piece, ...]
+    turned: float
 
 
 def dose(
@@ -165,7 +166,7 @@ def _inverse(
     found = _scheduled(path, law, h, allowed, integration, acceleration)
     if len(found.s) > ROWS:
         return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
-    turned = float(np.max(np.linalg.norm(rotation_vector(found.R @ np.swapaxes(found.R_plan, 1, 2)), axis=1)))
+    turned = found.turned
     if turned > _LARGEST_LEAD and allowed.turn_lead is None:
         eased = replace(allowed, turn_lead=Lead(_EASED_LEAD * _LARGEST_LEAD, stretch=True))
         return _inverse(path, law, h, eased, integration, acceleration)
@@ -218,7 +219,8 @@ def _scheduled(
     arrivals = np.searchsorted(planned, way.along[[leg.last for leg in path.legs]]).tolist()
     *before, end = path.pieces(arrivals, h)
     rows = (*before, replace(end, last=len(planned) - 1))
-    return _Schedule(*feed, *plan, np.interp(planned, way.along, path.s), rows)
+    turned = float(np.max(np.linalg.norm(lead[:, 3:], axis=1)))
+    return _Schedule(*feed, *plan, np.interp(planned, way.along, path.s), rows, turned)
 
 
 def _radius(law: Compliance, moves: Array) -> float:
