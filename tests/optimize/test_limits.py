@@ -40,6 +40,9 @@ class Calm(Limit):
     def labels(self, leg: Leg) -> list[str]:
         return ["calm joint_1"]
 
+    def numbers(self, leg: Leg) -> Array:
+        return np.array([[TOP]])
+
     def ratios(self, motion: MotionSamples) -> Array:
         return np.abs(motion.sample.qd[:, 1:2]) / TOP
 

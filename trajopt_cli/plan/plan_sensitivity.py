@@ -19,11 +19,10 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import Program
-from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner
+from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
 from trajopt_cli.nlp.transcription import Transcription
-from trajopt_cli.path.segment import Segment
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
 from trajopt_cli.plan.rail_refinement import refine_rail
@@ -33,12 +32,13 @@ from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, build_problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg, check_legs
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.profiles import hold, profiles
 from trajopt_cli.trajectories.route import IkBranch, Route
 from trajopt_cli.trajectory import hermite
@@ -48,8 +48,7 @@ from trajopt_cli.trajectory import hermite
 _LATER = 0.001
 # m of rail that are tried in turn where a place was moved out of the arm's reach.
 _SHIFTS = (0.0, 0.002, -0.002, 0.005, -0.005, 0.01, -0.01, 0.02, -0.02, 0.05, -0.05)
-_AT_END = 0.998  # share of the rail's half stroke from which it stands at an end.
-_PROJECTIONS = 6  # steps towards the share of a way that a tool has reached.
+_AT_END = 0.998  # share of half an axis' range from which it stands at an end.
 
 Changed = Callable[[float], tuple[Program, Plant]]
 """The program and its plant with a share of a change made, 1 for all of it."""
@@ -108,13 +107,10 @@ class PlanSensitivity:
         self._program = program
         axes = Axes.of(plant)
         problem = self._problem(program, plant)
-        chain, qd, times = _route_of_plan(axes, problem, plan)
-
-        def begun(N: int) -> Iterate:
-            legs = tuple(_leg_motion(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
-            return Iterate(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
-
-        draft = begun(plant.settings.first_grid)
+        chain, qd = _route_of_plan(axes, problem, plan)
+        grids, capped = Grids.of(problem), _capped(axes, problem, chain, qd)
+        cfx = tuple(label.cfx for label in chain.labels)
+        draft = first_draft(axes, problem, chain.q, qd, cfx, chain.times, grids, capped)
         if not problem.coordinated and self._passed:
             problem = with_fixed_runs(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)
@@ -128,11 +124,10 @@ class PlanSensitivity:
             if _refinable(axes, window):
                 key = window.key()
                 if key not in known:
-                    grids = Grids.of(problem)
                     found = _SolvedWindow.of(axes, self._formulation, grids, window)
                     if found is None or found.duration > (1 + _LATER) * duration(window.draft):
-                        # the coarse grid led away from the plan; one of its own does not
-                        nearer = Window.of(problem, begun(grids.path), span)
+                        # the coarse grid led away from the plan; the last one does not
+                        nearer = replace(window, draft=on_grid(axes, window.problem, window.draft, grids))
                         other = _SolvedWindow.of(axes, self._formulation, grids, nearer)
                         found = min(filter(None, (found, other)), key=lambda one: one.duration, default=None)
                     known[key] = found
@@ -344,14 +339,14 @@ class _TimedRuns:
         return min(duration(self._timed), self._with_rail_refined(self.axes, self.problem, self.chain))
 
     @cached_property
-    def _candidates(self) -> BoolArray:
-        """What each leg comes near to, in the columns of _caps."""
+    def _near(self) -> BoolArray:
+        """What each leg comes near to, in the rows of _numbers."""
         ratios = check_legs(self.axes, self.problem.legs, [leg for leg in self._timed.legs if leg is not None])
-        return np.array([_candidates(one, self.axes) for one in ratios])
+        return np.array([_near(one, self.axes) for one in ratios])
 
     def _active_legs(self, before: _Motion, after: _Motion) -> BoolArray:
         """The legs on which anything is different that is near its limit."""
-        return np.asarray((_differs(before, after, self.span) & self._candidates).any(axis=1))
+        return np.asarray((_differs(before, after, self.span) & self._near).any(axis=1))
 
     def affected_by(self, before: _Motion, after: _Motion) -> bool:
         """Whether that is so anywhere."""
@@ -430,33 +425,31 @@ def _rail_refined(axes: Axes, problem: Problem) -> bool:
 # ------------------------------------------------------------------------------------------------- what is different
 
 
-def _caps(axes: Axes, problem: Problem) -> Array:
-    """What limits each leg (M, k): velocities and accelerations of the axes, the tool's caps, both ends of the rail,
-    its duration."""
-    caps = axes.caps(problem.legs)
-    rail = np.tile(np.r_[axes.lower[axes.layout.rail], axes.upper[axes.layout.rail]], (len(problem.legs), 1))
-    times = [[np.inf if leg.duration is None else leg.duration] for leg in problem.legs]
-    tool = np.column_stack([caps.v_tcp, caps.a_tcp, caps.v_ori])
-    return np.hstack([caps.velocity, caps.acceleration, tool, rail, times])
+def _numbers(motion: _Motion, k: int) -> list[Array]:
+    """What limits ask of leg k, a row for each of their columns, and its duration."""
+    leg = motion.problem.legs[k]
+    duration = np.array([[np.inf if leg.duration is None else leg.duration]])
+    return [*(limit.numbers(leg) for limit in limits_of(motion.axes)), duration]
 
 
 def _differs(before: _Motion, after: _Motion, span: Span) -> BoolArray:
-    """What is different on each leg of a span, in the columns of _caps; all of them where its poses are."""
-    out = _caps(before.axes, before.problem) != _caps(after.axes, after.problem)
+    """What is different on each leg of a span, in the rows of _numbers; all of them where its poses are."""
+    out = []
     for k in range(*span):
         pairs = zip(before.problem.waypoints[k : k + 2], after.problem.waypoints[k : k + 2], strict=True)
-        out[k] |= any(not np.array_equal(a.X_WF, b.X_WF) for a, b in pairs)
-        out[k] |= before.problem.legs[k].units != after.problem.legs[k].units
-    return out[span[0] : span[1]]
+        moved = any(not np.array_equal(a.X_WF, b.X_WF) for a, b in pairs)
+        moved |= before.problem.legs[k].units != after.problem.legs[k].units
+        both = zip(_numbers(before, k), _numbers(after, k), strict=True)
+        out.append(np.concatenate([(a != b).any(axis=1) for a, b in both]) | moved)
+    return np.array(out)
 
 
-def _candidates(ratios: Ratios, axes: Axes) -> BoolArray:
-    """What a leg comes near to, in the columns of _caps. Where it stays away from a limit it does so after a small
+def _near(ratios: Ratios, axes: Axes) -> BoolArray:
+    """What a leg comes near to, in the rows of _numbers. Where it stays away from a limit it does so after a small
     shift of the rail, too."""
-    settings = axes.settings
-    reached = [one.max(axis=0) >= settings.active for one in (ratios.velocity, ratios.acceleration, ratios.tool)]
-    rail = ratios.position[:, axes.layout.rail].max(axis=0) >= _AT_END
-    return np.concatenate([*reached, rail, rail, [True]])
+    near = {True: axes.settings.active, False: _AT_END}
+    reached = [ratios.by_name[one.name].max(axis=0) >= near[one.order > 0] for one in limits_of(axes)]
+    return np.concatenate([*reached, [True]])
 
 
 def _placed(axes: Axes, problem: Problem, before: _Motion, moved: list[int], shift: float) -> tuple[Array, Array]:
@@ -479,8 +472,8 @@ def _waits_alike(before: Program, after: Program, index: int) -> bool:
 # ---------------------------------------------------------------------------------------------- from a plan to a draft
 
 
-def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array, Array]:
-    """Axes and configurations of the plan at the waypoints, velocities (M, n) there, times (M-1,) of the legs."""
+def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array]:
+    """Axes and configurations of the plan at the waypoints with times of the legs, and velocities (M, n) there."""
     motions = {motion.index: motion for motion in plan.motions}
     ends = np.empty(len(problem.legs))
     last = {leg.motion: k for k, leg in enumerate(problem.legs)}
@@ -508,62 +501,23 @@ def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Arr
         labels.append(IkBranch(cfx, np.zeros(axes.n - axes.layout.r)))
     times = np.diff(ends, prepend=0.0)
     rail = np.zeros_like(q)
-    return Route(q, rail, tuple(labels), times, float(times.sum())), qd, times
+    return Route(q, rail, tuple(labels), times, float(times.sum())), qd
 
 
-def _leg_motion(
-    axes: Axes, problem: Problem, plan: Plan, k: int, chain: Route, qd: Array, times: Array, paths: int
-) -> LegMotion:
-    """The plan's motion on a leg as the nonlinear program may begin with it, on so many intervals of a path."""
+def _capped(axes: Axes, problem: Problem, chain: Route, qd: Array) -> frozenset[int]:
+    """The joint moves that the plan does not drive in closed form."""
     settings = axes.settings
-    leg, T, begin = problem.legs[k], float(times[k]), float(times[:k].sum())
-    if leg.kind is LegKind.DWELL and not leg.rail_moves:
-        return hold(leg.duration or 0.0, chain.q[k])
-    if leg.kind is LegKind.JOINT:
+
+    def closed(k: int, leg: Leg) -> bool:
+        ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
+        limits = axes.velocity_on(leg), axes.acceleration_on(leg)
         with suppress(ValueError):  # switches that a file could not tell apart
-            V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
-            ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
-            closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated, problem.plant.settings)
-            ratios = check_leg(axes, leg, closed)
-            if T - settings.least_gain < closed.T and ratios.worst <= 1 + settings.closed_form_excess:
-                return closed
-    N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else paths
-    grid = np.linspace(0.0, 1.0, N + 1)
-    q, rate, _ = hermite(plan.trajectory, float(plan.trajectory.t[0]) + begin + T * grid)
-    if leg.kind is LegKind.JOINT:
-        q[0], q[-1] = chain.q[k], chain.q[k + 1]
-        return JointNodes(T, grid, q, rate * T, np.diff(rate * T, axis=0) * N)
-    segment = problem.segment(k)
-    s, v = np.zeros(N + 1), np.zeros(N + 1)
-    if leg.kind is LegKind.LINE:
-        s, v = _path_parameters(axes, segment, leg.X_FT, q, rate)
-    rail = axes.layout.rail
-    w = rate[:, rail] * T
-    cfx = max(chain.labels[k].cfx, chain.labels[k + 1].cfx)
-    return PathLeg(
-        T, segment, leg.X_FT, cfx, chain.q[k, axes.layout.arm], grid, s, v * T, np.diff(v * T) * N, q[:, rail], w,
-        np.diff(w, axis=0) * N,
-    )  # fmt: skip
+            motion = profiles(*ends, *limits, leg.duration or 0.0, problem.coordinated, settings)
+            legal = check_leg(axes, leg, motion).worst <= 1 + settings.closed_form_excess
+            return legal and chain.times[k] - settings.least_gain < motion.T
+        return False
 
-
-def _path_parameters(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> tuple[Array, Array]:
-    """Shares of a way (m,) and their rates where the axes (m, n) have the tool on it."""
-    X_WT = axes.forward(q) @ X_FT
-    s = np.linspace(0.0, 1.0, len(q))
-    for _ in range(_PROJECTIONS):
-        X, twist = segment.pose(s), segment.twist(s)
-        turn = X_WT[:, :3, :3] @ np.swapaxes(X[:, :3, :3], 1, 2)
-        skew = np.stack(
-            [turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0], turn[:, 1, 0] - turn[:, 0, 1]], 1
-        )
-        off = np.hstack([X_WT[:, :3, 3] - X[:, :3, 3], skew / 2])
-        s = np.clip(s + np.sum(twist * off, axis=1) / np.sum(twist * twist, axis=1), 0.0, 1.0)
-    s[0], s[-1] = 0.0, 1.0
-    twist = segment.twist(s)
-    tool = axes.differential(q, X_FT).velocity(qd)
-    v = np.maximum(np.sum(twist * tool, axis=1) / np.sum(twist * twist, axis=1), 0.0)
-    v[0] = v[-1] = 0.0
-    return s, v
+    return frozenset(k for k, leg in enumerate(problem.legs) if leg.kind is LegKind.JOINT and not closed(k, leg))
 
 
 def _leg_with_change(problem: Problem, k: int, motion: LegMotion, q: Array) -> LegMotion:

@@ -24,6 +24,10 @@ class JointAcceleration(Limit):
         """See Limit."""
         return self.axes.settings.exact
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return self.axes.acceleration_on(leg)[:, None]
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         asked = "programmed " if leg.acceleration < 1.0 else ""

@@ -41,6 +41,10 @@ class JointJerk(Limit):
         """See Limit."""
         return self.axes.settings.start_jerk
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return self._limits[:, None]
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return [f"{name} jerk" for name in self.axes.names]

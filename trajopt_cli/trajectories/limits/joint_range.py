@@ -22,6 +22,10 @@ class JointRange(Limit):
     safe = 1.0 + _RANGE_ROUNDING
     start = start_on_grid = 1.0
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return np.column_stack([self.axes.lower, self.axes.upper])
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return [f"{name} range" for name in self.axes.names]

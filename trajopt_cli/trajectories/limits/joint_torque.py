@@ -39,6 +39,10 @@ class JointTorque(Limit):
         """See Limit."""
         return axes.plant.limits.binding_torque is not None
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return self.limit[:, None]
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return [f"{name} torque" for name in self.axes.names]

@@ -23,6 +23,10 @@ class JointVelocity(Limit):
         """See Limit."""
         return self.axes.settings.exact
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return self.axes.velocity_on(leg)[:, None]
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         capped = self.axes.velocity_on(leg) < self.axes.velocity

@@ -8,6 +8,8 @@ Adding a limit: a file here with a class derived from `Limit`, its name in `KIND
   second derivative, every column is |slopes u + bends x + rests| <= margin, and the rate itself is at most `top` times
   the margin. It keeps a margin for each limit (by `name`) and interval, starts with `start`, compares `ratios` with
   `safe`, and tightens what exceeds it,
+- sensitivity asks `numbers`: what a change of the cell or the program changes for a leg,
+- the search and the initial plan ask `holds` and `why_not`: where the robot can rest,
 - the nonlinear program asks `node_rows` at its nodes, with parameters of `node_shapes` and values of `node_values`.
 """
 
@@ -176,6 +178,10 @@ class Limit(ABC):
     @abstractmethod
     def labels(self, leg: Leg) -> list[str]:
         """What reports call its columns on a leg, such as "joint_1 speed"."""
+
+    @abstractmethod
+    def numbers(self, leg: Leg) -> Array:
+        """What each column is held against on a leg (w, k): legs of equal numbers are limited alike."""
 
     def holds(self, leg: Leg, q: Array) -> BoolArray:
         """At which axes (m, n) the robot can rest on a leg (m,)."""

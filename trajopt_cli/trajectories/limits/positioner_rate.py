@@ -24,6 +24,10 @@ class PositionerRate(Limit):
         """See Limit."""
         return np.array([1.0, 2.0])
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return np.array(leg.table)[:, None]
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         return ["positioner", "positioner"]

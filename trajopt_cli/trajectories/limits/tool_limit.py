@@ -53,6 +53,10 @@ class ToolLimit(Limit):
         """See Limit."""
         return np.array([1.0, 2.0, 1.0])
 
+    def numbers(self, leg: Leg) -> Array:
+        """See Limit."""
+        return np.array([[leg.v_tcp, 0.0, 0.0], [leg.a_tcp, *leg.ramps], [leg.v_ori, 0.0, 0.0]])
+
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
         capped = leg.v_tcp < self.axes.plant.tcp.speed
