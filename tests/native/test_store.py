@@ -17,9 +17,9 @@ from small_cells import plant_with_rail
 from trajopt_cli.native import store as module
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store, exact
+from trajopt_cli.nlp.block import Expressed, express
 from trajopt_cli.nlp.block_cache import Native
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.nlp_assembly import Expressed, express
 from trajopt_cli.trajectories.axes import Axes
 
 ARRAYS = {"a": np.arange(12.0).reshape(3, 4), "b": np.array([1, 2], dtype=np.int64)}

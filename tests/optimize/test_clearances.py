@@ -15,8 +15,8 @@ from trajopt_cli.collision.collision_scene import CollisionScene, collision_scen
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.judge.clearance import check_clearance
 from trajopt_cli.nlp.clearances import Clearances, Tangents
-from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, on_grid
 from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.mesh_refinement import LONG, MeshRefinement, NotConverged, on_grid
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
@@ -56,7 +56,7 @@ def legal() -> InitialPlan:
 def solved(plant: Plant) -> Iterate:
     problem, grids = problem_of(PROGRAM, plant), LONG.rough
     start = on_grid(AXES, problem, legal().draft, grids)
-    return Refiner(AXES, FORMULATION, problem, Patience(), grids, collision_scene_of(problem)).run(start)
+    return MeshRefinement(AXES, FORMULATION, problem, Patience(), grids, collision_scene_of(problem)).run(start)
 
 
 def missing(plant: Plant, draft: Iterate) -> float:

@@ -10,9 +10,9 @@ import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail
 
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
-from trajopt_cli.nlp.assemble import rows_of
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.line import Line
+from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.settings import DEFAULT
 from trajopt_cli.timing.double_integrator import reach, shortest_time
 from trajopt_cli.trajectories.axes import Axes
@@ -316,7 +316,7 @@ def written() -> tuple[Axes, list[object], Array]:
 
 def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: tuple) -> None:
     axes, legs, home = written
-    trajectory, bounds = rows_of(axes, legs, home)
+    trajectory, bounds = output_rows(axes, legs, home)
     t = trajectory.t
     np.testing.assert_allclose(bounds, np.concatenate([[0], np.cumsum([leg.T for leg in legs])]), rtol=0, atol=1e-15)
     assert np.all(np.isin(bounds, t))
@@ -342,7 +342,7 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
 
 def test_hermite_between_the_rows_is_the_motion(written: tuple) -> None:
     axes, legs, home = written
-    trajectory, bounds = rows_of(axes, legs, home)
+    trajectory, bounds = output_rows(axes, legs, home)
     for leg, begin in zip(legs, bounds, strict=False):
         u = (np.arange(3000) + 0.5) / 3000 * leg.T
         q, qd, qdd = hermite(trajectory, begin + u)
@@ -361,7 +361,7 @@ def test_switches_all_but_one_are_written_once() -> None:
     times[3, 1] += 1e-12
     times[4, 2] = 0.03 - 1e-12
     leg = JointProfiles(0.03, np.zeros(7), np.ones(7), times, np.zeros((7, 3)))
-    trajectory, bounds = rows_of(axes, [leg, leg], np.zeros(7))
+    trajectory, bounds = output_rows(axes, [leg, leg], np.zeros(7))
     assert np.min(np.diff(trajectory.t)) >= 1e-5
     assert np.all(np.isin(bounds, trajectory.t))
     assert len(trajectory.t) == 61
@@ -372,6 +372,6 @@ def test_without_a_rail_six_axes_are_written() -> None:
     zero = np.zeros(6)
     q = np.full(6, 0.3)
     leg = profiles(zero, zero, q, zero, axes.velocity, axes.acceleration, 0.0, common=False, settings=DEFAULT)
-    trajectory, _ = rows_of(axes, [leg], q)
+    trajectory, _ = output_rows(axes, [leg], q)
     assert trajectory.names == tuple(f"joint_{i}" for i in range(1, 7))
     np.testing.assert_allclose(trajectory.q[-1], q)

@@ -7,8 +7,8 @@ import pytest
 from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.nlp.assemble import rows_of
 from trajopt_cli.plan import optimize
+from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectories.axes import Axes
@@ -20,7 +20,7 @@ def test_rows_of_a_long_motion_stand_farther_apart(T: float, apart: float) -> No
     grid = np.array([0.0, 0.25, 0.75, 1.0])
     q, v, a = ([0.0, 0.05, 0.25, 0.3], [0.0, 0.4, 0.4, 0.0], [1.6, 0.0, -1.6])
     way = JointNodes(T, grid, *(np.repeat(np.array(x)[:, None], 7, axis=1) for x in (q, v, a)))
-    rows, _ = rows_of(Axes.of(plant_with_rail()), [way], np.full(7, 0.3))
+    rows, _ = output_rows(Axes.of(plant_with_rail()), [way], np.full(7, 0.3))
     gaps = np.diff(rows.t)
     assert gaps.max() <= apart * (1 + 1e-6)
     assert len(rows.t) <= T / apart + 4

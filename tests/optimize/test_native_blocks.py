@@ -14,10 +14,11 @@ from small_cells import plant_with_rail, problem_of, rapid
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.native.machine import machine
+from trajopt_cli.nlp.block import Block, Expressed
 from trajopt_cli.nlp.block_cache import Library, Maps, library
-from trajopt_cli.nlp.driver import first_draft
 from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
-from trajopt_cli.nlp.nlp_assembly import Block, Expressed, NlpResult
+from trajopt_cli.nlp.interior_point import NlpResult
+from trajopt_cli.nlp.mesh_refinement import first_draft
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.line import LineSymbols

@@ -10,8 +10,9 @@ import pytest
 
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store
+from trajopt_cli.nlp.block import Block, express, make_block
 from trajopt_cli.nlp.block_cache import Library, Maps, Native
-from trajopt_cli.nlp.nlp_assembly import Block, BlockNlp, express, make_block
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
 
 INF = float("inf")
 

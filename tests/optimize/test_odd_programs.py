@@ -10,7 +10,7 @@ from small_cells import down, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.nlp.driver import on_grid
+from trajopt_cli.nlp.mesh_refinement import on_grid
 from trajopt_cli.path_timing.path_parameterized_plan import timed
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN

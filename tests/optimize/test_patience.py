@@ -16,8 +16,9 @@ from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.cli import run
-from trajopt_cli.nlp.driver import Refiner, Stage, Stopped
-from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
+from trajopt_cli.nlp.block import make_block
+from trajopt_cli.nlp.mesh_refinement import MeshRefinement, Stage, Stopped
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import refine
@@ -92,7 +93,7 @@ def test_the_first_legal_motion_is_an_answer_that_an_end_leaves(stopped: bool, m
 def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     patience, first = Patience(), True
 
-    def solve(self: Refiner, stage: Stage) -> Iterate:
+    def solve(self: MeshRefinement, stage: Stage) -> Iterate:
         nonlocal first
         draft = stage.draft
         if not first:
@@ -103,9 +104,9 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
         return Iterate(draft.q, draft.qd, draft.cfx, tuple(legs))
 
     set_defaults(monkeypatch, window_legs=4)
-    monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
-    monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
-    monkeypatch.setattr(Refiner, "finished", solve)
+    monkeypatch.setattr(MeshRefinement, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(MeshRefinement, "rough", lambda _, stage: stage)
+    monkeypatch.setattr(MeshRefinement, "finished", solve)
     monkeypatch.setattr("trajopt_cli.plan.local_refinement.search", lambda *_: None)
     base = legal()
     _, draft, notes = refine(Axes.of(base.problem.plant), base, patience, lambda _: None, {})

@@ -12,8 +12,9 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
-from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner
-from trajopt_cli.nlp.nlp_assembly import BlockNlp, make_block
+from trajopt_cli.nlp.block import make_block
+from trajopt_cli.nlp.mesh_refinement import LONG, MeshRefinement, NotConverged
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.plan import optimize
 from trajopt_cli.plan.plan_sensitivity import Effect, PlanSensitivity, _SolvedWindow, _TimedRuns
 from trajopt_cli.problem.editable import everything
@@ -223,7 +224,7 @@ def test_a_limit_that_nothing_meets_gains_exactly_nothing_and_nothing_is_solved(
     def solve(*_: object) -> None:
         raise AssertionError("solved")
 
-    monkeypatch.setattr(Refiner, "again", solve)
+    monkeypatch.setattr(MeshRefinement, "again", solve)
     monkeypatch.setattr(_TimedRuns, "again", solve)
     answer = again.answer(limit(program, plant, column, axis), True)
     assert (answer.gain, answer.active, answer.why) == (0.0, False, "")
@@ -277,8 +278,8 @@ def test_a_solve_that_fails_is_told_and_a_worse_one_loses_nothing(monkeypatch: p
     def fails(*_: object) -> None:
         raise NotConverged("as it happens")
 
-    monkeypatch.setattr(Refiner, "again", fails)
-    monkeypatch.setattr(Refiner, "run", fails)
+    monkeypatch.setattr(MeshRefinement, "again", fails)
+    monkeypatch.setattr(MeshRefinement, "run", fails)
     answer = again.answer(change, True)
     assert answer.gain is None
     assert answer.first_order is not None

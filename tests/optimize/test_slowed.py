@@ -9,7 +9,7 @@ import pytest
 from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.nlp.driver import slowed
+from trajopt_cli.nlp.mesh_refinement import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import timed
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes

@@ -13,8 +13,8 @@ from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.motion import Program
-from trajopt_cli.nlp.driver import LONG, NotConverged, Refiner, Stage, on_grid
 from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.mesh_refinement import LONG, MeshRefinement, NotConverged, Stage, on_grid
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import local_refinement
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
@@ -60,16 +60,16 @@ def whole() -> Iterate:
 
 
 def stand_in(monkeypatch: pytest.MonkeyPatch, solve: Callable[[Problem, Iterate], Iterate]) -> list[int]:
-    """Refiners that do as solve says; how many legs each was asked for."""
+    """Mesh refinements that do as solve says; how many legs each was asked for."""
     asked: list[int] = []
 
-    def finished(self: Refiner, stage: Stage) -> Iterate:
+    def finished(self: MeshRefinement, stage: Stage) -> Iterate:
         asked.append(len(self.problem.legs))
         return solve(self.problem, stage.draft)
 
-    monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
-    monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
-    monkeypatch.setattr(Refiner, "finished", finished)
+    monkeypatch.setattr(MeshRefinement, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(MeshRefinement, "rough", lambda _, stage: stage)
+    monkeypatch.setattr(MeshRefinement, "finished", finished)
     return asked
 
 
@@ -114,7 +114,7 @@ def test_a_window_is_held_where_and_as_fast_as_the_motion_passes_its_ends(monkey
     window = Window.of(legal.problem, draft, (2, 5))
     assert np.abs(draft.qd[[2, 5], 0]).min() > 0.05
     start = on_grid(AXES, window.problem, window.draft)
-    found = Refiner(AXES, Formulation(AXES), window.problem, Patience()).run(start)
+    found = MeshRefinement(AXES, Formulation(AXES), window.problem, Patience()).run(start)
     np.testing.assert_array_equal(found.q[[0, -1]], draft.q[[2, 5]])
     np.testing.assert_array_equal(found.qd[[0, -1]], draft.qd[[2, 5]])
     assert duration(found) == pytest.approx(window.duration, rel=1e-3)  # nothing is to be gained there
@@ -168,14 +168,14 @@ def test_the_start_that_leads_farthest_goes_on_and_the_first_that_gains_where_le
     legal = base(0)
     left = iter([*ratios, 1.0])
 
-    def begun(_: Refiner, draft: Iterate) -> Stage:
+    def begun(_: MeshRefinement, draft: Iterate) -> Stage:
         by = next(left) / 10
         legs = tuple(replace(motion, T=by) for motion in draft.legs if motion is not None)
         return Stage(replace(draft, legs=legs), [], [])
 
     set_defaults(monkeypatch, few_legs=few)
     stand_in(monkeypatch, lambda _, draft: draft)
-    monkeypatch.setattr(Refiner, "begun", begun)
+    monkeypatch.setattr(MeshRefinement, "begun", begun)
     found = [motion.T for motion in swept(legal).legs if motion]
     assert set(found) == {(min(ratios) if few > len(found) else ratios[0]) / 10}
 

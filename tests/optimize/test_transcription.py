@@ -13,8 +13,8 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.block_cache import library
 from trajopt_cli.nlp.constraint import Relation
-from trajopt_cli.nlp.driver import first_draft
 from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
+from trajopt_cli.nlp.mesh_refinement import first_draft
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind

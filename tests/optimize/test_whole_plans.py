@@ -14,8 +14,8 @@ from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
-from trajopt_cli.nlp.assemble import rows_of
 from trajopt_cli.plan import optimize
+from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.plan.solve import _passing
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
@@ -299,7 +299,7 @@ def test_rounding_far_along_a_rail_is_no_limit_that_is_passed() -> None:
     for end in np.linspace(38.0, 39.0, 12):
         q_1 = np.array([end, 0.1, 0.2, -0.3, 0.4, 0.5, 0.6])
         leg = profiles(np.zeros(7), np.zeros(7), q_1, np.zeros(7), axes.velocity, axes.acceleration, 0.0, True, DEFAULT)
-        assert not len(_passing(axes, rows_of(axes, [leg], q_1)[0]))
+        assert not len(_passing(axes, output_rows(axes, [leg], q_1)[0]))
 
 
 @pytest.mark.parametrize("begin", [10.0, 88000.0])

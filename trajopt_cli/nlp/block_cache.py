@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from trajopt_cli.native.store import Store, users_store
-from trajopt_cli.nlp.nlp_assembly import Block, Expressed, Shape
+from trajopt_cli.nlp.block import Block, Expressed, Shape
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _NAMES = ("g", "jacobian", "hessian")
 # what expressions and machine code are written by, beside all of path, robot and native
-_OURS = ("nlp/formulation", "nlp/constraint", "nlp/nlp_assembly", "nlp/block_cache", "settings")
+_OURS = ("nlp/formulation", "nlp/constraint", "nlp/block", "nlp/block_cache", "settings")
 
 
 class Library(Protocol):

@@ -10,10 +10,10 @@ import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.block import MapKernel
 from trajopt_cli.nlp.block_cache import Maps
-from trajopt_cli.nlp.driver import Grids, Refiner, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.nlp_callbacks import MapKernel
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, first_draft, on_grid
 from trajopt_cli.nlp.transcription import LegVariables, Transcription
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
@@ -82,7 +82,7 @@ def as_casadi(problem: Problem, start: Route | Iterate, intervals: int = 24) -> 
         raise ValueError(f"as_casadi: intervals must be a multiple of 6, got {intervals}")
     if isinstance(start, Route):
         start = _from_route(axes, problem, start, intervals)
-    refiner = Refiner(axes, Formulation(axes, Maps()), problem, Patience())
+    refiner = MeshRefinement(axes, Formulation(axes, Maps()), problem, Patience())
     return expressed(refiner.transcription(start, refiner.margins(start)))
 
 

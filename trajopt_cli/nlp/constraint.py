@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.block import Block, Expressed, express
 from trajopt_cli.nlp.block_cache import Library
-from trajopt_cli.nlp.nlp_assembly import Block, BlockNlp, Expressed, express
+from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.symbols import Layout
 
 Shapes = Mapping[str, tuple[int, ...]]

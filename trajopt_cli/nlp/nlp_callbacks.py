@@ -7,70 +7,11 @@ Where a number of the point goes and where a result belongs is looked up in inde
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-
-if TYPE_CHECKING:
-    from trajopt_cli.nlp.nlp_assembly import Block
-
-Numbers = TypeVar("Numbers", Array, IndexArray)
-
-
-class Kernel(Protocol):
-    """One function of variables z, parameters p and multipliers lam at many copies, lanes of them side by side."""
-
-    @property
-    def lanes(self) -> int:
-        """Copies in a group."""
-
-    def bound(self, groups: int, z: Array, p: Array, lam: Array, out: Array) -> Callable[[], object]:
-        """The call that evaluates groups of copies from these arrays, each (groups, length, lanes), into out."""
-
-
-class MapKernel:
-    """A CasADi function evaluated by CasADi: slower than native code, and always there."""
-
-    lanes = 1
-
-    def __init__(self, function: ca.Function):
-        self.function = function
-
-    def bound(self, groups: int, z: Array, p: Array, lam: Array, out: Array) -> Callable[[], object]:
-        """See Kernel."""
-        buffer: Any
-        buffer, call = self.function.map(groups).buffer()
-        for i, x in enumerate((z, p, lam)[: self.function.n_in()]):
-            if x.size:
-                buffer.set_arg(i, x.reshape(-1).data)
-        buffer.set_res(0, out.reshape(-1).data)
-
-        def evaluate(_: tuple[object, ...] = (buffer, z, p, lam, out)) -> None:
-            call()
-
-        return evaluate
-
-
-class Copies:
-    """How n copies stand in groups of lanes."""
-
-    def __init__(self, n: int, lanes: int):
-        self.n, self.lanes, self.groups = n, lanes, -(-n // lanes)
-        self._filled = np.minimum(np.arange(self.groups * lanes), n - 1)  # the last copy again where none is left
-
-    def packed(self, x: Numbers) -> Numbers:
-        """Rows (n, k) of the copies as (groups * k * lanes,)."""
-        k = x.shape[1]
-        return x[self._filled].reshape(self.groups, self.lanes, k).transpose(0, 2, 1).ravel()
-
-    def places(self, k: int) -> IndexArray:
-        """Where k numbers of each copy are in an array packed like that: (n, k)."""
-        copy = np.arange(self.n)
-        first = copy // self.lanes * (k * self.lanes) + copy % self.lanes
-        return first[:, None] + self.lanes * np.arange(k)
+from trajopt_cli.nlp.block import Block, Copies
 
 
 class Evaluation:

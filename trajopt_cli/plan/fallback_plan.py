@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import Array
-from trajopt_cli.nlp.driver import first_draft
+from trajopt_cli.nlp.mesh_refinement import first_draft
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg

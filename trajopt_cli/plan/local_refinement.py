@@ -19,8 +19,8 @@ from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
@@ -311,9 +311,9 @@ class WindowSweeps:
         return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
 
     @contextmanager
-    def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[Refiner]:
+    def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[MeshRefinement]:
         """To solve a window's problem with; its seconds are added up."""
-        refiner = Refiner(
+        refiner = MeshRefinement(
             self._axes, self._formulation, problem, self._patience, self._grids, collision_scene_of(problem)
         )
         try:

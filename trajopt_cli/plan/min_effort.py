@@ -16,8 +16,8 @@ import numpy as np
 
 from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.geometry import Array
-from trajopt_cli.nlp.driver import Grids
 from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.mesh_refinement import Grids
 from trajopt_cli.path_timing.path_parameterized_plan import duration, run_name
 from trajopt_cli.path_timing.path_timing import PathMargins, Unresolved, time_path
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path

@@ -19,9 +19,9 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import Program
-from trajopt_cli.nlp.driver import Grids, NotConverged, Refiner, first_draft, on_grid
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, first_draft, on_grid
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
@@ -248,7 +248,9 @@ class _SolvedWindow:
     @classmethod
     def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _SolvedWindow | None:
         """The window solved from the motion at hand; None where that does not converge."""
-        refiner = Refiner(axes, formulation, window.problem, Patience(), grids, collision_scene_of(window.problem))
+        refiner = MeshRefinement(
+            axes, formulation, window.problem, Patience(), grids, collision_scene_of(window.problem)
+        )
         try:
             draft = refiner.run(window.draft)
         except NotConverged:
@@ -304,7 +306,7 @@ class _SolvedWindow:
         problem, draft = self._with_rail_moved(after)
         key = replace(after.part(self.span)[0], draft=draft).key()
         if key not in found:
-            refiner = Refiner(
+            refiner = MeshRefinement(
                 after.axes, self.formulation, problem, Patience(), self.grids, collision_scene_of(problem)
             )
             try:

@@ -14,8 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Hold, Program, motion_name
-from trajopt_cli.nlp.assemble import rows_of
-from trajopt_cli.nlp.driver import slowed
+from trajopt_cli.nlp.mesh_refinement import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
 from trajopt_cli.plan.fallback_plan import fallback_motion
@@ -29,6 +28,7 @@ from trajopt_cli.plan.initial_plan import (
 )
 from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import least_effort_plan
+from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
 from trajopt_cli.problem.editable import Changes
@@ -274,7 +274,7 @@ def _rows(axes: Axes, problem: Problem, draft: Iterate) -> tuple[Trajectory, Arr
     legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
     more = switches(problem, legs)
     for _ in range(_DENSER + 1):
-        trajectory, bounds = rows_of(axes, legs, end, more, busy)
+        trajectory, bounds = output_rows(axes, legs, end, more, busy)
         over = _passing(axes, trajectory)
         if not len(over):
             return with_tables(problem, legs, trajectory, bounds), bounds

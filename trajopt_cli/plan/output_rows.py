@@ -21,7 +21,7 @@ _LONG_MOTION = 60.0  # s; a motion that takes longer has rows as many times fart
 _ROWS_WIDEST = 20  # ROW_EVERY: the judge wants rows every 20 ms.
 
 
-def rows_of(
+def output_rows(
     axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = (), busy: Sequence[bool] | None = None
 ) -> tuple[Trajectory, Array]:
     """The trajectory of all legs in order, and the leg boundaries' times (L+1,).

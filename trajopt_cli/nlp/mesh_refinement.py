@@ -230,7 +230,7 @@ class Stage:
     ended: bool = False
 
 
-class Refiner:
+class MeshRefinement:
     """Solves one problem from a draft, as long as there is patience. scene: what its motions stay clear of."""
 
     def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience, grids: Grids = LONG,
