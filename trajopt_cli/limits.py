@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 
 import numpy as np
@@ -43,6 +43,11 @@ class CoupledRange:
         return out
 
 
+def _axis(turning: str, rail: str) -> dict[str, str]:
+    """A limit of every axis, which the cell file's `limits` have as a key: its units there."""
+    return {"turning": turning, "rail": rail}
+
+
 @dataclass(frozen=True, eq=False)
 class JointLimits:
     """Limits of all axes in the robot's order (rail first), rad or m: position, speed [1/s], acceleration [1/s2].
@@ -57,14 +62,14 @@ class JointLimits:
     names: tuple[str, ...]
     lower: Array
     upper: Array
-    velocity: Array
-    acceleration: Array
+    velocity: Array = field(metadata=_axis("rad/s", "m/s"))
+    acceleration: Array = field(metadata=_axis("rad/s2", "m/s2"))
     sources: Mapping[str, str] = field(default_factory=dict)
-    jerk: Array | None = None
+    jerk: Array | None = field(default=None, metadata=_axis("rad/s3", "m/s3"))
     grades: Mapping[str, str] = field(default_factory=dict)
     jerk_binds: bool = False
     coupled: tuple[CoupledRange, ...] = ()
-    torque: Array | None = None
+    torque: Array | None = field(default=None, metadata=_axis("Nm", "N"))
     torque_binds: bool = False
 
     @property
@@ -93,7 +98,7 @@ class JointLimits:
         for one in self.coupled:
             if not {*one.axes} <= {*self.names}:
                 raise ValueError(f"JointLimits: {one.name} names an axis that is none of {', '.join(self.names)}")
-        for name in ("lower", "upper", "velocity", "acceleration", "jerk", "torque"):
+        for name in ("lower", "upper", *AXIS_LIMITS):
             if getattr(self, name) is None:
                 continue
             values = readonly(getattr(self, name))
@@ -112,6 +117,10 @@ class JointLimits:
             raise ValueError("JointLimits: torques must be positive")
         if self.torque_binds and self.torque is None:
             raise ValueError("JointLimits: torques that bind must be given")
+
+
+AXIS_LIMITS = {one.name: one.metadata for one in fields(JointLimits) if one.metadata}
+"""Limits of every axis but its range, by name, with their units."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +154,8 @@ class Couplings:
 
 @dataclass(frozen=True)
 class TcpCaps:
-    """Caps on the tool centre point's speed [m/s] and acceleration [m/s2] in the world, on every motion."""
+    """Caps on the tool centre point in the world, on every motion: keys of the cell file's `tcp`, each with its unit;
+    one with a default may be left out there."""
 
-    speed: float
-    acceleration: float
+    speed: float = field(metadata={"unit": "m/s"})
+    acceleration: float = field(metadata={"unit": "m/s2"})

@@ -34,6 +34,13 @@ TURN_ACCELERATION = _per(ANGLE, "/s2", "/s^2", "/s²")
 JERK = _per(LENGTH, "/s3", "/s^3", "/s³")
 TURN_JERK = _per(ANGLE, "/s3", "/s^3", "/s³")
 
+
+def units_of(unit: str) -> dict[str, float]:
+    """The units in which a quantity of this SI unit may be written, by their factors."""
+    every = (SPEED, TURN_RATE, ACCELERATION, TURN_ACCELERATION, JERK, TURN_JERK, FORCE, MOMENT)
+    return next(units for units in every if unit in units)
+
+
 _LIST = re.compile(r"\[(?P<items>[^\[\]]*)\]\s*(?P<unit>.*)", re.DOTALL)
 # DOTALL: a match that a line break ends would be tried anew for every digit before it
 _SCALAR = re.compile(r"(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>.*)", re.DOTALL)

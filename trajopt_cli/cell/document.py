@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import MISSING, fields
 from itertools import pairwise
 from pathlib import PurePath
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import (
     BaseModel,
@@ -16,22 +17,18 @@ from pydantic import (
     PlainValidator,
     StrictBool,
     StrictStr,
+    create_model,
     model_validator,
 )
 
 from trajopt_cli.cell.model import TOOL_RADIUS
+from trajopt_cli.limits import AXIS_LIMITS, TcpCaps
 from trajopt_cli.quantity import (
-    ACCELERATION,
     ANGLE,
-    FORCE,
-    JERK,
     LENGTH,
-    MOMENT,
     RATIO,
-    SPEED,
     TIME,
     TURN_ACCELERATION,
-    TURN_JERK,
     TURN_RATE,
     Reader,
     above_zero,
@@ -42,6 +39,7 @@ from trajopt_cli.quantity import (
     positive,
     shown,
     takes_number,
+    units_of,
 )
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 from trajopt_cli.shapes import Cue
@@ -237,56 +235,54 @@ Positioner = Annotated[
 class LimitSection(_Section):
     """One axis' own limits, in SI or with a unit; source says where they come from."""
 
-    lower: float | None = None
-    upper: float | None = None
-    velocity: float | None = None
-    acceleration: float | None = None
-    jerk: float | None = None
-    torque: float | None = None
-    source: SourceText
+    if TYPE_CHECKING:
+        source: str
 
     @model_validator(mode="after")
     def _ordered(self) -> LimitSection:
-        _drives(velocity=self.velocity, acceleration=self.acceleration, jerk=self.jerk)
-        if self.lower is not None and self.upper is not None and not self.lower < self.upper:
-            raise complain(f"lower {self.lower:g} is not below upper {self.upper:g}")
-        if self.lower is self.upper is self.velocity is self.acceleration is self.jerk is self.torque is None:
-            raise complain("names no limit: lower, upper, velocity, acceleration, jerk or torque")
+        given = {name: getattr(self, name) for name in ("lower", "upper", *AXIS_LIMITS)}
+        _drives(**{name: given[name] for name, units in AXIS_LIMITS.items() if "/s" in units["rail"]})
+        low, high = given["lower"], given["upper"]
+        if low is not None and high is not None and not low < high:
+            raise complain(f"lower {low:g} is not below upper {high:g}")
+        if set(given.values()) == {None}:
+            *names, last = given
+            raise complain(f"names no limit: {', '.join(names)} or {last}")
         return self
 
 
-class JointLimitSection(LimitSection):
-    """Limits of a turning axis: rad, rad/s, rad/s2, rad/s3, Nm."""
-
-    lower: Angle | None = None
-    upper: Angle | None = None
-    velocity: Annotated[float, BeforeValidator(positive(TURN_RATE))] | None = None
-    acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION))] | None = None
-    jerk: Annotated[float, BeforeValidator(positive(TURN_JERK))] | None = None
-    torque: Annotated[float, BeforeValidator(positive(MOMENT))] | None = None
+def _positive(unit: str, default: Any = None) -> Any:
+    """A field: a quantity above zero in this unit, None for the default; ... for one that has to be given."""
+    read = Annotated[float, BeforeValidator(positive(units_of(unit)))]
+    return (read, ...) if default is ... else (read | None, None)
 
 
-class RailLimitSection(LimitSection):
-    """Limits of the rail: m/s, m/s2, m/s3, N; its range is rail.stroke."""
-
-    lower: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
-    upper: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
-    velocity: Annotated[float, BeforeValidator(positive(SPEED))] | None = None
-    acceleration: Annotated[float, BeforeValidator(positive(ACCELERATION))] | None = None
-    jerk: Annotated[float, BeforeValidator(positive(JERK))] | None = None
-    torque: Annotated[float, BeforeValidator(positive(FORCE))] | None = None
+def _limit_section(axis: str, end: Any, about: str) -> type[LimitSection]:
+    """The section of an axis, turning or rail; end: the type of both ends of its range."""
+    given: dict[str, Any] = {"lower": (end, None), "upper": (end, None)}
+    given |= {name: _positive(units[axis]) for name, units in AXIS_LIMITS.items()}
+    name = "JointLimitSection" if axis == "turning" else "RailLimitSection"
+    return create_model(name, __base__=LimitSection, __doc__=about, **given, source=(SourceText, ...))
 
 
 def _elsewhere() -> None:
     raise complain("the rail's range is rail.stroke; give it there")
 
 
+JointLimitSection = _limit_section("turning", Angle | None, "Limits of a turning axis: rad, rad/s, rad/s2, rad/s3, Nm.")
+RailLimitSection = _limit_section(
+    "rail",
+    Annotated[None, BeforeValidator(lambda _: _elsewhere())],
+    "Limits of the rail: m/s, m/s2, m/s3, N; its range is rail.stroke.",
+)
+
+
 class LimitsSection(BaseModel):
     """Overrides by axis name; which names exist only the robot knows."""
 
     model_config = ConfigDict(extra="allow", frozen=True)
-    __pydantic_extra__: dict[str, JointLimitSection]
-    rail: RailLimitSection | None = None
+    __pydantic_extra__: dict[str, JointLimitSection]  # type: ignore[valid-type]
+    rail: RailLimitSection | None = None  # type: ignore[valid-type]
 
     def by_axis(self) -> dict[str, LimitSection]:
         """Every override in file order but the rail's first."""
@@ -294,12 +290,17 @@ class LimitsSection(BaseModel):
         return rail | dict(self.__pydantic_extra__)
 
 
-class TcpSection(_Section):
-    """Caps on the tool centre point in the world: m/s, m/s2."""
-
-    speed: Annotated[float, BeforeValidator(positive(SPEED))]
-    acceleration: Annotated[float, BeforeValidator(positive(ACCELERATION))]
-    source: SourceText
+_TOOL: dict[str, Any] = {
+    one.name: _positive(one.metadata["unit"], ... if one.default is MISSING else None) for one in fields(TcpCaps)
+}
+_UNITS = ", ".join(one.metadata["unit"] for one in fields(TcpCaps))
+TcpSection = create_model(
+    "TcpSection",
+    __base__=_Section,
+    __doc__=f"Caps on the tool centre point in the world: {_UNITS}.",
+    **_TOOL,
+    source=(SourceText, ...),
+)
 
 
 class StartSection(_Section):
@@ -501,7 +502,7 @@ class CellDocument(_Section):
     base: FrameSection | None = None
     positioners: dict[StrictStr, Positioner] = Field(default_factory=dict)
     limits: LimitsSection = Field(default_factory=lambda: LimitsSection.model_validate({}))
-    tcp: TcpSection | None = None
+    tcp: TcpSection | None = None  # type: ignore[valid-type]
     start: StartSection
     obstacles: Solids = Field(default_factory=dict)
     attached: Solids = Field(default_factory=dict)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -163,9 +163,11 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     overrides = tuple(
         LimitOverride(axis, kind, value, section.source)
         for axis, section in document.limits.by_axis().items()
-        for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "torque")
-        if (value := getattr(section, kind)) is not None
+        for kind, value in section
+        if kind != "source" and value is not None
     )
+    tool: dict[str, Any] = dict(document.tcp or ())
+    tool_source = tool.pop("source", None)
     cell = Cell(
         file=file,
         robot=_robot(document.robot, Path(file).parent),
@@ -181,8 +183,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         else None,
         X_WB=frame_pose(document.base) if document.base else np.eye(4),
         overrides=overrides,
-        tcp=TcpCaps(document.tcp.speed, document.tcp.acceleration) if document.tcp else None,
-        tcp_source=document.tcp.source if document.tcp else None,
+        tcp=TcpCaps(**{name: value for name, value in tool.items() if value is not None}) if tool else None,
+        tcp_source=tool_source,
         start_joints=document.start.joints,
         start_rail=document.start.rail,
         scenario=_scenario(document, file, lines),

@@ -12,7 +12,7 @@ import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.limits import AXIS_LIMITS, JointLimits, TcpCaps
 from trajopt_cli.scenario import Lines, Scenario
 from trajopt_cli.shapes import Grip, MeshFile, Solid
 from trajopt_cli.units import MM
@@ -117,11 +117,12 @@ class Cell:
 
         Raises InputError for an axis the robot has not, for a limit nobody gave, and for an empty range.
         """
-        values = {kind: np.array(getattr(limits, kind)) for kind in ("lower", "upper", "velocity", "acceleration")}
-        if limits.jerk is not None or any(change.kind == "jerk" for change in self.overrides):
-            values["jerk"] = np.full(len(axis_names), np.nan) if limits.jerk is None else np.array(limits.jerk)
-        if limits.torque is not None or any(change.kind == "torque" for change in self.overrides):
-            values["torque"] = np.full(len(axis_names), np.inf) if limits.torque is None else np.array(limits.torque)
+        values = {}
+        for kind in ("lower", "upper", *AXIS_LIMITS):
+            given = getattr(limits, kind)
+            if given is not None or any(change.kind == kind for change in self.overrides):
+                nobody = np.inf if kind == "torque" else np.nan
+                values[kind] = np.full(len(axis_names), nobody) if given is None else np.array(given)
         sources, grades = dict(limits.sources), dict(limits.grades)
         changes = list(self.overrides)
         if self.rail is not None:

@@ -6,7 +6,7 @@ A lever makes the changed program and plant; nothing is solved here.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from functools import partial
 from typing import Any
@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import (
     Motion,
     Move,
@@ -41,6 +40,7 @@ _PERCENT, _LESS = f"+{SHARE * 100:g} %", f"−{SHARE * 100:g} %"
 _LONGEST = 24  # letters of a target in a name
 _SAME_PLACE = 1e-6  # m between poses that are one
 _AXES = ("x", "y", "z")
+_POWERS = str.maketrans("23", "²³")
 
 
 class LeverKind(StrEnum):
@@ -166,21 +166,18 @@ def _axis_levers(program: Program, plant: Plant) -> Iterator[Lever]:
         yield lever(LeverKind.STROKE, "stroke, upper end", "upper", i, longer, "m", by)
 
 
-def _capped(program: Program, plant: Plant, caps: Callable[[float], TcpCaps], share: float) -> tuple[Program, Plant]:
-    return program, replace(plant, tcp=caps(share))
+def _capped(program: Program, plant: Plant, name: str, share: float) -> tuple[Program, Plant]:
+    more = getattr(plant.tcp, name) * (1 + SHARE * share)
+    return program, replace(plant, tcp=replace(plant.tcp, **{name: more}))
 
 
 def _tool_levers(program: Program, plant: Plant) -> Iterator[Lever]:
-    tcp = plant.tcp
-    faster = partial(_capped, program, plant, lambda share: replace(tcp, speed=tcp.speed * (1 + SHARE * share)))
-    harder = partial(
-        _capped, program, plant, lambda share: replace(tcp, acceleration=tcp.acceleration * (1 + SHARE * share))
-    )
-    for name, unit, now, change in (
-        ("TCP speed cap of the cell", "m/s", tcp.speed, faster),
-        ("TCP acceleration cap of the cell", "m/s²", tcp.acceleration, harder),
-    ):
-        yield Lever(LeverKind.TOOL, name, unit, now, now * (1 + SHARE), _PERCENT, True, change)
+    for cap in fields(plant.tcp):
+        name, now, unit = cap.name, getattr(plant.tcp, cap.name), cap.metadata["unit"].translate(_POWERS)
+        if np.isfinite(now):
+            change = partial(_capped, program, plant, name)
+            now_and_then = now, now * (1 + SHARE)
+            yield Lever(LeverKind.TOOL, f"TCP {name} cap of the cell", unit, *now_and_then, _PERCENT, True, change)
 
 
 # -------------------------------------------------------------------------------------------------------- the program
