@@ -27,5 +27,9 @@ class Kinematics(Protocol):
         conf None, or several solutions of one configuration: the one nearest to near (to the start where None).
         """
 
+    def along(self, q: Array, before: ExternalAxes, X_WF: Array, extax: ExternalAxes, X_FT: Array) -> Array | None:
+        """Joints to which a straight way of the tool X_FT leads from joints q, external axes going from before to
+        extax; None where it does not get to X_WF."""
+
     def confdata(self, q: Array) -> ConfData:
         """Configuration of joints q."""

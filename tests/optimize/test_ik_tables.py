@@ -186,11 +186,13 @@ def test_confdata_that_cannot_be_had_lists_the_nearest_that_could(rail_fixed: bo
         confs.add((*cf, cfx))
     away = {conf: [abs(a - b) for a, b in zip(conf, (1, 1, 1, 0), strict=True)] for conf in confs}
     near = sorted(confs, key=lambda conf: (4 - away[conf].count(0), sum(away[conf]), conf))
-    listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in near[:4])
-    assert len(confs) > 4
+    listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in near[:6])
+    assert len(confs) > 6
+    (found,) = check_configurations(program, plant)
+    assert str(answer).startswith(f"t.mod:5:1: {found.message}; ")
     assert str(answer) == (
-        "t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; "
-        f"reachable with {listed} and {len(confs) - 4} more; correct the confdata, or set ConfJ \\Off before it"
+        "t.mod:5:1: MoveJ p_c cannot be reached in confdata [1,1,1,0] with the rail at 500 mm; "
+        f"reachable with {listed} and {len(confs) - 6} more; correct the confdata, or set ConfJ \\Off before it"
     )
     assert check_feasible(program, plant) is None
 
@@ -201,7 +203,7 @@ def test_the_places_of_confdata_that_cannot_be_had_are_told_together() -> None:
     moves = ["MoveJ p_c, v500, fine, tool0;", "WaitTime 1;", "MoveJ p_d, v500, fine, tool0;"]
     program = rapid("\n".join([*moves, *["MoveJ p_c, v500, fine, tool0;"] * 6]), data=data)
     message = str(said(program, plant_without_rail(), AS_WRITTEN))
-    assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached: not with confdata [1,1,1,0]; reachable with [")
+    assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached in confdata [1,1,1,0]; reachable with [")
     assert message.endswith("; likewise t.mod:8:1, t.mod:9:1, t.mod:10:1, t.mod:11:1 and 2 more")
     again = rapid("FOR i FROM 1 TO 3 DO\nMoveJ p_c, v500, fine, tool0;\nENDFOR", data=data)
     assert "likewise" not in str(said(again, plant_without_rail(), AS_WRITTEN))

@@ -192,6 +192,24 @@ def test_the_configuration_counts_where_the_move_holds_to_it(switch: str, warnin
     assert sum("has no posture with confdata" in text for text in tuple(map(str, program.warnings))) == warnings
 
 
+def test_where_confdata_is_off_the_joints_are_the_nearest_to_those_before() -> None:
+    """Axis 6 goes on by a turn of 300 degrees in steps of 100, each nearest to the one before, on a joint move and on a
+    line; CRobT tells the configuration that is there, not the programmed one."""
+    to = f"p:=CalcRobT([[10,10,-10,0,40,{{0}}],{N}],tool0);"
+    body = (
+        f"MoveAbsJ [[10,10,-10,0,40,80],{N}],v100,fine,tool0; ConfJ\\Off; ConfL\\Off;"
+        f"{to.format(180)} MoveJ p,v100,fine,tool0; {to.format(-80)} MoveL p,v100,fine,tool0;"
+        f"{to.format(20)} MoveJ p,v100,fine,tool0; j:=CJointT(); MoveAbsJ j,v100,fine,tool0;"
+        f"{to.format(-40)} MoveJ p,v100,fine,tool0; ConfJ\\On; MoveJ CRobT(),v100,fine,tool0;"
+    )
+    program = run_main(body, "VAR robtarget p; VAR jointtarget j;", robot())
+    joints, last = program.motions[-3], program.motions[-1]
+    assert isinstance(joints, MoveAbsJ)
+    assert isinstance(last, MoveJ)
+    np.testing.assert_allclose(np.degrees(joints.q), [10, 10, -10, 0, 40, 380], atol=1e-4)
+    assert last.conf == ConfData(0, 0, 3, 0)
+
+
 def test_an_axis_without_a_position_stays_where_it_was() -> None:
     body = (
         "MoveL [[500,0,600],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,-5]],v100,fine,tool0;"

@@ -184,12 +184,14 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
         yield f"{one.source}: {one.message}{f' ({others} more)' if others else ''}"
     if plant is None:
         return
+    from trajopt_cli.problem.configurations import unsure_nearest
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
     from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
 
     if plant.rail_eax is not None and (held := held_after_outputs(flat)):
         yield held
     yield from planned_otherwise(flat)
+    yield from unsure_nearest(flat, plant)
     if refused := Counter(one.kind for one in refusals(flat, plant)):
         yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"
 

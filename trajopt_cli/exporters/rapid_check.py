@@ -182,7 +182,7 @@ def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move)
             if not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
                 conf = read.conf
                 yield f"another configuration than the target's [{conf.cf1},{conf.cf4},{conf.cf6},{conf.cfx}]"
-        elif read is not motion and not is_nearest(plant, planned):
+        elif read is not motion and not is_nearest(plant, planned, motion):
             yield "a configuration that is not the nearest, which the controller takes with confdata switched off"
 
 

@@ -81,7 +81,7 @@ class Targets:
         conf, monitored = None, False
         if isinstance(move, PoseMove):
             robot, arm = self._plant.robot, np.asarray(q[layout.arm])
-            monitored = not dwell and not confdata_counts(move) and not is_nearest(self._plant, planned)
+            monitored = not dwell and not confdata_counts(move) and not is_nearest(self._plant, planned, move)
             if confdata_counts(move) or monitored or dwell:
                 conf = move.conf if confdata_admits(robot, move.conf, arm) else confdata(robot, arm)
         return TargetEdit(rail, conf, monitored)

@@ -7,7 +7,7 @@ configuration in the whole station. What cannot be reached is named here, before
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import blake2b
 from itertools import groupby, product
@@ -18,9 +18,9 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.graph_search.singular_start import SingularStart, usable
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveJ, MoveL, PathMove, motion_name
+from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.configurations import check_configurations
+from trajopt_cli.problem.configurations import check_configurations, reachable_with, shown
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plannable import with_exact_orientation
@@ -34,7 +34,6 @@ from trajopt_cli.trajectories.route import IkBranch
 
 _FEWEST_NODES = 3  # of them on a short line.
 
-_LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
 _SAME = 1e-12  # m or 1: poses
 _FAR = np.pi / 2  # rad from node to node of a line: it may have been the other way round
@@ -380,7 +379,32 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         if out is not None:
             return out
         served.add(key)
-    return None
+    return _dead_end(problem)
+
+
+def _dead_end(problem: Problem) -> Infeasible | None:
+    """The first motion that cannot be done from the nearest configurations that lead to it, which nothing may change,
+    as parse tells it."""
+    if problem.dropped or not any(point.nearest for point in problem.waypoints):
+        return None
+    ends = {point.motion: k for k, point in enumerate(problem.waypoints)}
+    found = check_configurations(problem.program, problem.plant)
+    one = next((one for one in found if one.index in ends and _led_to(problem, ends[one.index])), None)
+    return None if one is None else Infeasible(one.index, one.source, one.message)
+
+
+def _led_to(problem: Problem, k: int) -> bool:
+    """Whether the axes at waypoint k follow from given joints or confdata through nearest configurations."""
+    chosen = False
+    for point, leg in zip(problem.waypoints[k:0:-1], problem.legs[k - 1 :: -1], strict=False):
+        if point.rail[0] < point.rail[1]:
+            return False
+        if point.q is not None or (leg.kind is LegKind.JOINT and point.conf is not None):
+            return chosen
+        if leg.kind is LegKind.JOINT and not point.nearest:
+            return False
+        chosen |= leg.kind is LegKind.JOINT
+    return chosen
 
 
 def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
@@ -486,14 +510,11 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why_unreachable(axes, problem, stop.X_WF, float(near))
-    where, confused = _at_rail(axes, float(near)), not reason
-    if confused:
-        reason = _other_configurations(axes, problem, stop, float(near))
-        if stop.conf is not None:
-            reason += _remedy(axes, problem, k)
-    text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
-    if confused and isinstance(motion, PathMove) and (told := _configuration(problem, k)):
+    if not reason and (told := _configuration(problem, k)):
         text = told + _remedy(axes, problem, k)
+    else:
+        reason = reason or _confdata_or_singular(problem, stop, float(near))
+        text = f"{motion_name(motion)} cannot be reached{_at_rail(axes, float(near))}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
@@ -518,28 +539,11 @@ def _why_unreachable(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> 
     return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
 
 
-def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
-    """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
-    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
-    of = [(axes.robot.confdata(q), q) for _, q in found]
-    confs = {astuple(conf) for conf, q in of if axes.robot.admits(conf, q)}
-    if not confs:
+def _confdata_or_singular(problem: Problem, stop: Waypoint, rail: float) -> str:
+    """Why a waypoint is not to be had though its pose is in reach."""
+    if stop.conf is None:
         return "too near a singularity"
-    asked = None if stop.conf is None else astuple(stop.conf)
-
-    def away(conf: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
-        apart = [abs(a - b) for a, b in zip(conf, asked or conf, strict=True)]
-        return sum(map(bool, apart)), sum(apart), conf
-
-    nearest = sorted(confs, key=away)
-    text = ", ".join(_written(conf) for conf in nearest[:_LISTED])
-    more = f" and {len(nearest) - _LISTED} more" if len(nearest) > _LISTED else ""
-    return f"not{'' if asked is None else f' with confdata {_written(asked)}'}; reachable with {text}{more}"
-
-
-def _written(conf: tuple[int, ...]) -> str:
-    """confdata as RAPID writes it."""
-    return f"[{','.join(map(str, conf))}]"
+    return f"not with confdata {shown(stop.conf)}; {reachable_with(problem.plant, stop.X_WF, rail, stop.conf)}"
 
 
 def _remedy(axes: Axes, problem: Problem, k: int) -> str:

@@ -70,9 +70,10 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
 
 
-def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Edge:
-    """Least times of joint moves between all states; the tool caps enter by a trapezoid over the tool's way, which is
-    its chord where every axis may go its own way."""
+def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> Edge:
+    """Least times of a joint move, leg k, between all states; the tool caps enter by a trapezoid over the tool's way,
+    which is its chord where every axis may go its own way."""
+    leg = problem.legs[k]
     V, A = axes.velocity_on(leg), axes.acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
     slow = _slowest_axes(a, b, V, A, axes.settings.slowest_states) if moving else list(range(axes.n))
@@ -96,16 +97,18 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     if not leg.rail_moves:
         stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
         T, doubt = np.where(stays, T, np.inf), doubt & stays
+    if (led := problem.leads(k, a.q, b.q)) is not None:
+        T, doubt = np.where(led, T, np.inf), doubt & led
     if not doubt.any():
         return Dense(T)
 
-    def sure(i: IndexArray, k: IndexArray) -> Array:
-        return _with_leg_time(np.maximum(bare[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)), leg)
+    def sure(i: IndexArray, j: IndexArray) -> Array:
+        return _with_leg_time(np.maximum(bare[i, j], shortest_time(b.q[j] - a.q[i], a.qd[i], b.qd[j], V, A)), leg)
 
     def through(shares: Array) -> Callable[[IndexArray, IndexArray], Array]:
-        def least(i: IndexArray, k: IndexArray) -> Array:
+        def least(i: IndexArray, j: IndexArray) -> Array:
             return _with_leg_time(
-                np.maximum(bare[i, k], _tool_path_time(axes, leg, a.q[i], b.q[k], p_a[i], p_b[k], shares)), leg
+                np.maximum(bare[i, j], _tool_path_time(axes, leg, a.q[i], b.q[j], p_a[i], p_b[j], shares)), leg
             )
 
         return least
@@ -329,7 +332,7 @@ def _edges(
             edges.append(known[name])
             continue
         if leg.kind is LegKind.JOINT:
-            edges.append(_joint_edge(axes, problem, leg, a, b))
+            edges.append(_joint_edge(axes, problem, k, a, b))
         elif leg.kind is LegKind.LINE:
             first = problem.stations[where[k]][0]
             back = _mirrored_leg(problem, first, k)

@@ -97,7 +97,7 @@ def steps_of(
     def to(layer: int, j: int) -> Array:
         """From the states of a layer through the joint move into station j and through it."""
         first = ways[j][0]
-        into = _joint_edge(axes, problem, problem.legs[first - 1], layers[layer], layers[first]).dense()
+        into = _joint_edge(axes, problem, first - 1, layers[layer], layers[first]).dense()
         return _product(into, inside[j])
 
     n = len(ways)
@@ -109,7 +109,7 @@ def steps_of(
         if after is None:
             leave.append(np.zeros(len(layers[last].q)))
         else:
-            out = _joint_edge(axes, problem, problem.legs[end], layers[last], layers[end + 1]).dense()
+            out = _joint_edge(axes, problem, end, layers[last], layers[end + 1]).dense()
             leave.append(np.min(out + after[None], axis=1))
     return Steps(tuple(enter), tuple(between), tuple(leave))
 

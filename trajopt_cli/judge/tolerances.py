@@ -49,6 +49,10 @@ REST_JOINT = 1e-5
 JOINT_TARGET = 1e-6
 """Distance from programmed axis values (MoveAbsJ, fixed rail, start), rad or m."""
 
+NEAREST = 1e-6
+"""How much farther than in the nearest posture a joint move under ConfJ \\Off may end, rad: of two that are equally
+near rounding decides."""
+
 HELD = 1e-6
 """Way of a rail that must stand still, m, from its least to its greatest position: that of a stop's drift, a thirtieth
 of the robot's repeatability (0.03 mm); plans keep it to their printed digits."""

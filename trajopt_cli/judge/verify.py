@@ -19,6 +19,7 @@ from trajopt_cli.judge.joints import check_joints
 from trajopt_cli.judge.lines import check_shapes
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import mechanism_of
+from trajopt_cli.judge.nearest import check_nearest
 from trajopt_cli.judge.positioners import check_columns, check_tables, turned_frames
 from trajopt_cli.judge.program_points import may_drop, points_of
 from trajopt_cli.judge.rail_hold import check_held
@@ -44,12 +45,14 @@ def verify(
     dropped: Collection[int] | None = None,
     target: Target | None = None,
     advice: bool = True,
+    as_written: bool = False,
 ) -> Report:
     """Judge a joint motion of the whole program. Report.legal decides; advice says what a line could still gain.
 
     resolution: printed step of the file, None when every digit is there. dropped: indices of motions the plan left
     out; None: unknown, optional motions may be missing. target rapid: also what a RAPID controller makes of it, every
     axis at rest at every stop, MoveJ straight in the joints, the rail in proportion to the path of a line.
+    as_written: nothing of the program was changed, so confdata that is switched off has the nearest posture.
     advice False leaves the libraries out, for those who only ask for legality.
 
     Raises InputError when the file's axes are not the robot's, or its rows are no motion: fewer than two, a time that
@@ -83,6 +86,7 @@ def verify(
         *_dropped(program, plant, dropped or ()),
         *stops,
         *shapes,
+        *(check_nearest(line) if as_written else ()),
         *check_held(line, frames),
         *check_joints(rows, line.source_at),
         *check_torques(program, line),

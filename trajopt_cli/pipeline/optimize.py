@@ -314,12 +314,14 @@ def _said_once(notes: Mapping[Target, Sequence[str]]) -> Iterator[str]:
 
 
 def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
-    """Which moves end in another configuration than programmed, by target."""
-    from trajopt_cli.problem.configurations import changed_configurations
+    """Which moves end in another configuration than programmed, by target; and where nobody can be sure."""
+    from trajopt_cli.problem.configurations import changed_configurations, unsure_nearest
 
     for target, one in judged.items():
         for line in changed_configurations(job.program, job.plant, one.plan):
             yield f"{target.value}: {line}"
+    for line in unsure_nearest(job.program, job.plant, judged[Target.RAPID].plan):
+        yield f"{Target.RAPID.value}: {line}"
 
 
 def _placed(export: RapidExport, folder: Path) -> Iterator[str]:

@@ -330,7 +330,7 @@ def as_written(
             return plan if kept is None else kept.keep(plan)
         kept = kept or RowsFile()
         plan = kept.keep(plan)
-        report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
+        report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, False, as_written=True)
     return plan if report.legal else f"not legal: {report.worst.message}"
 
 
@@ -342,6 +342,7 @@ def judge(
     dropped: tuple[int, ...] | None = None,
     target: Target | None = None,
     advice: bool = True,
+    as_written: bool = False,
 ) -> findings.Report:
     """What the judge says of a CSV text or an open file. file: its name in messages; the rest as in verify."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
@@ -358,7 +359,7 @@ def judge(
         limits = plant.limits
         check_reach(trajectory, limits.lower, limits.upper, limits.velocity, file, resolution.lines)
     try:
-        return verify(program, plant, trajectory, resolution, dropped, target, advice)
+        return verify(program, plant, trajectory, resolution, dropped, target, advice, as_written)
     except InputError as error:
         error.file = error.file or file
         error.take(ErrorKind.RESULTS)

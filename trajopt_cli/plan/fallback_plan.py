@@ -87,7 +87,8 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
         options.sort(key=lambda one: float(np.max(np.abs(one[0] - q_0) / axes.velocity)))
         for q, cfx in options:
             along = leg.kind is LegKind.JOINT or cfx_0 in (-1, cfx)
-            if along and all(np.abs(q - own).max() < 1e-6 for own, _ in tied):
+            led = problem.leads(k - 1, q_0[None], q[None])
+            if along and (led is None or led.all()) and all(np.abs(q - own).max() < 1e-6 for own, _ in tied):
                 yield q, cfx
 
 

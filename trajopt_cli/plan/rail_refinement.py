@@ -259,7 +259,9 @@ def _with_rail_moved(
         out[k] = axes.layout.join(np.array(d), turned)
         if not (point.rail[0] <= d <= point.rail[1] and axes.within(out[k], 0.0)):
             return None
-    return out
+    beside = {i for k in at for i in (k - 1, k) if 0 <= i < len(problem.legs)}
+    led = [problem.leads(i, out[i : i + 1], out[i + 1 : i + 2]) for i in beside]
+    return None if any(one is not None and not one.all() for one in led) else out
 
 
 def _branch(chain: Route, k: int) -> int:
@@ -335,6 +337,8 @@ def _edge_times(
         if around is not None and problem.legs[first].kind is LegKind.JOINT:
             clear = around.free_between(a[ia], b[ib], problem.legs[first].motion)
             ia, ib = ia[clear], ib[clear]
+        if (led := problem.leads(first, a, b)) is not None:
+            ia, ib = ia[led[ia, ib]], ib[led[ia, ib]]
         q = _between(axes, problem, chain, first, last, a[ia], b[ib])
         can = np.isfinite(q).all(axis=(1, 2))
         q, cfx = q[can], _branch(chain, first)

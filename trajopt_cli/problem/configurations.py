@@ -2,14 +2,15 @@
 
 Every pose is looked at where its own external axes put the rail, or where the rail stands when they leave it open.
 A line is followed from its start with the joints changing continuously, which is all a controller can do: it ends in
-one configuration, and confdata that names another cannot be kept.
+one configuration, and confdata that names another cannot be kept. Where confdata is switched off a joint move ends in
+the nearest configuration, and a line where it leads.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 from enum import StrEnum
 from itertools import product
 from math import floor, pi
@@ -20,7 +21,10 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
+    Move,
     MoveAbsJ,
+    MoveExtJ,
+    MoveJ,
     PathMove,
     PoseMove,
     Program,
@@ -31,6 +35,7 @@ from trajopt_cli.motion import (
     turned_under,
 )
 from trajopt_cli.path.of_motion import segment_of
+from trajopt_cli.problem.nearest import is_nearest, is_sure, nearest
 from trajopt_cli.problem.path_ik import ArmPath, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration, with_exact_orientation
@@ -87,13 +92,18 @@ class ConfigurationFinding:
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """A programmed pose. demanded: its confdata counts."""
+    """A programmed pose. rails [m]: where the rail stands before the move and at the pose."""
 
     index: int
     motion: PoseMove
     X_WF: Array
-    rail: float
-    demanded: bool
+    rails: tuple[float, float]
+    demanded: bool  # its confdata counts
+    off: bool  # it is switched off
+
+    @property
+    def rail(self) -> float:
+        return self.rails[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,25 +121,61 @@ class _Poses:
 def check_configurations(program: Program, plant: Plant) -> tuple[ConfigurationFinding, ...]:
     r"""Everything that does not fit, in program order; at most one finding per motion.
 
-    Under ConfJ or ConfL \Off only unreachable poses are told.
+    Under ConfJ or ConfL \Off: unreachable poses, and lines that cannot be run from the nearest configuration.
     """
     points = _points(program, plant)
     poses = _reached(points, plant)
-    found: dict[int, ConfigurationFinding] = {}
-    for point, reachable in zip(points, poses.reachable, strict=True):
-        if not reachable:
-            found[point.index] = _unreachable(point, plant)
-    lines = _lines(program, plant, points, poses)
-    followed = dict(zip((index for index, _ in lines), follow(plant, [line for _, line in lines]), strict=True))
+    lines, _ = _walked(program, plant, points, poses)
+    found: list[ConfigurationFinding | None] = []
     for k, point in enumerate(points):
-        if not point.demanded or not poses.reachable[k]:
-            continue
-        along = followed.get(point.index)
-        if np.isnan(poses.joints[k, 0]):
-            found[point.index] = _not_as_written(point, plant, poses.others[k], along)
-        elif along is not None and (finding := _misled(point, plant, poses.joints[k], along)) is not None:
-            found[point.index] = finding
-    return tuple(found[index] for index in sorted(found))
+        start, along = lines.get(point.index, (None, None))
+        if not poses.reachable[k]:
+            found.append(_unreachable(point, plant))
+        elif point.demanded and np.isnan(poses.joints[k, 0]):
+            found.append(_not_as_written(point, plant, poses.others[k], along))
+        elif start is not None and along is not None:
+            one = _misled(point, plant, poses.joints[k] if point.demanded else along.end, along)
+            if one is not None and k and points[k - 1].off and isinstance(points[k - 1].motion, MoveJ):
+                begun = (
+                    f"; confdata is off: it begins in the nearest configuration, {shown(confdata(plant.robot, start))}"
+                )
+                one = replace(one, message=one.message + begun)
+            found.append(one)
+    return tuple(one for one in found if one is not None)
+
+
+def arms_as_written(program: Program, plant: Plant) -> Mapping[int, Array | None]:
+    """The arm's joints (6,) after every motion as a controller takes them, by index; None where nobody knows them, as
+    at confdata that cannot be had and behind lines that cannot be run."""
+    points = _points(program, plant)
+    return _walked(program, plant, points, _reached(points, plant))[1]
+
+
+def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> Iterator[str]:
+    r"""A line where joint moves under ConfJ \Off, as written or as planned, end in the nearest configuration by one
+    measure and not by another."""
+    off = {i: motion for i, motion in enumerate(program.motions) if isinstance(motion, MoveJ) and _is_off(motion)}
+    if not off:
+        return
+    doubtful: list[MoveJ] = []
+    if plan is None:
+        arms = arms_as_written(program, plant)
+        for point in (one for one in _points(program, plant) if one.index in off):
+            now = arms.get(point.index - 1, plant.start[plant.layout.arm])
+            if now is not None and arms[point.index] is not None and not is_sure(plant, point.X_WF, point.rail, now):
+                doubtful.append(off[point.index])
+    else:
+        for one in (one for one in plan.motions if one.index in off and not one.dropped and is_nearest(plant, one)):
+            q_0, q_1 = np.asarray(one.q_0), np.asarray(one.q_1)
+            rail = float(plant.layout.place(q_1))
+            if not is_sure(plant, plant.robot.forward(q_1), rail, q_0[plant.layout.arm]):
+                doubtful.append(off[one.index])
+    if places := [*dict.fromkeys(str(motion.source) for motion in doubtful)]:
+        more = f" and {len(places) - 1} more" if len(places) > 1 else ""
+        yield (
+            f"{places[0]}{more}: confdata is off, and which configuration is the nearest depends on how a controller"
+            r" measures that, which is not published; ConfJ \On and confdata make it sure"
+        )
 
 
 def _points(program: Program, plant: Plant) -> list[_Point]:
@@ -138,12 +184,17 @@ def _points(program: Program, plant: Plant) -> list[_Point]:
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait | SignalEvent):
             continue
-        given = plant.rail_value(motion.extax)
+        before, given = rail, plant.rail_value(motion.extax)
         rail = rail if given is None else given
         if isinstance(motion, PoseMove):
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-            points.append(_Point(index, motion, X_WF, rail, demands_configuration(motion, plant.robot)))
+            demanded, off = demands_configuration(motion, plant.robot), _is_off(motion)
+            points.append(_Point(index, motion, X_WF, (before, rail), demanded, off))
     return points
+
+
+def _is_off(motion: PoseMove) -> bool:
+    return not (motion.settings.conf_j if isinstance(motion, MoveJ) else motion.settings.conf_l)
 
 
 def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[str, ...]:
@@ -187,7 +238,7 @@ def _reached(points: Sequence[_Point], plant: Plant) -> _Poses:
         joints[part] = _as_programmed(plant, q, turned, inside, conf)
         for k in np.flatnonzero(np.isnan(joints[part, 0]) & reachable[part]).tolist():
             if some[k].demanded:
-                others[start + k] = _alternatives(plant.robot, q[k], turned[k], inside[k])
+                others[start + k] = _alternatives(plant.robot, q[k], turned[k], inside[k], some[k].motion.conf)
     return _Poses(reachable, joints, others)
 
 
@@ -235,9 +286,12 @@ def _as_programmed(plant: Plant, q: Array, turned: Array, inside: BoolArray, con
     return np.where(np.any(ok, axis=1)[:, None], joints, np.nan)
 
 
-def _alternatives(robot: RobotModel, q: Array, turned: Array, inside: BoolArray) -> tuple[ConfData, ...]:
-    """Every confdata to be had at a pose, from its branches (8, 6), also turned (8, 6, K), the least turned first."""
-    found, ok = [], inside.any(axis=-1).all(axis=-1)
+def _alternatives(
+    robot: RobotModel, q: Array, turned: Array, inside: BoolArray, asked: ConfData
+) -> tuple[ConfData, ...]:
+    """Every confdata to be had at a pose, from its branches (8, 6), also turned (8, 6, K), the nearest to what is asked
+    first."""
+    found, ok = set[tuple[int, ...]](), inside.any(axis=-1).all(axis=-1)
     if robot.linkage:
         ok &= ~folded(robot.arm, q)
     for branch in np.flatnonzero(ok).tolist():
@@ -245,67 +299,102 @@ def _alternatives(robot: RobotModel, q: Array, turned: Array, inside: BoolArray)
             {floor((angle + ON_LIMIT) / (pi / 2)) for angle in turned[branch, joint][inside[branch, joint]].tolist()}
             for joint in (0, 3, 5, *([1] if robot.linkage else []))
         ]
-        found += [(*conf, branch)[:4] for conf in product(*quadrants)]
-    found.sort(key=lambda conf: (sum(map(abs, conf[:3])), conf))
-    return tuple(ConfData(*conf) for conf in found)
+        found |= {(*conf, branch)[:4] for conf in product(*quadrants)}
+
+    def away(conf: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
+        apart = [abs(a - b) for a, b in zip(conf, astuple(asked), strict=True)]
+        return sum(map(bool, apart)), sum(apart), conf
+
+    return tuple(ConfData(*conf) for conf in sorted(found, key=away))
+
+
+def reachable_with(plant: Plant, X_WF: Array, rail: float, asked: ConfData) -> str:
+    """Which confdata there is at a pose instead of what is asked, in words."""
+    q = _branches(plant, X_WF[None], np.array([rail]))[0]
+    return _listed(_alternatives(plant.robot, q, *_turned(plant, q), asked))
+
+
+def _listed(confs: Sequence[ConfData]) -> str:
+    more = f" and {len(confs) - _LISTED} more" if len(confs) > _LISTED else ""
+    return f"reachable with {', '.join(map(shown, confs[:_LISTED]))}{more}"
 
 
 # -------------------------------------------------------------------------------------------------------- the lines
 
 
-def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmPath]]:
-    """The lines and arcs whose configuration counts and whose start joints are known, by index of the motion."""
-    at = {point.index: k for k, point in enumerate(points)}
-    wanted = {
-        point.index
-        for point in points
-        if point.demanded
-        and isinstance(point.motion, PathMove)
-        and not (point.motion.tool.stationary or turned_under(point.motion))
-    }
-    robot = plant.robot
-    lines: list[tuple[int, ArmPath]] = []
-    if not wanted:
-        return lines
+def _walked(
+    program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses
+) -> tuple[dict[int, tuple[Array, Followed | None]], dict[int, Array | None]]:
+    r"""The lines and arcs whose start joints are known, with these, followed, by index of the motion; and the arm's
+    joints after every motion, None for unknown.
+
+    A line under ConfL \Off is first taken to end nearest to its start; where it leads elsewhere all behind it is walked
+    once more.
+    """
+    known: dict[int, tuple[Array, Followed | None]] = {}
+    while True:
+        ends, lines = _walk(program, plant, points, poses, known)
+        new = {i: line for i, line in lines.items() if i not in known or np.abs(known[i][0] - line.q).max() > _SAME}
+        if not new:
+            return {i: known[i] for i in lines}, ends
+        for (i, line), along in zip(new.items(), follow(plant, [*new.values()]), strict=True):
+            known[i] = line.q, along
+
+
+def _walk(
+    program: Program,
+    plant: Plant,
+    points: Sequence[_Point],
+    poses: _Poses,
+    known: Mapping[int, tuple[Array, Followed | None]],
+) -> tuple[dict[int, Array | None], dict[int, ArmPath]]:
+    """The arm's joints after every motion, and the lines and arcs from known joints. known: lines that were followed,
+    and from where."""
+    robot, at = plant.robot, {point.index: k for k, point in enumerate(points)}
+    ends: dict[int, Array | None] = {}
+    lines: dict[int, ArmPath] = {}
     now: Array | None = plant.start[plant.layout.arm]
     rail = float(plant.layout.place(plant.start))
     X_WF: Array | None = None  # the flange as programmed; None where only the joints tell
     for index, motion in enumerate(program.motions):
-        if isinstance(motion, Wait | SignalEvent):
-            continue
-        before, given = rail, plant.rail_value(motion.extax)
-        rail = rail if given is None else given
         if isinstance(motion, MoveAbsJ):
             now, X_WF = motion.q, None
-        elif index in at:
+        elif isinstance(motion, MoveExtJ):  # the arm holds
+            X_WF = None
+        elif isinstance(motion, PoseMove):
             k = at[index]
-            if index in wanted and now is not None and poses.reachable[k]:
-                assert isinstance(motion, PathMove)
+            point, along = points[k], None
+            if isinstance(motion, PathMove) and _can_follow(point) and now is not None and poses.reachable[k]:
                 if X_WF is None:
-                    X_WF = robot.forward(np.r_[before, now] if robot.has_rail else now)
+                    X_WF = robot.forward(plant.layout.join(rail, now))
                 with suppress(InputError):  # no circle: a refusal of its own
                     path = segment_of(motion, X_WF @ motion.tool.X_FT)
-                    lines.append((index, ArmPath(path, motion.tool.X_FT, (before, rail), now)))
-            now, X_WF = _after(points[k], plant, poses.joints[k], now), points[k].X_WF
-        else:  # MoveExtJ: the arm holds
-            X_WF = None
-    return lines
+                    lines[index] = ArmPath(path, motion.tool.X_FT, point.rails, now)
+                    start, found = known.get(index, (now, None))
+                    along = found if np.abs(start - now).max() <= _SAME else None
+            now, X_WF = _after(point, plant, poses.joints[k], now, along), point.X_WF
+        if isinstance(motion, Move):
+            given = plant.rail_value(motion.extax)
+            rail = rail if given is None else given
+        ends[index] = now
+    return ends, lines
 
 
-def _after(point: _Point, plant: Plant, joints: Array, now: Array | None) -> Array | None:
-    """Arm joints after a move: as programmed, or the nearest where confdata does not count; None for unknown."""
+def _can_follow(point: _Point) -> bool:
+    """Whether a path lies still, and its configuration does not stay open."""
+    motion = point.motion
+    return (point.demanded or point.off) and not (motion.tool.stationary or turned_under(motion))
+
+
+def _after(point: _Point, plant: Plant, joints: Array, now: Array | None, along: Followed | None) -> Array | None:
+    """Arm joints after a move: as programmed, where its line leads, or the nearest; None for unknown."""
     if point.demanded:
         return None if np.isnan(joints[0]) else joints
-    if now is None:
+    if now is None or not point.off or (along is not None and not along.whole):
         return None
-    turned, inside = _turned(plant, _branches(plant, point.X_WF[None], np.array([point.rail]))[0])
-    away = np.where(inside, np.abs(turned - now[:, None]), np.inf)
-    choice = np.argmin(away, axis=-1)
-    least = np.take_along_axis(away, choice[..., None], axis=-1)[..., 0]
-    branch = int(np.argmin(np.linalg.norm(least, axis=-1)))
-    if not np.isfinite(least[branch]).all():
-        return None
-    return np.asarray(np.take_along_axis(turned[branch], choice[branch, :, None], axis=-1)[:, 0])
+    if along is not None:
+        return along.end
+    return next(iter(nearest(plant, point.X_WF, point.rail, now[None])), None)
 
 
 # ----------------------------------------------------------------------------------------------------- in words
@@ -339,11 +428,7 @@ def _unreachable(point: _Point, plant: Plant) -> ConfigurationFinding:
 def _not_as_written(
     point: _Point, plant: Plant, others: tuple[ConfData, ...], along: Followed | None
 ) -> ConfigurationFinding:
-    listed = ", ".join(shown(conf) for conf in others[:_LISTED])
-    more = f" and {len(others) - _LISTED} more" if len(others) > _LISTED else ""
-    text = (
-        f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; reachable with {listed}{more}"
-    )
+    text = f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; {_listed(others)}"
     if along is not None and along.whole:
         leads = confdata(plant.robot, along.end)
         others = (leads, *(conf for conf in others if conf != leads))

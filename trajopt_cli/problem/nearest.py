@@ -12,13 +12,13 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import ConfData
+from trajopt_cli.motion import ConfData, Motion, PathMove
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, folded, solutions
 
 _ALIKE = 1e-9  # rad2 or rad: below, two configurations are equally near
-_SAME = 1e-6  # rad between joints that are one configuration
+SAME_JOINTS = 1e-6  # rad between joints that are one configuration
 
 
 def nearest(plant: Plant, X_WF: Array, rail: float | None, arm: Array, conf: ConfData | None = None) -> Array:
@@ -36,10 +36,15 @@ def nearest(plant: Plant, X_WF: Array, rail: float | None, arm: Array, conf: Con
     return np.asarray(found[np.argmax(away <= away.min(axis=1, keepdims=True) + _ALIKE, axis=1)])
 
 
-def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
-    """Whether a motion ends in the joints nearest to those it begins with, of all at its end and its rail position."""
+def is_nearest(plant: Plant, planned: PlannedMotion, motion: Motion | None = None) -> bool:
+    """Whether a motion ends in the joints nearest to those it begins with, of all at its end and its rail position.
+    motion: what it is, where known; a line or an arc has no other."""
+    if isinstance(motion, PathMove):
+        return True
     q_0, q_1, rail = _ends(plant, planned)
-    return bool(np.abs(nearest(plant, plant.robot.forward(planned.q_1), rail, q_0[None]) - q_1).max(initial=0) <= _SAME)
+    return bool(
+        np.abs(nearest(plant, plant.robot.forward(planned.q_1), rail, q_0[None]) - q_1).max(initial=0) <= SAME_JOINTS
+    )
 
 
 def is_sure(plant: Plant, X_WF: Array, rail: float | None, arm: Array) -> bool:

@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
     FlyBy,
@@ -40,16 +40,17 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.problem.acceleration_settings import acceleration_share, path_acceleration, tcp_acceleration
+from trajopt_cli.problem.configurations import arms_as_written
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.loads import loads_of
+from trajopt_cli.problem.nearest import SAME_JOINTS, nearest
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.dynamics import ToolLoad
-from trajopt_cli.robot.inverse import confdata_admits, solutions
 
 _POINT = 1e-9  # m, rad: a line to where it starts
 _STILL = 1e-7  # m of rail: less is the rounding of a num
@@ -85,8 +86,9 @@ class Waypoint:
 
     X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed [m].
     written: the rail value of the program as written. rest: every axis must stand still here. conf:
-    the program's confdata, demanded at the written rail value; None where any configuration will do. fly_by: how large
-    its corner is, None where the TCP stops.
+    the program's confdata, demanded at the written rail value; None where any configuration will do. nearest: a joint
+    move ends here in the configuration nearest to where it begins. fly_by: how large its corner is, None where the TCP
+    stops.
     """
 
     motion: int
@@ -97,11 +99,12 @@ class Waypoint:
     rest: bool
     conf: ConfData | None = None
     fly_by: FlyBy | None = None
+    nearest: bool = False
 
     @cached_property
     def key(self) -> bytes:
         """What is asked at it: equal where the same is, wherever it stands in a program."""
-        asked = self.rail, self.written, self.rest, self.conf, self.fly_by
+        asked = self.rail, self.written, self.rest, self.conf, self.fly_by, self.nearest
         parts = [_digits(self.X_WF), repr(asked).encode(), b"" if self.q is None else _digits(self.q)]
         return b"|".join(parts)
 
@@ -225,6 +228,21 @@ class Problem:
         near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
         return self.plant.robot.has_rail and all(leg.rail_moves for leg in near)
 
+    def leads(self, k: int, q_0: Array, q_1: Array) -> BoolArray | None:
+        """Whether a controller ends leg k, begun at axes q_0 (n, axes), in axes q_1 (m, axes): (n, m); None where it
+        does not choose."""
+        point = self.waypoints[k + 1]
+        if not point.nearest or self.legs[k].kind is not LegKind.JOINT:
+            return None
+        layout, out = self.plant.layout, np.zeros((len(q_0), len(q_1)), dtype=bool)
+        rails, of = np.unique(layout.place(q_1), return_inverse=True)
+        for i, rail in enumerate(rails.tolist()):
+            found = nearest(self.plant, point.X_WF, rail, q_0[:, layout.arm])
+            if len(found):
+                apart = np.abs(found[:, None] - q_1[of == i][:, layout.arm]).max(axis=-1)
+                out[:, of == i] = apart <= SAME_JOINTS
+        return out
+
     def key(self, first: int, last: int) -> bytes:
         """What is asked from one waypoint to another, and at them: equal where it is the same."""
         held = self.freedom.rail.value, self.freedom.through_stops, self.coupling.value
@@ -257,7 +275,7 @@ def build_problem(
     dropped: motions that are left out.
     """
     changes = changes or everything(program, plant)
-    build = _Build(plant, freedom, changes, target, corners_of(program, plant, dropped).passed)
+    build = _Build(program, plant, freedom, changes, target, corners_of(program, plant, dropped).passed)
     try:
         for index, motion in enumerate(program.motions):
             if index not in dropped:
@@ -354,7 +372,17 @@ class _Held(_Impossible):
 class _Build:
     """Waypoints and legs of the motions added so far. written [m]: the rail as the program has it there."""
 
-    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes, target: Target, fly_bys: Mapping[int, FlyBy]):
+    def __init__(
+        self,
+        program: Program,
+        plant: Plant,
+        freedom: Freedom,
+        changes: Changes,
+        target: Target,
+        fly_bys: Mapping[int, FlyBy],
+    ):
+        self._program = program
+        self._arms: Mapping[int, Array | None] | None = None  # as written; made where it is asked
         self._plant, self._freedom, self._changes, self._fly_bys = plant, freedom, changes, fly_bys
         self._target = target
         self._has_rail = plant.robot.has_rail
@@ -363,7 +391,6 @@ class _Build:
         self._written = float(plant.layout.place(plant.start))
         self.waypoints = [self._at_joints(-1, plant.start)]
         self.legs: list[Leg] = []
-        self._demanded: dict[int, ConfData] = {}  # confdata that the program demands, by motion
 
     def add(self, index: int, motion: Motion) -> None:
         """The next motion. Raises _Impossible for what the program itself asks for and cannot be."""
@@ -446,25 +473,22 @@ class _Build:
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
 
     def _as_written(self, waypoint: Waypoint) -> Array:
-        """All axes at a waypoint as the program writes it: its rail value, and of the postures that may be taken one of
-        its confdata where the program demands that, nearest to the joints that were given last."""
+        """All axes at a waypoint as the program writes it: its rail value, and the joints that a controller takes;
+        where these cannot be had, others of the postures that may be taken, the nearest to the joints given last."""
         if waypoint.q is not None:
             return waypoint.q
-        robot, rail = self._plant.robot, waypoint.written if self._plant.robot.has_rail else None
-        demanded = self._demanded.get(waypoint.motion)
-        near = next(point.q for point in reversed(self.waypoints) if point.q is not None)[-6:]
-        found = [q for _, q in solutions(robot, waypoint.X_WF, rail, self._plant.limits)]
-        found = [q for q in found if waypoint.conf is None or confdata_admits(robot, waypoint.conf, q)]
-        if not found:
+        if self._arms is None:
+            self._arms = arms_as_written(self._program, self._plant)
+        plant, rail, arm = self._plant, waypoint.written, self._arms.get(waypoint.motion)
+        if arm is None:
+            near = next(point.q for point in reversed(self.waypoints) if point.q is not None)[plant.layout.arm]
+            arm = next(iter(nearest(plant, waypoint.X_WF, rail, near[None], waypoint.conf)), None)
+        if arm is None:
             raise InputError(
                 "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its"
                 " own rail value; correct eax or confdata there"
             )
-
-        def apart(q: Array) -> tuple[bool, float]:
-            return demanded is not None and not confdata_admits(robot, demanded, q), float(np.abs(q - near).max())
-
-        return np.asarray(np.r_[[] if rail is None else [rail], min(found, key=apart)])
+        return plant.layout.join(rail, arm)
 
     def _way(self, index: int, motion: PathMove) -> None:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
@@ -534,9 +558,8 @@ class _Build:
         self._take_rail(index, motion)
         free = index in self._changes.values
         rail = self._stroke if free and not self._pinned else (self._written, self._written)
-        if demands_configuration(motion, self._plant.robot):
-            self._demanded[index] = motion.conf
-        demanded = index in self._demanded and not (free and self._freedom.configuration)
+        demanded = demands_configuration(motion, self._plant.robot)
+        fixed = not (free and self._freedom.configuration)
         return Waypoint(
             index,
             motion.X_WT @ inverse_pose(motion.tool.X_FT),
@@ -544,7 +567,8 @@ class _Build:
             rail,
             self._written,
             not self._freedom.through_stops,
-            motion.conf if demanded else None,
+            motion.conf if fixed and demanded else None,
+            nearest=fixed and isinstance(motion, MoveJ) and not motion.settings.conf_j,
         )
 
     def _at_joints(self, index: int, q: Array) -> Waypoint:

@@ -8,7 +8,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.nearest import nearest
+from trajopt_cli.problem.path_ik import ArmPath, follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
@@ -42,6 +44,13 @@ class PlantKinematics:
         """Arm joints (6,) [rad] that bring the flange to X_WF in configuration conf, of several the nearest to near."""
         centre = self.plant.start[self.plant.layout.arm] if near is None else near
         return next(iter(nearest(self.plant, X_WF, self._rail(extax), centre[None], conf)), None)
+
+    def along(self, q: Array, before: ExternalAxes, X_WF: Array, extax: ExternalAxes, X_FT: Array) -> Array | None:
+        """Arm joints (6,) [rad] to which a line of tool X_FT leads; None where it cannot be run."""
+        rails = self._rail(before) or 0.0, self._rail(extax) or 0.0
+        line = Line(self.forward(q, before) @ X_FT, X_WF @ X_FT)
+        (found,) = follow(self.plant, [ArmPath(line, X_FT, rails, q)])
+        return found.end if found is not None and found.whole else None
 
     def confdata(self, q: Array) -> ConfData:
         """Configuration of arm joints q (6,) [rad]."""

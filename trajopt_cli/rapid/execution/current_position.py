@@ -8,7 +8,7 @@ from trajopt_cli.motion import ConfData, ExternalAxes, Move, SignalEvent, Wait, 
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.poses import frame, matrix
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.position import Setup, merged
+from trajopt_cli.rapid.execution.position import Pose, Setup, merged
 from trajopt_cli.rapid.language.syntax import Node
 from trajopt_cli.warnings import WarningKind
 
@@ -52,16 +52,36 @@ def current_joints(run: Context, node: Node, what: str) -> Array:
             position.joints, extax = robot.start
             position.extax = merged(extax, position.extax)
         else:
-            setup, target, conf, demanded, extax = position.pose
-            flange = setup.flange(target)
-            position.joints = reach(run, node, f"the target before {what}", robot, flange, conf, demanded, extax)
+            near = position.near()
+            for pose in position.trail[:-1]:
+                near = _joints_at(robot, pose, near)
+            last = position.pose
+            if not last.demanded and (q := _joints_at(robot, last, near)) is not None:
+                position.joints = q
+            else:
+                subject, flange = f"the target before {what}", last.setup.flange(last.target)
+                position.joints = reach(run, node, subject, robot, flange, last.conf, last.demanded, last.extax, near)
     return position.joints
 
 
+def _joints_at(robot: Kinematics, pose: Pose, near: Array | None) -> Array | None:
+    """Joints (6,) [rad] at a pose: in its configuration where that counts, else where its line leads, or the nearest to
+    those before it; None where there are none."""
+    X_WF = matrix(pose.setup.flange(pose.target))
+    q = robot.inverse(X_WF, pose.extax, pose.conf, near) if pose.demanded else None
+    straight = pose.line and pose.setup.tool is not None and pose.setup.unit is None
+    if q is None and straight and not pose.demanded:
+        assert pose.setup.tool is not None
+        start = robot.start[0] if near is None else near
+        q = robot.along(start, pose.before, X_WF, pose.extax, pose.setup.tool.X_FT)
+    return robot.inverse(X_WF, pose.extax, None, near) if q is None else q
+
+
 def current_conf(run: Context, node: Node, what: str) -> ConfData:
-    """The configuration: as programmed after a move to a pose, else that of the joints."""
-    pose = run.position.pose
-    if pose is not None and not run.position.away:
+    """The configuration: as programmed after a move to a pose whose confdata counts, or where there is no robot to ask;
+    else that of the joints."""
+    position, pose = run.position, run.position.pose
+    if pose is not None and not position.away and (pose.demanded or position.kinematics is None):
         return pose.conf
     robot = the_robot(run, node, f"{what} {_after(run)}")
     return robot.confdata(current_joints(run, node, what))
@@ -76,13 +96,15 @@ def reach(
     conf: ConfData,
     demanded: bool,
     extax: ExternalAxes,
+    near: Array | None,
 ) -> Array:
-    """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject.
+    """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject; near:
+    of several solutions the nearest to these joints.
 
     A configuration that cannot be had is given up for the nearest posture, with a warning. Raises Fault for a flange
     pose that has none at all.
     """
-    X_WF, near = matrix(flange), run.position.near()
+    X_WF = matrix(flange)
     if demanded:
         q = robot.inverse(X_WF, extax, conf, near)
         if q is not None:

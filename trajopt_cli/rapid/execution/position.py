@@ -74,13 +74,16 @@ class Setup:
 
 
 class Pose(NamedTuple):
-    """The last pose: its setup and target, the configuration, and whether it must be that one."""
+    """A pose that a move ends in: its setup and target, the configuration, and whether it must be that one. before,
+    extax: external axes before the move and at the pose. line: the tool goes straight there."""
 
     setup: Setup
     target: frames.Frame
     conf: ConfData
     demanded: bool
+    before: ExternalAxes
     extax: ExternalAxes
+    line: bool
 
 
 _make_pose = maker(Pose)
@@ -109,7 +112,8 @@ class Position:
 
     extax: of every external axis the last value given, offsets included; None where none was. setup: tool and work
     object of the last move. pose: where the flange is, unless away; away: external axes have moved since, alone.
-    joints: the arm's, where they are known; near: the last that were. displacement: the active program displacement D.
+    joints: the arm's, where they are known; near: the last that were; trail: the poses since then, from the last one
+    whose configuration counts on. displacement: the active program displacement D.
     speeds, zones, manners, setups, turned: in use, by name. rough: the orientations off unit length that were
     reported. unplaced: the moves to a pose so far, with where each goes; their X_WT is made for all at once, as one by
     one it is a tenth of a run.
@@ -128,18 +132,26 @@ class Position:
         self.rough: set[frames.Quaternion] = set()
         self.unplaced: list[tuple[PoseMove, frames.Frame]] = []
         self.pose: Pose | None = None
+        self.trail: list[Pose] = []
         self.away = False
         self.joints: Array | None = None
         self._near: Array | None = None
 
-    def to_pose(self, setup: Setup, target: frames.Frame, conf: ConfData, demanded: bool, extax: ExternalAxes) -> None:
+    def to_pose(
+        self, setup: Setup, target: frames.Frame, conf: ConfData, demanded: bool, extax: ExternalAxes, line: bool
+    ) -> None:
         """A move has ended at a target."""
         if self.joints is not None:
             self._near, self.joints = self.joints, None
-        if extax != self.extax:
-            self.extax = merged(self.extax, extax)
+            self.trail.clear()
+        elif demanded:
+            self.trail.clear()
+        before = self.extax
+        if extax != before:
+            self.extax = merged(before, extax)
         self.setup = setup
-        self.pose = _make_pose((setup, target, conf, demanded, self.extax))
+        self.pose = _make_pose((setup, target, conf, demanded, before, self.extax, line))
+        self.trail.append(self.pose)
         self.away = False
 
     def to_joints(self, setup: Setup, q: Array, extax: ExternalAxes) -> None:

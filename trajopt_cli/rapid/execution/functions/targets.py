@@ -190,7 +190,7 @@ def _calc_joint_t(run: Context, node: Call) -> Value:
     flange = setup.flange(target.frame)
     what = f"{run.text(point)} in {node.name}"
     try:
-        q = reach(run, node, what, robot, flange, target.conf, True, kept_axes(run, extax))
+        q = reach(run, node, what, robot, flange, target.conf, True, kept_axes(run, extax), run.position.near())
     except Fault as fault:
         if number_of_error is None:
             raise

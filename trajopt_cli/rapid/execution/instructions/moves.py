@@ -241,7 +241,8 @@ def to_pose(
     motion = made(kind, parts)
     _succession(run, node, args)
     run.motions.append(motion)
-    run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
+    counts = settings.conf_j if kind is MoveJ else settings.conf_l
+    run.position.to_pose(setup, place, conf, counts, extax, line=kind is MoveL)
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
 
 

@@ -119,7 +119,7 @@ def _hit(
         robot = the_robot(run, node, name)
         q_0 = current_joints(run, node, name)
         flange = setup.flange(end.frame)
-        q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, extax_1)
+        q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, extax_1, q_0)
         q = q_0 + share * (q_1 - q_0)
         place, conf = setup.target(frame(robot.forward(q, extax))), robot.confdata(q)
     else:
