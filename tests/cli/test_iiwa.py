@@ -349,7 +349,7 @@ def test_the_front_shows_what_other_leads_would_allow(task: Path, capsys: pytest
         point["inverse_s"] for point in dosing["front"]
     ]  # what is allowed more never takes longer, but for a period
     assert all(longer >= shorter - 0.02 for shorter, longer in pairwise(times))
-    assert (plots / "dosing_front.png").is_file()
+    assert (plots / "dosing.png").is_file()
     assert run(["iiwa", "dose", str(folder), "--max-lag", "3mm", "--front"]) == 2
     assert "--front: needs a bound on the lead; give --max-lead" in capsys.readouterr().err
 

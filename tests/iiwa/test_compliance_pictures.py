@@ -12,12 +12,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from trajopt_cli.iiwa.report.charts import joints_figure, loop_time_figure, stability_figure
-from trajopt_cli.iiwa.report.follow import family_figure, feed_figure, following_figure, path_figure
+from trajopt_cli.iiwa.report.charts import loop_time_figure, stability_figure
+from trajopt_cli.iiwa.report.follow import family_figure, feed_figure, following_figure
 from trajopt_cli.iiwa.report.forces import contact_figure, guided_figure, steps_figure, zeroing_figure
 from trajopt_cli.iiwa.report.runs import Following, checked, number_of, picture
+from trajopt_cli.iiwa.report.space import draw_paths
 from trajopt_cli.iiwa.report.thinning import thinned
-from trajopt_cli.limits import JointLimits
 from trajopt_cli.report import style
 
 H = 2e-3
@@ -75,13 +75,6 @@ def verdicts() -> np.ndarray:
     return out
 
 
-def limits(size: list[float], speed: list[float]) -> JointLimits:
-    """Of joints in degrees, both ways the same."""
-    most = np.deg2rad(size)
-    names = tuple(f"joint_{i}" for i in range(1, len(size) + 1))
-    return JointLimits(names, -most, most, np.deg2rad(speed), np.full(len(size), 100.0))
-
-
 def draw_all() -> dict[str, Figure]:
     """Every picture."""
     wall, depth = bumped()
@@ -89,14 +82,11 @@ def draw_all() -> dict[str, Figure]:
     along = START + np.outer(hand.t / 10, np.r_[FREE, 0, 0, 0])
     passed = np.outer(hand.force @ np.r_[FREE, 0, 0, 0], [*FREE, 0, 0, 0])
     free = Following("k = 0", hand.t, np.tile(START, (len(hand.t), 1)), along, passed)
-    t = np.arange(501) * H
-    turns = np.column_stack([np.sin(t), 2.2 * np.sin(3 * t), t])
     phases = [("along x", 0.0, 0.45), ("along y", 0.5, 0.95), ("along z", 1.0, 1.45)]
     line = [run(label, s, (0.2, 0.2, 0.2)) for label, s in (("fast", 0.5), ("slow", 2.0))]
     with style.house_style():
         return {
             "following": following_figure(run("all six", 2.0, (0.1, 0.2, 0.05, 0.3, 0, 0.2)), "Following"),
-            "path": path_figure(box("a box"), "Path"),
             "speeds": family_figure([box("0.4", 1.0), box("0.2", 2.0), box("0.05", 8.0)], "speed v [m/s]", "Speeds"),
             "line": family_figure(line, "speed", "One line"),
             "dosing": feed_figure([box("undosed", 1.0), box("dosed", 6.0), box("fed", 1.0)], 0.005, "Dosing"),
@@ -106,7 +96,6 @@ def draw_all() -> dict[str, Figure]:
             "zeroing": zeroing_figure(free, hand.force, FREE, "Zero"),
             "stability": stability_figure(K_GRID, D_GRID, verdicts(), M, PERIOD, POINTS, "Stability"),
             "loop_time": loop_time_figure(PARTS, 148e-6, "Loop"),
-            "joints": joints_figure(t, turns, limits([170, 120, 170], [98, 98, 100]), 0.1 * t, "Joints"),
         }
 
 
@@ -132,8 +121,8 @@ def words(axes: Axes) -> list[str]:
     return [text.get_text() for text in axes.texts]
 
 
-NAMES = ("following", "path", "speeds", "line", "dosing", "contact", "steps", "hand", "zeroing", "stability",
-         "loop_time", "joints")  # fmt: skip
+NAMES = ("following", "speeds", "line", "dosing", "contact", "steps", "hand", "zeroing", "stability",
+         "loop_time")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -169,16 +158,19 @@ def test_following_shows_the_given_and_marks_the_largest_deviation(pictures: dic
     assert panel.get_title(loc="right") == f"{number_of(d.max())} mm at {number_of(shown.t[d.argmax()])} s"
 
 
-def test_a_path_in_one_plane_is_drawn_in_it_and_one_in_space_to_one_scale(pictures: dict[str, Figure]) -> None:
+def test_a_path_in_one_plane_is_drawn_in_it_and_one_in_space_to_one_scale() -> None:
     flat, shown = run("flat", 1.0, (0.2, 0, 0), (0.2, 0, 0.1)), box("a box")
+    drawn = []
     with style.house_style():
-        (plane,) = path_figure(flat, "Flat").axes
+        for one in (flat, shown):
+            drawn.append(style.new_figure(8.0, one.label))
+            draw_paths(drawn[-1], [(one.x_e[:, :3], {}, "equilibrium"), (one.x[:, :3], {}, "controller")])
+    (plane,), (space,) = (figure.axes for figure in drawn)
     assert (plane.get_xlabel(), plane.get_ylabel()) == ("x [mm]", "z [mm]")
     assert plane.get_aspect() == 1
     assert np.allclose(curves(plane)["controller"].get_xydata(), 1e3 * flat.x[:, [0, 2]])
     assert np.allclose(curves(plane)["start"].get_xydata(), 1e3 * flat.x_e[:1, [0, 2]])
     assert np.allclose(curves(plane)["end"].get_xydata(), 1e3 * flat.x_e[-1:, [0, 2]])
-    (space,) = pictures["path"].axes
     assert np.allclose(in_space(space, "controller"), 1e3 * shown.x[:, :3])
     spans = np.ptp([space.get_xlim(), space.get_ylim(), space.get_zlim()], axis=1)  # type: ignore[attr-defined]
     assert np.allclose(space._box_aspect / spans, (space._box_aspect / spans)[0])  # type: ignore[attr-defined]
@@ -343,27 +335,6 @@ def test_loop_times_are_as_long_as_their_numbers(pictures: dict[str, Figure]) ->
     assert np.allclose(ranges, [[3, 9], [40, 160]])
     assert [line.get_xdata()[0] for line in axes.lines if line.get_gid() == "mean"] == pytest.approx([4, 50])
     assert curves(axes)["thesis' worst 148 µs"].get_xdata()[0] == pytest.approx(148)
-
-
-def test_joints_stand_between_their_limits_and_say_where_they_do_not(pictures: dict[str, Figure]) -> None:
-    figure = pictures["joints"]
-    t = np.arange(501) * H
-    position, speed = figure.axes[2], figure.axes[3]  # joint 2: 126 deg of 120, 378 deg/s of 98
-    assert np.allclose(curves(position)["q 2"].get_ydata(), np.rad2deg(2.2 * np.sin(3 * t)))
-    steps = np.array(curves(speed)["speed 2"].get_ydata())[::2]
-    assert np.allclose(steps, np.rad2deg(np.diff(2.2 * np.sin(3 * t)) / H))
-    for axes, limit in ((position, 120), (speed, 98)):
-        assert sorted(line.get_ydata()[0] for line in axes.lines if not line.get_gid()) == pytest.approx(
-            [-limit, limit]
-        )
-    assert position.get_title(loc="right") == "6.05° beyond"
-    colors = [axes._right_title.get_color() for axes in figure.axes[:4]]  # type: ignore[attr-defined]
-    assert colors[2] == colors[3] == style.VERMILLION
-    assert colors[0] == style.GREY
-    assert np.allclose(curve(figure, "arm angle")[:, 1], np.rad2deg(0.1 * t))
-    with style.house_style():
-        fixed = joints_figure(t, t[:, None], limits([115], [115]), None, "Fixed")
-    assert len(fixed.axes) == 2
 
 
 def test_the_same_input_gives_the_same_bytes(pictures: dict[str, Figure]) -> None:

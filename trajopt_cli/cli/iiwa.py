@@ -117,7 +117,7 @@ def simulate(
     ] = None,
     plots: Annotated[
         Path | None,
-        typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag, forces and the arm, too."),
+        typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag and contact, too."),
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -172,7 +172,7 @@ def dose(
         Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: RESULTS-dosed.")
     ] = None,
     plots: Annotated[
-        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw lag, speed and path before and after, too.")
+        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw lag and speed before and after, too.")
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,

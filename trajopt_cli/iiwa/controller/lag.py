@@ -7,15 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, inf
+from math import ceil
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Piece
-from trajopt_cli.iiwa.task.model import Compliance
 
 
 def deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
@@ -64,33 +63,6 @@ def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> L
         turn_maximum=float(turn[turn_row]),
         turn_time=turn_row * h,
     )
-
-
-def steady_lag(speed: ArrayLike, compliance: Compliance) -> float:
-    """||K^-1 D v|| [m] on a long line with speed v (3,) [m/s]: the damper's force equals the spring's.
-
-    inf for a motion along an axis without stiffness, which nothing pulls after the equilibrium.
-    """
-    v = np.asarray(speed, dtype=np.float64)
-    if np.any((compliance.K[:3] == 0) & (v != 0)):
-        return inf
-    moving = v != 0
-    return float(np.linalg.norm(compliance.D[:3][moving] * v[moving] / compliance.K[:3][moving]))
-
-
-def time_constants(compliance: Compliance) -> Array:
-    """Slowest time constant (6,) [s] with which each axis comes to rest at its equilibrium, of m e'' + d e' + k e = 0.
-
-    inf where the axis never does: k = 0 or d = 0.
-    """
-    K, D, M = compliance.K, compliance.D, compliance.M
-    out = np.full(6, inf)
-    rests = (K > 0) & (D > 0)
-    k, d, m = K[rests], D[rests], M[rests]
-    # -1/s of the slower root, or of the pair's real part, in a form that loses no digits where d^2 >> 4 k m
-    root = np.sqrt(np.maximum(d * d - 4 * k * m, 0.0))
-    out[rests] = np.where(root > 0, (d + root) / (2 * k), 2 * m / d)
-    return readonly(out)
 
 
 def held(x_e: ArrayLike, seconds: float, h: float) -> Array:

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.lag import time_constants
+from trajopt_cli.iiwa.controller.stability import stability
 from trajopt_cli.iiwa.experiments import published
 from trajopt_cli.iiwa.experiments.setup import FORCE, INERTIA, MOMENT, Bench, Experiment, H, compliance, push
 from trajopt_cli.iiwa.report.forces import guided_figure, steps_figure, zeroing_figure
 from trajopt_cli.iiwa.report.runs import Following
 from trajopt_cli.iiwa.task.angles import rotation
-from trajopt_cli.iiwa.task.model import COORDINATES, Compliance, Push, Zeroing
+from trajopt_cli.iiwa.task.model import COORDINATES, Compliance, Integration, Push, Zeroing
 from trajopt_cli.iiwa.world.mujoco_world import SERVO_DELAY
 
 _FIRST, _APART = 0.5, 0.3  # s: when the first force comes, and how much later the next
@@ -176,7 +176,8 @@ def _run(
     sizes: Sequence[float] = (1.0,) * 6,
 ) -> _Run:
     """Forces along axes, one after another and then together, all gone at the same time; sizes: times FORCE, MOMENT."""
-    hold = ceil(10 * _HOLD * float(np.max(time_constants(law)[list(axes)]))) / 10
+    slowest = max(stability(law, H, Integration.EXACT)[axis].slowest for axis in axes)
+    hold = ceil(10 * _HOLD * slowest - 1e-6) / 10
     end = _FIRST + apart * (len(axes) - 1) + hold
     forces = [size * (FORCE if axis < 3 else MOMENT) for axis, size in zip(axes, sizes, strict=False)]
     pushes = [push(_FIRST + apart * i, end, axis, forces[i]) for i, axis in enumerate(axes)]

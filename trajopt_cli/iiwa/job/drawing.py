@@ -11,8 +11,7 @@ from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
-from trajopt_cli.iiwa.report.charts import joints_figure
-from trajopt_cli.iiwa.report.follow import feed_figure, following_figure, front_figure, path_figure
+from trajopt_cli.iiwa.report.follow import feed_figure, following_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
 from trajopt_cli.iiwa.report.runs import Following, picture
 from trajopt_cli.iiwa.task.joints import Followed
@@ -22,10 +21,9 @@ _MAP = 480, 360  # stages and arm angles that a page can show
 
 
 def simulation_pictures(run: Simulated) -> dict[str, bytes]:
-    """A run over time and in space, and the contact where there was one: file name -> contents."""
+    """A run over time, and the contact where there was one: file name -> contents."""
     title, shown = Path(run.opened.task.file).stem, _following(run, "controller")
     pictures = picture("following", title, partial(following_figure, shown))
-    pictures |= picture("path", f"{title}: path", partial(path_figure, shown))
     if run.loop is not None and run.touch is not None:
         # an edge may push hardest, but what the tool leans on pushes longest
         normal = int(np.argmax(np.abs(run.loop.contact_true[:, :3]).sum(axis=0)))
@@ -35,23 +33,15 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 
 
 def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
-    """Deviation and fed speed as programmed, fed with the equilibrium's speed, and scheduled; the front of leads."""
-    made, allowed = job.scheduled, job.scheduled.allowed
+    """Deviation and fed speed as programmed, fed with the equilibrium's speed, and scheduled."""
+    allowed = job.scheduled.allowed
     runs = [_following(one.run, one.name) for one in job.before_feeds] + [_following(job.run, SCHEDULED)]
     title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
-    pictures = picture("dosing", title, partial(feed_figure, runs, allowed.lag))
-    if job.front and allowed.lead is not None:
-        curves = {SCHEDULED: [point.duration for point in job.front]}
-        leads = [point.lead.most for point in job.front]
-        unit = (MM, "mm") if allowed.lead.stretch else (1.0, "N")
-        programmed = job.before.equilibrium.duration
-        make = partial(front_figure, leads, curves, (allowed.lead.most, made.duration), unit, programmed)
-        pictures |= picture("dosing_front", f"{title}: front", make)
-    return pictures
+    return picture("dosing", title, partial(feed_figure, runs, allowed.lag))
 
 
 def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
-    """The map of path and arm angle with the courses on it, and the joints against their limits."""
+    """The map of path and arm angle with the courses on it."""
     from trajopt_cli.iiwa.task.arm_map import arm_map, stages
     from trajopt_cli.iiwa.task.joint_rows import joints_along
     from trajopt_cli.robot.srs_inverse import arm_angle
@@ -64,15 +54,13 @@ def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
     fixed = begin if task.arm_angle is None else task.arm_angle
     q, name = followed.trajectory.q, Path(task.file).stem
     along = joints_along(robot, followed.X_WF, fixed, followed.definition, followed.configuration, task.start_joints)
-    courses, changing = [ArmAngleSeries("fixed", np.full(len(t), fixed), along)], None
+    courses = [ArmAngleSeries("fixed", np.full(len(t), fixed), along)]
     if np.any(followed.arm_angle != fixed):
-        changing = followed.arm_angle
-        courses.append(ArmAngleSeries("chosen" if plan is not None else "free", changing, q))
+        courses.append(ArmAngleSeries("chosen" if plan is not None else "free", followed.arm_angle, q))
     places = [(t[one.last], one.goal) for one in opened.equilibrium.pieces if not one.dwell]
     title = f"{name}: arm angle" + (f" chosen for {plan.goal.value}" if plan is not None else "")
     make = partial(map_figure, t, chart, limits, courses, followed.definition.value, places)
-    joints = partial(joints_figure, t, q, limits, changing)
-    return picture("arm_angle", title, make) | picture("joints", f"{name}: joints", joints)
+    return picture("arm_angle", title, make)
 
 
 def _following(run: Simulated, label: str) -> Following:

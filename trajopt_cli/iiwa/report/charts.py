@@ -1,4 +1,4 @@
-"""Charts beside the runs: stability map, loop time, joints. Graf 6.10 and 6.19."""
+"""Charts beside the runs: stability map, loop time. Graf 6.10 and 6.19."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.runs import checked, curve, finish, number_of, room_around, times
-from trajopt_cli.limits import JointLimits
-from trajopt_cli.report.over_time import TIME, legend, number
-from trajopt_cli.report.style import BLACK, BLUE, GREY, LIMIT, SMALL, TEXT, VERMILLION, LineStyle, new_figure
-from trajopt_cli.units import DEG
+from trajopt_cli.iiwa.report.runs import finish, number_of
+from trajopt_cli.report.over_time import legend
+from trajopt_cli.report.style import BLACK, BLUE, SMALL, TEXT, VERMILLION, LineStyle, new_figure
 
 # By their numbers, poles beyond the unit circle, on it, inside; a grey print tells them apart, too.
 _VERDICTS = (("#bb6a48", "unstable"), ("#f0b73a", "marginal"), ("#d9eaf6", "stable"))
@@ -93,47 +91,4 @@ def loop_time_figure(parts: Sequence[tuple[str, float, float, float]], thesis_wo
     mean_of = Line2D([], [], color=BLUE, marker="o", linestyle="", markersize=8, label="mean")
     span = Line2D([], [], color=_RANGE, linewidth=7, solid_capstyle="butt", label="least to longest")
     legend(figure, [mean_of, span, Line2D([], [], **style, label=worst)])  # type: ignore[arg-type]
-    return finish(figure)
-
-
-def joints_figure(t: ArrayLike, q: ArrayLike, limits: JointLimits, delta: ArrayLike | None, title: str) -> Figure:
-    """Position and speed of joints q (n, c) [rad] over t (n,) [s] against their limits, speeds as steps of the period,
-    and the arm angle delta (n,) [rad] where it is given."""
-    time, count = times(t, "joints"), len(limits.names)
-    angles = checked(q, (len(time), count), "joints: q") / DEG
-    low, high, fast = limits.lower / DEG, limits.upper / DEG, limits.velocity / DEG
-    speed = np.diff(angles, axis=0) / np.diff(time)[:, None]  # of each period, as the controller judges it
-    used = np.abs(speed).max(axis=0) / fast
-    near = np.minimum(angles.min(axis=0) - low, high - angles.max(axis=0))
-    figure = new_figure(1.5 + 1.3 * (count + (delta is not None)), title)
-    grid = figure.subplots(count + (delta is not None), 2, sharex=True, squeeze=False)
-    steps = np.repeat(time, 2)[1:-1]
-    for k in range(count):
-        left = f"{number_of(abs(near[k]))}° {'left' if near[k] >= 0 else 'beyond'}"
-        for axes, x, y, least, most, text, broken in (
-            (grid[k, 0], time, angles[:, k], low[k], high[k], left, near[k] < 0),
-            (grid[k, 1], steps, np.repeat(speed[:, k], 2), -fast[k], fast[k], f"{100 * used[k]:.0f} %", used[k] > 1),
-        ):
-            axes.set_ylim(least - 0.15 * (most - least), most + 0.15 * (most - least))
-            ticks = [least, (least + most) / 2, most]
-            axes.set_yticks(ticks, [number(value) for value in ticks])
-            for limit in (least, most):
-                axes.axhline(limit, **LIMIT)
-            curve(axes, x, y, f"{'q' if axes is grid[k, 0] else 'speed'} {k + 1}", color=BLUE, linewidth=1.6)
-            axes.set_title(text, loc="right", size=SMALL - 1.5, color=VERMILLION if broken else GREY, pad=2)
-        grid[k, 0].set_ylabel(f"joint {k + 1}\n[deg]", size=SMALL)
-        grid[k, 1].set_ylabel("[deg/s]", size=SMALL)
-    if delta is not None:
-        arm = checked(delta, time.shape, "joints: delta") / DEG
-        curve(grid[-1, 0], time, arm, "arm angle", color=BLACK, linewidth=1.6)
-        room_around(grid[-1, 0], [arm], 1.0)
-        grid[-1, 0].set_ylabel("arm angle\n[deg]", size=SMALL)
-        grid[-1, 1].set_axis_off()
-    grid[0, 0].set_title("position", loc="left")
-    grid[0, 1].set_title("speed", loc="left")
-    for axes in (grid[-1, 0], grid[count - 1, 1]):
-        axes.tick_params(labelbottom=True)
-        axes.set_xlabel(TIME)
-    axes.set_xlim(time[0], time[-1])
-    legend(figure, [Line2D([], [], **LIMIT, label="limit")])  # type: ignore[arg-type]
     return finish(figure)

@@ -1,15 +1,14 @@
-"""Following: equilibrium and controller over time and in space, families of runs, feed schedules. Graf 6.11 to 6.16."""
+"""Following: equilibrium and controller over time, families of runs, feed schedules. Graf 6.11 to 6.16."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.runs import (
@@ -24,13 +23,11 @@ from trajopt_cli.iiwa.report.runs import (
     mark_peak,
     moving,
     number_of,
-    quantity_of,
     room_above,
     room_around,
 )
-from trajopt_cli.iiwa.report.space import draw_paths
 from trajopt_cli.report.over_time import TIME, legend
-from trajopt_cli.report.style import AXIS_STYLES, BLACK, GREY, JOINT_STYLES, LineStyle, name_limit, new_figure
+from trajopt_cli.report.style import BLACK, GREY, JOINT_STYLES, LineStyle, name_limit, new_figure
 from trajopt_cli.units import DEG, MM
 
 APART = 5.0
@@ -73,21 +70,6 @@ def following_figure(run: Following, title: str) -> Figure:
     return finish(figure)
 
 
-def path_figure(run: Following, title: str) -> Figure:
-    """The planned path and the controller's in space, start and end marked."""
-    paths: list[tuple[Array, dict[str, Any], str]] = [
-        (run.x_e[:, :3], PLANNED, "equilibrium"),
-        (run.x[:, :3], CONTROLLER, "controller"),
-    ]
-    if run.true is not None:
-        paths.append((run.true[:, :3], FLANGE, "flange"))
-    most = f"largest deviation {quantity_of(float(run.deviation.max()) / MM, 'mm')}"
-    figure = new_figure(8.0, title, f"{run.label} · {most}")
-    draw_paths(figure, paths)
-    legend(figure, _handles(run))
-    return finish(figure)
-
-
 def family_figure(runs: Sequence[Following], parameter: str, title: str) -> Figure:
     """The deviation of each run over time, its maximum marked, and named in the legend."""
     figure = new_figure(6.2, title, f"distance of the controller from the equilibrium (eq. 6.8) by {parameter}")
@@ -118,41 +100,6 @@ def feed_figure(runs: Sequence[Following], bound: float, title: str) -> Figure:
     below.set_ylabel("speed of the\nplan [mm/s]")
     below.set_xlabel(TIME)
     _share_time(below, runs)
-    return finish(figure)
-
-
-def front_figure(
-    leads: Sequence[float],
-    curves: Mapping[str, Sequence[float | None]],
-    chosen: tuple[float, float],
-    unit: tuple[float, str],
-    programmed: float,
-    title: str,
-) -> Figure:
-    """Least times [s] by leads (n,), a curve per feed, None where there is none. chosen: lead and time that were taken.
-
-    unit: SI per shown unit of the leads and its sign. programmed [s]: as long as the path takes at its own speed.
-    """
-    pushes = unit[1] == "N"
-    below = "how hard the tool may push if it is blocked" if pushes else "how far the equilibrium may lead the arm"
-    figure = new_figure(6.4, title, f"least time by {below}")
-    axes = figure.subplots()
-    x = np.asarray(leads) / unit[0]
-    for (label, least), (color, line) in zip(curves.items(), AXIS_STYLES, strict=False):
-        y = np.array([np.nan if s is None else s for s in least])
-        axes.plot(x, y, color=color, linestyle=line, linewidth=2.0, marker="o", markersize=5, label=label)
-    axes.axhline(programmed, color=GREY, linewidth=1.4, linestyle=(0, (1, 1.5)), label="programmed time")
-    place: dict[str, Any] = {"markersize": 13, "markerfacecolor": "none", "markeredgewidth": 1.6}
-    axes.plot(chosen[0] / unit[0], chosen[1], "o", color=BLACK, label=f"taken: {number_of(chosen[1])} s", **place)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axis.set_major_formatter(_PLAIN)
-        axis.set_minor_formatter(NullFormatter())
-    axes.set_xlabel(f"{'force' if pushes else 'lead'} at most [{unit[1]}]")
-    axes.set_ylabel("least time [s]")
-    legend(figure, [entry for entry in axes.get_legend_handles_labels()[0] if isinstance(entry, Line2D)])
     return finish(figure)
 
 
