@@ -97,6 +97,16 @@ def test_cycle_naive_figure_waits_and_guesses(tiny: Path, capsys: pytest.Capture
     assert "uncalibrated" in out
 
 
+def test_a_move_whose_tool_rests_for_a_time_is_a_wait(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    r"""As an exported program has it where the rail moves in a wait: to where the tool stands, in \T."""
+    before = answer(capsys, "estimate", str(tiny))
+    home = "MoveAbsJ j_home, vmax, fine, tool0;"
+    tiny.write_text(tiny.read_text().replace(home, home + home.replace(", vmax", r"\NoEOffs, vmax\T:=0.25")))
+    told = answer(capsys, "estimate", str(tiny))
+    assert told["waits_s"] == pytest.approx(before["waits_s"] + 0.25)
+    assert told["motion_s"] == pytest.approx(before["motion_s"])
+
+
 def test_no_limit_holds_a_wait_back() -> None:
     motions = [EstimatedMotion(i, Source("a.mod", i, 1), wait, 0.1, 0.5, "joint_1 acceleration")
                for i, wait in enumerate([False, True])]  # fmt: skip

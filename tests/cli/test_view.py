@@ -119,7 +119,7 @@ def test_a_page_that_was_changed_and_a_folder_without_one(folder: Path, capsys: 
     other = folder.parent / "other"
     write_run(other, SensitivityRecord, {"a.json": b"{}"}, "sensitivity", options={}, inputs=Inputs())
     assert run(["view", str(other)]) == 2
-    assert capsys.readouterr().err == f"{other}: has no report.html\n"
+    assert capsys.readouterr().err == f"{other}: has no report.html; run trajopt sensitivity again\n"
     record = (other / "run.json").read_text()
     (other / "run.json").write_text(record.replace('"kind": "sensitivity"', '"kind": "iiwa"'))
     assert run(["view", str(other)]) == 2

@@ -78,20 +78,21 @@ def order(
         answer = order_of(found, Target(target), view.show, patience, jobs)
     if not isinstance(answer, Ordered):
         answer_no(answer, as_json)
-    count = write_order(folder, answer)
-    wrote(folder)
     files = (*job.program.files, str(job.cell_path))
+    table, lines = _table(program[0].name or job.title, answer), [by_name(line, files) for line in answer.remarks]
+    count = write_order(folder, answer, table, lines)
+    wrote(folder)
     if as_json:
         print_json(order_record(answer))
     elif quiet:
         result(answer.in_words)
     else:
         console = stdout()
-        show(console, _table(program[0].name or job.title, answer))
-        tell(console, (by_name(line, files) for line in answer.remarks))
+        show(console, table)
+        tell(console, lines)
         console.print()
         tell(console, [answer.in_words])
-    told = [f"written to {folder}: order.json and {count} files more"]
+    told = [f"written to {folder}: report.html, order.json and {count - 1} files more"]
     if apply and answer.new_text is not None:
         backup = apply_order(answer)
         wrote(Path(found.file))

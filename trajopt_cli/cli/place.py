@@ -107,7 +107,9 @@ def place(
         why = by_name(f"{said(site, nearest)}: {nearest.why}", files)
         line = f"{site.in_words}: none of {len(answer.places)} places can be done; {why}"
         no([line], as_json, answer="infeasible", tried=len(answer.places))
-    count = write_place(folder, answer)
+    table = place_table(program[0].name or job.title, answer)
+    lines = [by_name(line, files) for line in (*impossible_lines(answer), *answer.remarks)]
+    count = write_place(folder, answer, table, lines)
     wrote(folder)
     if as_json:
         print_json(place_record(answer))
@@ -115,8 +117,8 @@ def place(
         result(answer.in_words)
     else:
         console = stdout()
-        show(console, place_table(program[0].name or job.title, answer))
-        tell(console, (by_name(line, files) for line in (*impossible_lines(answer), *answer.remarks)))
+        show(console, table)
+        tell(console, lines)
         if best is not answer.present:
             console.print()
             where = "the program" if apply is None and site.name else str(job.cell_path)
@@ -128,7 +130,7 @@ def place(
     if apply is not None:
         write_file(apply, site.changed_cell(best.offset, str(apply)).encode())
         wrote(apply)
-    told = [f"written to {folder}: place.json, its map in plots, and {count - 2} files more"]
+    told = [f"written to {folder}: report.html, place.json, its map in plots, and {count - 3} files more"]
     told += [] if apply is None else [f"written to {apply}: the cell file with the best place"]
     for line in told:
         if as_json or quiet:

@@ -71,6 +71,12 @@ def sensitivity(
         answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search)
     if not isinstance(answer, Sensitivity):
         answer_no(answer, as_json)
+    name, plans = program[0].name or job.title, answer.plans
+    tables = {
+        one: levers_table(name, one, rows, plans[one].duration, everything, search)
+        for one, rows in answer.rows.items()
+        if not isinstance(rows, str)
+    }
     if as_json:
         print_json(sensitivity_record(answer))
     elif quiet:
@@ -80,14 +86,13 @@ def sensitivity(
         console = stdout()
         for one, rows in answer.rows.items():
             if not isinstance(rows, str):
-                name = program[0].name or job.title
-                show(console, levers_table(name, one, rows, answer.plans[one].duration, everything, search))
-                tell(console, rest_lines(rows, answer.plans[one].duration, answer.again[one], everything))
+                show(console, tables[one])
+                tell(console, rest_lines(rows, plans[one].duration, answer.again[one], everything))
                 console.print()
         tell(console, (f"not asked: {line}" for line in answer.not_asked))
         console.print()
         tell(console, (answer.first(one) for one in answer.rows))
     if output is not None:
-        count = write_sensitivity(output, answer)
+        count = write_sensitivity(output, answer, [*tables.values()])
         if not quiet:
             typer.echo(f"written to {output}: {count} files", err=True)

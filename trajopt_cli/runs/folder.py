@@ -37,7 +37,7 @@ _COMMANDS = {
 }
 """What makes a folder of each kind."""
 _REPORTS = _COMMANDS | {TASK: "iiwa simulate"}
-"""What writes a folder's page; sensitivity, place and order write none."""
+"""What writes a folder's page."""
 MOST_BYTES, MOST_RECORD = 1_000_000_000, 20_000_000
 """Of all files of a folder, and of its run.json; a folder that holds more is not read."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
@@ -198,7 +198,7 @@ def read_report(folder: Path) -> bytes:
     is none, and for one that was changed."""
     record, _ = _record(folder, RunRecord[Any])
     if REPORT not in record.files:
-        wanted = None if record.kind in (SENSITIVITY, PLACE, ORDER) else _REPORTS.get(record.kind)
+        wanted = _REPORTS.get(record.kind)
         advice = f"; run trajopt {wanted} again" if wanted else ""
         raise InputError(f"has no {REPORT}{advice}", file=str(folder))
     content = _read_listed(folder, REPORT, MOST_BYTES)

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from trajopt_cli.job import Job
 from trajopt_cli.measured.align import Alignment
 from trajopt_cli.motion import Move, SignalEvent, Source, Wait
@@ -18,6 +20,7 @@ from trajopt_cli.report.stepwise import StepMove, analyse
 from trajopt_cli.runs.summary import motion_label
 
 _STANDS = 1e-9  # m
+_RESTS = 1e-6  # m and parts of a turn: what is written to 0.001 mm
 _OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk|torque)")
 _KEY = {"speed": "velocity", "acceleration": "acceleration", "jerk": "jerk", "torque": "torque"}
 _GRADE = re.compile(r"\(grade ([A-D])\)$")
@@ -29,8 +32,8 @@ LEFT_OUT = (
 
 @dataclass(frozen=True)
 class EstimatedMotion:
-    """One motion: naive [s] is length over programmed speed, driven [s] under all limits; of a wait both are its least
-    time. binding: the limit that holds it back longest."""
+    """One motion: naive [s] is length over programmed speed, driven [s] under all limits; of a wait, and of a move
+    whose tool rests for a programmed time, both are its least time. binding: the limit that holds it back longest."""
 
     index: int
     source: Source
@@ -93,21 +96,24 @@ def estimate(job: Job) -> Estimate | str:
     plan = as_written(job, changes_of(job, Target.RAPID), Clock(), PlanCache())
     if isinstance(plan, str):
         return plan
-    naive = {move.index: _naive(job, move) for move in analyse(job.program, job.plant).moves}
+    steps = {move.index: move for move in analyse(job.program, job.plant).moves}
     motions = []
     for one in plan.motions:
         motion = job.program.motions[one.index]
         if isinstance(motion, SignalEvent):
             continue
-        wait = isinstance(motion, Wait)
-        driven = one.t_1 - one.t_0
-        motions.append(
-            EstimatedMotion(one.index, one.source, wait, driven if wait else naive[one.index], driven, one.binding)
-        )
+        wait, driven = isinstance(motion, Wait) or _rests(motion, steps[one.index]), one.t_1 - one.t_0
+        naive = driven if wait else _naive(job, steps[one.index])
+        motions.append(EstimatedMotion(one.index, one.source, wait, naive, driven, one.binding))
     programmed = corners_of(job.program, job.plant)
     passed = len(passed_in(job.program, job.plant, plan))
     stopped = len(programmed.passed) + len(programmed.stopped) - passed
     return Estimate(job, plan, tuple(motions), tuple(_rests_on(job, motions)), passed, stopped)
+
+
+def _rests(motion: Move, step: StepMove) -> bool:
+    r"""Whether a move is a wait in which the rail moves, as `export rapid` writes it: the tool rests for \T."""
+    return motion.duration is not None and np.allclose(step.X_WT_0, step.X_WT_1, atol=_RESTS)
 
 
 def _naive(job: Job, move: StepMove) -> float:

@@ -13,15 +13,18 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
+from trajopt_cli.page.answer import answer_page
 from trajopt_cli.pipeline.planning import Listener, may_change
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import ORDER
 from trajopt_cli.runs.record import RunRecord, as_json
 from trajopt_cli.study.answers import why_illegal, write_answer
 from trajopt_cli.study.order_text import Group
+from trajopt_cli.table import TextTable
 from trajopt_cli.workers import cores, in_turns
 
 Order = tuple[int, ...]
@@ -288,11 +291,12 @@ def _record(answer: Ordered, one: Tour | None) -> dict[str, Any] | None:
     }
 
 
-def write_order(folder: Path, answer: Ordered) -> int:
-    """Write order.json, the program in the best order and the inputs; how many files that are. Raises InputError where
-    folder may not be replaced."""
+def write_order(folder: Path, answer: Ordered, table: TextTable, lines: Sequence[str] = ()) -> int:
+    """Write order.json, a page with the table and the lines, the program in the best order and the inputs; how many
+    files that are. Raises InputError where folder may not be replaced."""
     job = answer.group.job
-    files = {"order.json": as_json(order_record(answer))}
+    page = answer_page(f"{job.title}: order of {answer.group.name}", answer.in_words, [table], lines, {})
+    files = {"order.json": as_json(order_record(answer)), REPORT: page}
     if answer.new_text is not None:
         given = job.program.files[answer.group.file]
         files[f"program/{Path(given.path).name}"] = answer.new_text.encode(given.encoding)

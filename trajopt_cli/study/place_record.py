@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
+from trajopt_cli.page.answer import answer_page
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import PLACE
 from trajopt_cli.runs.record import RunRecord, as_json
 from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.place import Placed, Tried, score
 from trajopt_cli.study.places import Site, What
+from trajopt_cli.table import TextTable
 from trajopt_cli.units import DEG
 
 
@@ -65,15 +69,17 @@ def _record(site: Site, one: Tried) -> dict[str, Any]:
     }
 
 
-def write_place(folder: Path, answer: Placed) -> int:
-    """Write place.json, its map, what changes and the inputs; how many files that are. Raises InputError where folder
-    may not be replaced."""
+def write_place(folder: Path, answer: Placed, table: TextTable, lines: Sequence[str] = ()) -> int:
+    """Write place.json, its map, a page with the table and the lines, what changes and the inputs; how many files that
+    are. Raises InputError where folder may not be replaced."""
     site, job, best = answer.site, answer.site.job, answer.best
     files = {"place.json": as_json(place_record(answer))}
     if best is not None and best is not answer.present:
         name = "changed.mod" if site.what is What.STATION else "changed.yaml"
         files[name] = site.to_paste(best.offset).encode()
-    files |= {f"plots/{name}": content for name, content in place_pictures(answer).items()}
+    pictures = place_pictures(answer)
+    files |= {f"plots/{name}": content for name, content in pictures.items()}
+    files[REPORT] = answer_page(f"{job.title}: {site.in_words}", answer.in_words, [table], lines, pictures)
     options = {"what": site.in_words, "target": answer.target.value, "entry": job.program.entry}
     return write_answer(folder, PlaceRecord, job, files, options)
 

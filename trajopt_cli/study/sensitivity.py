@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
+from trajopt_cli.page.answer import answer_page
 from trajopt_cli.pipeline.folder import plans_of_results
 from trajopt_cli.pipeline.optimize import Collides, Illegal, refused
 from trajopt_cli.pipeline.planning import Clock, Listener, may_change, plan_all
@@ -21,11 +22,13 @@ from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import SENSITIVITY
 from trajopt_cli.runs.record import RunRecord, as_json
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
+from trajopt_cli.table import TextTable
 from trajopt_cli.workers import cores, in_turns
 
 if TYPE_CHECKING:
@@ -276,11 +279,14 @@ def gradients(rows: tuple[Row, ...]) -> list[dict[str, Any]]:
     return out
 
 
-def write_sensitivity(folder: Path, answer: Sensitivity) -> int:
-    """Write sensitivity.json, its picture and the inputs; how many files that are. Raises InputError where folder may
-    not be replaced."""
-    pictures = {f"plots/{name}": content for name, content in sensitivity_pictures(answer).items()}
-    files = {"sensitivity.json": as_json(sensitivity_record(answer)), **pictures}
+def write_sensitivity(folder: Path, answer: Sensitivity, tables: Sequence[TextTable]) -> int:
+    """Write sensitivity.json, its picture, a page with the tables and the inputs; how many files that are. Raises
+    InputError where folder may not be replaced."""
+    pictures, first = sensitivity_pictures(answer), "; ".join(answer.first(one) for one in answer.rows)
+    lines = [f"not asked: {line}" for line in answer.not_asked]
+    files = {"sensitivity.json": as_json(sensitivity_record(answer))}
+    files |= {f"plots/{name}": content for name, content in pictures.items()}
+    files[REPORT] = answer_page(f"{answer.job.title}: what to change first", first, tables, lines, pictures)
     options = {"targets": [one.value for one in answer.plans], "entry": answer.job.program.entry}
     return write_answer(folder, SensitivityRecord, answer.job, files, options)
 
