@@ -150,7 +150,7 @@ def test_the_page_draws_every_motion_where_it_is(folders: list[str], capsys: pyt
     cycles, gantt = drawings
     wide = [float(bar.get("width", "")) for bar in cycles.iter("rect")]
     told = compared(folders, capsys)
-    times = [one["plans"][target]["cycle_time_s"] for target in ("stream", "rapid") for one in told["runs"]]
+    times = [one["plans"][target]["cycle_time_s"] for target in ("rapid", "stream") for one in told["runs"]]
     assert [one / wide[0] for one in wide] == pytest.approx([one / times[0] for one in times], rel=1e-4)
     bars = list(gantt.iter("rect"))
     assert [bar.get("class") for bar in bars] == ["joint", "wait", "joint", "joint", "wait", "joint", "joint"]

@@ -50,6 +50,30 @@ def test_a_plan_without_rapid_text_is_kept(
     assert run(["optimize", str(program), "--target", target]) == code  # such a folder may be replaced
 
 
+def test_export_writes_nothing_then(program: Path, planner: Planner, refused: None) -> None:
+    assert run(["optimize", str(program), "--export", "new.mod"]) == 1
+    assert not Path("new.mod").exists()
+    assert Path("results/tiny/summary.json").exists()
+
+
+def test_export_in_one_step_is_what_export_rapid_writes(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--export", "new.mod", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["exported"] == ["new.mod"]
+    assert run(["export", "rapid", "results/tiny", "--output", "same.mod"]) == 0
+    assert Path("new.mod").read_bytes() == Path("same.mod").read_bytes()
+
+
+def test_a_place_that_cannot_be_written_is_refused_before_the_work(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--export", "nowhere/new.mod"]) == 2
+    assert capsys.readouterr().err.startswith("nowhere: is not a folder to write to; make it or correct --export")
+    assert planner.asked == []
+    assert not Path("results").exists()
+
+
 def test_a_diff_without_changes_says_why(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["optimize", str(program)]) == 0
     capsys.readouterr()

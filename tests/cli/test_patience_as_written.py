@@ -72,6 +72,6 @@ def test_the_answer_says_that_it_was_not_timed(tmp_path: Path) -> None:
 
     answer = optimize_job(job, Target.STREAM, tmp_path / "out", listen, patience=patience, jobs=1)
     assert isinstance(answer, OptimizedJob)
-    assert saving_line(answer.summary).startswith("as written it was not timed: stopped by Ctrl-C → ")
+    assert saving_line(answer).startswith("as written it was not timed: stopped by Ctrl-C → ")
     assert "not timed: stopped by Ctrl-C" in (tmp_path / "out/report.html").read_text()
     assert "cannot be driven" not in (tmp_path / "out/report.html").read_text()

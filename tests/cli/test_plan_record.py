@@ -63,7 +63,7 @@ def at(*keys: Any) -> Callable[[Any, Any], None]:
 @pytest.mark.parametrize(
     ("key", "value", "said"),
     [
-        ("target", "x", 'options.target: "x" is none of stream, rapid; '),
+        ("target", "x", 'options.target: "x" is none of rapid, stream; '),
         ("cycle_time", 1e308, "options.cycle_time: needs a number, 1e+09 or less, not 1e+308; "),
         ("cycle_time", -1.0, "options.cycle_time: needs a number, zero or more, not -1.0"),
     ],

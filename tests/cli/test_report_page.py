@@ -18,17 +18,22 @@ def test_the_page_of_a_run_has_the_numbers_of_its_summary(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(["optimize", str(program)]) == 0
-    assert "written to results/tiny: report.html (open it in a browser), " in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert (
+        "written to results/tiny: program.mod (the rapid plan), report.html (open it in a browser), rapid.csv" in told
+    )
     page = Path("results/tiny/report.html").read_text(encoding="utf-8")
     summary = json.loads(Path("results/tiny/summary.json").read_text())
     record = json.loads(Path("results/tiny/run.json").read_text())
     data = json.loads(re.findall(r'id="data">(.*?)</script>', page, re.DOTALL)[0])
     plans, written = summary["plans"], summary["as_written"]
-    for cycle, numbers in zip(data["cycles"], (written, plans["stream"], plans["rapid"]), strict=True):
+    for cycle, numbers in zip(data["cycles"], (written, plans["rapid"], plans["stream"]), strict=True):
         assert cycle["duration"] == numbers["cycle_time_s"]
         times = [b - a for a, b in zip(cycle["legs"]["from"], cycle["legs"]["to"], strict=True)]
         assert times == pytest.approx(numbers.get("motion_times_s") or [one["time_s"] for one in numbers["motions"]])
-    assert f"{100 * plans['stream']['gap']:.1f} %" in page
+    for plan in plans.values():
+        assert f"gap {100 * plan['gap']:.1f} %" in page
+        assert plan["grid"] in page
     for one in record["inputs"]["files"]:
         assert one["sha256"] in page
     assert record["started"][:16] not in page

@@ -73,7 +73,7 @@ def test_a_program_and_its_results_get_the_same_answer_in_order(
     for one in alone, of_results:
         del one["program"]
     assert of_results == alone
-    assert list(alone["targets"]) == ["stream", "rapid"]
+    assert list(alone["targets"]) == ["rapid", "stream"]
     for target in alone["targets"].values():
         gains = {one["name"]: one["gain_s"] for one in target["levers"]}
         assert list(gains.values()) == sorted(gains.values(), reverse=True)

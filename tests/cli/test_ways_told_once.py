@@ -13,9 +13,9 @@ def test_what_both_plans_go_around_is_one_line() -> None:
     rapid = (f"{COLUMN} by 2 points", f"{BOTH} by 1 point", "another")
     assert list(_said_once({Target.STREAM: stream, Target.RAPID: rapid})) == [
         f"stream and rapid: {COLUMN}, rapid by 2 points",
-        "stream: t.mod:6:1: MoveJ q goes around 'column'",  # not the same bodies
-        "stream: stopped by Ctrl-C: the best plan so far",
         f"rapid: {BOTH} by 1 point",
         "rapid: another",
+        "stream: t.mod:6:1: MoveJ q goes around 'column'",  # not the same bodies
+        "stream: stopped by Ctrl-C: the best plan so far",
     ]
     assert list(_said_once({Target.STREAM: (COLUMN,), Target.RAPID: (COLUMN,)})) == [f"stream and rapid: {COLUMN}"]

@@ -16,6 +16,7 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.page.cell import program_section
+from trajopt_cli.page.changes import changes_section
 from trajopt_cli.page.compared import compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
@@ -50,7 +51,7 @@ def made(case: Any = RAIL, program: Program | None = None, written: Plan | str |
     before = slower(case.plan) if written is None else written
     own = program or case.program
     told = summarized(own, case.plant, plans, before, ["a note"])
-    return optimized_page("t.mod", own, case.plant, told, plans, before, MADE, kept).decode()
+    return optimized_page("t.mod", own, case.plant, Target.STREAM, told, plans, before, MADE, kept).decode()
 
 
 def data_of(page: str) -> dict[str, Any]:
@@ -290,3 +291,32 @@ def test_a_page_of_a_cycle_is_small(page: str) -> None:
     seconds = sum(one["duration"] for one in data_of(page)["cycles"])
     empty = len(made(BARE, written="no")) / 2
     assert len(page) < empty + seconds * 8e6 / 45  # 8 MB for three cycles of 15 s
+
+
+def test_the_diff_names_the_motions_of_each_new_line() -> None:
+    """By the target's name where it is declared, by the line where another instruction stands in its place."""
+    case = RAIL
+    plans = {one: Judged(replace(case.plan, target=one), RowsFile(), LEGAL) for one in Target}
+    told = summarized(case.program, case.plant, plans, slower(case.plan))
+    first, wait = told.plans.rapid.motions[:2]
+    file, line = first.source.rsplit(":", 2)[0], int(wait.source.rsplit(":", 2)[1])
+    diff = (
+        f"--- a/{file}\n+++ b/{file}\n@@ -90,1 +90,1 @@\n"
+        f"-CONST {first.target}:=[1,</b>];\n+CONST {first.target}:=[2,</b>];\n"
+        f"@@ -{line},1 +{line},1 @@\n-WaitTime 0.4;\n+MoveL p_new;\n--- not a file's head\n"
+    )
+    html = changes_section(diff, told).html
+    chips = re.findall(r'<b>?(\d?)[^\n]*?data-motion="(\d+)">([^<]*)<', html)
+    assert [(index, said) for _, index, said in chips] == [
+        (str(one.index), f"{one.name} {1.5 * one.time_s:.3f} → {one.time_s:.3f} s") for one in (first, wait)
+    ]
+    assert ":=[<b>2</b>,&lt;/b&gt;];" in html
+    assert html.count('class="src add"') == 2
+    assert html.count('class="src del"') == 3
+
+
+def test_a_text_that_cannot_carry_the_plan_says_so() -> None:
+    plans = {one: Judged(replace(RAIL.plan, target=one), RowsFile(), LEGAL) for one in Target}
+    told = summarized(RAIL.program, RAIL.plant, plans, "cannot")
+    assert "No RAPID text: it has &lt;none&gt;." in changes_section("it has <none>", told).html
+    assert "needs no change" in changes_section("", told).html

@@ -14,14 +14,16 @@ from difflib import get_close_matches
 from functools import cache, partial
 from io import TextIOWrapper
 from itertools import pairwise
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 from typer.main import get_command
 
 from trajopt_cli import __version__
 from trajopt_cli.cli import (
     analyse,
+    check,
     compare,
     doctor,
     estimate,
@@ -47,32 +49,62 @@ from trajopt_cli.workers import ProcessEnded
 _LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
 _MEANT = {"csv": "joint", "stream": "joint", "ros": "ros2", "bag": "mcap", "mod": "rapid", "optimise": "optimize"}
 _SELDOM = 20_000, 20, 50  # new objects between looks for garbage. Python's 700 take 5 % of the time of a command
+_FIRST, _REST = "What most need", "And the rest"
+_COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
+    _FIRST: {
+        "new": (new.new, "Write a commented program and cell file to begin with."),
+        "check": (check.check, "Does a program read, reach, keep its limits, touch nothing?"),
+        "estimate": (estimate.estimate, "Estimate a program's cycle time as written."),
+        "optimize": (optimize.optimize, "Optimise a program and check the result."),
+        "verify": (verify.verify, "Check results or any joint CSV file."),
+        "view": (view.view, "Open a results page in the browser."),
+        "export": (export.app, ""),
+    },
+    _REST: {
+        "compare": (compare.app, ""),
+        "sensitivity": (sensitivity.sensitivity, "What to change first: seconds per limit, speed, wait, place."),
+        "place": (place.place, "Where base, rail or a work object should stand."),
+        "order": (order.order, "The fastest order of parts that allow any order."),
+        "parse": (parse.parse, "List a program's motions with file:line."),
+        "analyse": (analyse.analyse, "Add up a program's times as written, without ramps."),
+        "identify": (identify.identify, "Speed, acceleration and jerk limits from controllers' logs."),
+        "play": (play.app, ""),
+        "iiwa": (iiwa.app, ""),
+        "robot": (robot.app, ""),
+        "schema": (schema.schema, "What cell, task and robot files may hold."),
+        "doctor": (doctor.doctor, "What is installed, what is missing, and whether it works."),
+    },
+}
+
+
+class _Grouped(TyperGroup):
+    """The commands in their groups, in this order."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Their names."""
+        return [name for group in _COMMANDS.values() for name in group]
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """A heading for each group."""
+        for heading, group in _COMMANDS.items():
+            width = formatter.width - 6 - max(map(len, group))
+            rows = [(name, self.commands[name].get_short_help_str(width)) for name in group]
+            with formatter.section(heading):
+                formatter.write_dl(rows)
+
+
 app = typer.Typer(
     name="trajopt",
+    cls=_Grouped,
     help="The fastest legal motion for the robot program a cell already runs.",
     rich_markup_mode=None,  # plain help: rich would double the time to the first line
     pretty_exceptions_enable=False,
 )
-app.command("optimize", short_help="Optimise a program and check the result.")(optimize.optimize)
-app.add_typer(compare.app, name="compare")
-app.command("sensitivity", short_help="What to change first: seconds per limit, speed, wait, place.")(
-    sensitivity.sensitivity
-)
-app.command("place", short_help="Where base, rail or a work object should stand.")(place.place)
-app.command("order", short_help="The fastest order of parts that allow any order.")(order.order)
-app.add_typer(export.app, name="export")
-app.add_typer(play.app, name="play")
-app.command("verify", short_help="Check results or any joint CSV file.")(verify.verify)
-app.command("view", short_help="Open a results page in the browser.")(view.view)
-app.command("parse", short_help="List a program's motions with file:line.")(parse.parse)
-app.command("analyse", short_help="Add up a program's times as written, without ramps.")(analyse.analyse)
-app.command("estimate", short_help="Estimate a program's cycle time as written.")(estimate.estimate)
-app.command("identify", short_help="Speed, acceleration and jerk limits from controllers' logs.")(identify.identify)
-app.add_typer(iiwa.app, name="iiwa")
-app.add_typer(robot.app, name="robot")
-app.command("schema", short_help="What cell, task and robot files may hold.")(schema.schema)
-app.command("new", short_help="Write a commented program and cell file to begin with.")(new.new)
-app.command("doctor", short_help="What is installed, what is missing, and whether it works.")(doctor.doctor)
+for _name, (_does, _short) in (one for group in _COMMANDS.values() for one in group.items()):
+    if isinstance(_does, typer.Typer):
+        app.add_typer(_does, name=_name)
+    else:
+        app.command(_name, short_help=_short)(_does)
 
 
 def _version(wanted: bool) -> None:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from trajopt_cli.exporters.egm import Stream
     from trajopt_cli.exporters.recorded import Recorded
+    from trajopt_cli.pipeline.folder import RapidFiles
     from trajopt_cli.trajectory import Trajectory
 
 app = typer.Typer(
@@ -272,12 +273,11 @@ def rapid(
     from trajopt_cli.cli.console import print_json
     from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.runs.results import beside_results, write_in_place
-    from trajopt_cli.runs.transaction import write_together
 
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
     files = rapid_export(results)
-    places = [] if output is None else _places(output, results, [Path(one.place) for one in files.modules])
+    written = [] if output is None else write_rapid(files, output, results)
     kept = (files.kept or ("the plan needs no change to the program",)) if diff and not files.patch else ()
     if diff and not as_json:
         for why in () if quiet else kept:
@@ -287,12 +287,8 @@ def rapid(
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
-    said, written, what = list[str](), list[str](), f"RAPID plan, {files.cycle:.3f} s"
-    if output is not None:
-        write_together({path: one.content for path, one in zip(places, files.modules, strict=True)})
-        for path in places:
-            said.append(f"wrote {path} ({what})")
-            written.append(str(path))
+    what = f"RAPID plan, {files.cycle:.3f} s"
+    said = [f"wrote {path} ({what})" for path in written]
     if in_place:
         modules = beside_results(files.modules, results)
         tidied(one.path for one in modules)
@@ -317,6 +313,15 @@ def rapid(
         )
     for line in () if as_json else said[:1] if quiet else said:
         typer.echo(line, err=diff)
+
+
+def write_rapid(files: RapidFiles, output: Path, results: Path, option: str = "--output") -> list[str]:
+    """Write the optimised modules to where output says, all or none; their places."""
+    from trajopt_cli.runs.transaction import write_together
+
+    places = rapid_places(output, results, [Path(one.place) for one in files.modules], option)
+    write_together({path: one.content for path, one in zip(places, files.modules, strict=True)})
+    return [str(path) for path in places]
 
 
 def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
@@ -418,21 +423,24 @@ def check_output(output: Path, results: Path, option: str = "--output") -> None:
         raise InputError(f"is what is played; {option} names another file", file=str(output))
 
 
-def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:
-    """Where the modules of a program go: one to the file output, several by their names into the folder output."""
+def rapid_places(output: Path, results: Path, names: Sequence[Path], option: str = "--output") -> list[Path]:
+    """Where the modules of a program go: one to the file output, several by their names into the folder output.
+
+    Raises InputError where that cannot be.
+    """
     from trajopt_cli.runs.results import MODULES
 
     if len(names) == 1:
-        check_output(output, results)
+        check_output(output, results, option)
         return [output]
     if not output.is_dir() and (output.exists() or output.suffix.lower() in MODULES):
         what = "is a file" if output.exists() else "is a file's name"
-        message = f"{what}; the program has {len(names)} modules, --output names a folder for them"
+        message = f"{what}; the program has {len(names)} modules, {option} names a folder for them"
         raise InputError(message, file=str(output))
     if not output.parent.is_dir():
-        raise InputError("is not a folder to write to; make it or correct --output", file=str(output.parent))
+        raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(output.parent))
     places = [output / name for name in names]
     for place in places:
         if place.parent.is_dir():
-            check_output(place, results)
+            check_output(place, results, option)
     return places

@@ -172,7 +172,7 @@ def _solved() -> Check:
         (folder / "small.yaml").write_text(_CELL, encoding="ascii")
         try:
             job = read_job([folder / "small.mod"])
-            answer = optimize_job(job, Target.STREAM, folder / "results", lambda *_: None, jobs=1)
+            answer = optimize_job(job, None, folder / "results", lambda *_: None, jobs=1)
         except (ImportError, InputError, OSError) as error:
             return Check("self-test", State.WRONG, str(error), "reinstall; if that does not help, report this output")
     acceleration = float(job.plant.limits.acceleration[0])

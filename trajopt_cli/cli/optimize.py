@@ -12,13 +12,14 @@ from trajopt_cli.cli.options import (
     AsJson,
     AssumeIdentity,
     CellPath,
+    ChosenTarget,
     Entry,
     Jobs,
     LoopsOption,
     ProgramPaths,
     Quiet,
-    TargetOption,
     TimeLimit,
+    Verbose,
     patience_of,
 )
 from trajopt_cli.cli.process import reading, wrote
@@ -30,10 +31,19 @@ def optimize(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
-    target: TargetOption = "stream",
+    target: ChosenTarget = None,
     loops: LoopsOption = "keep",
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
+    ] = None,
+    export: Annotated[
+        Path | None,
+        typer.Option(
+            "--export",
+            metavar="FILE.mod",
+            help="Write the program with the rapid plan in it, too; a folder for several modules.",
+            show_default=False,
+        ),
     ] = None,
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
@@ -54,55 +64,74 @@ def optimize(
     ] = False,
     as_json: AsJson = False,
     quiet: Quiet = False,
+    verbose: Verbose = False,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, check it, and write it as joint CSV and as RAPID.
 
-    Both targets are solved in every run; trajectory.csv carries the plan of --target. Exit code 1: the program cannot
-    be done, or not in the time given, and why; or, with --target rapid, its text cannot carry the plan.
+    Both targets are solved in every run: what the RAPID controller can drive, and what a joint stream (EGM) would add.
+    Exit code 1: the program cannot be done, or not in the time given, and why; or, with --target rapid or --export, its
+    text cannot carry the plan.
 
     \b
     Example:
       trajopt optimize programs/hinge_cell.mod --time-limit 60
-      trajopt optimize programs/hinge_cell.mod --target rapid --quiet
+      trajopt optimize programs/hinge_cell.mod --quiet --export faster.mod
     """
     from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.export import rapid_places, write_rapid
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import motions_table, optimized_lines, optimized_record, saving_line
     from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
     from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
     from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.results import distinct_names
 
     patience = patience_of(time_limit)
     if cycle_time is not None and not 0 < cycle_time < math.inf:
         raise InputError(f"--cycle-time: needs a time of more than 0 s, not {cycle_time:g}")
     if cycle_time is not None and gentle:
         raise InputError("--cycle-time and --gentle: give one of them; both are the gentlest plan, within other times")
+    if quiet and verbose:
+        raise InputError("--quiet and --verbose: give one of them")
     objective = GENTLE if gentle else LEAST_TIME if cycle_time is None else LeastEffort(cycle_time)
     with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
+    if export is not None:
+        rapid_places(
+            export, folder, [Path(name) for name in distinct_names(list(job.program.files)).values()], "--export"
+        )
     with ProgressView(patience, quiet) as view:
-        answer = optimize_job(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs, objective)
+        answer = optimize_job(
+            job, Target(target) if target else None, folder, view.show, plots, Loops(loops), patience, jobs, objective
+        )
     if not isinstance(answer, OptimizedJob):
         answer_no(answer, as_json)
     wrote(answer.folder)
+    exported = []
+    if export is not None and answer.no_rapid is None:
+        exported = write_rapid(rapid_export(answer.folder), export, answer.folder, "--export")
+        wrote(export)
     if as_json:
-        print_json(optimized_record(answer, patience.interrupted))
+        print_json({**optimized_record(answer, patience.interrupted), "exported": exported})
     elif quiet:
-        result(saving_line(answer.summary))
-        for line in answer.summary.warnings:
-            warn(f"warning: {line}")
+        result(f"{saving_line(answer)}; {answer.summary.verdict}")
     else:
         console = stdout()
-        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer.summary), ""])
+        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict, ""])
         show(console, motions_table(answer))
-        tell(console, optimized_lines(answer))
+        cycle = answer.summary.plans.rapid.cycle_time_s
+        tell(
+            console,
+            [*optimized_lines(answer, verbose), *(f"wrote {one} (RAPID plan, {cycle:.3f} s)" for one in exported)],
+        )
     if patience.interrupted:
-        best = answer.summary.plans.of(answer.summary.target).cycle_time_s
+        best = answer.summary.plans.of(answer.lead).cycle_time_s
         warn(f"interrupted: the best plan so far, {best:.3f} s, was completed, judged and written to {answer.folder}")
-    if answer.no_rapid is not None and answer.summary.target is Target.RAPID:
+    if answer.no_rapid is not None and (answer.summary.target is Target.RAPID or export is not None):
         warn(f"no RAPID text: {answer.no_rapid}")
         raise typer.Exit(1)

@@ -39,6 +39,15 @@ AssumeIdentity = Annotated[
         show_default=False,
     ),
 ]
+ChosenTarget = Annotated[
+    Literal["stream", "rapid"] | None,
+    typer.Option(
+        "--target",
+        help="Whose plan leads, and is in trajectory.csv; default: the RAPID controller's leads, a joint stream's is "
+        "in the file.",
+        show_default=False,
+    ),
+]
 TargetOption = Annotated[
     Literal["stream", "rapid"],
     typer.Option("--target", help="Whose plan is asked for: a joint stream's or the RAPID controller's."),
@@ -66,6 +75,7 @@ TimeLimit = Annotated[
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="One-line result; no progress.")]
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="The grid of each duration, too.")]
 
 
 def patience_of(time_limit: float | None) -> Patience:

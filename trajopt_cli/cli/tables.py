@@ -13,7 +13,7 @@ from trajopt_cli.pipeline.optimize import OptimizedJob
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.summary import NOT_TIMED, MotionRow, Plans, PlanSummary, Summary, finding_record
+from trajopt_cli.runs.summary import NOT_TIMED, MotionRow, Plans, cycle_line, finding_record
 from trajopt_cli.table import TextTable, place, seconds, tabulate
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -22,25 +22,13 @@ _NAME = 50  # characters of a motion's name: many targets are written in numbers
 _DIPS = 10  # of constant speed, in text; summary.json has them all
 
 
-def cycle_line(label: str, plan: PlanSummary) -> str:
-    """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
-    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound_s:.3f} s, gap {100 * plan.gap:.1f} %)"
-    bound += "" if plan.suspicious is None else ", SUSPICIOUS: see the warning"
-    if plan.least_effort is None:
-        return f"{label}: T = {plan.cycle_time_s:.3f} s{bound}, grid {plan.grid}"
-    now, fast = plan.least_effort["planned"], plan.least_effort["fastest"]
-    rail, before = (f", rail {one['rail_way_m']:.3f} m" if fast["rail_way_m"] else "" for one in (now, fast))
-    return (
-        f"{label}: T = {plan.cycle_time_s:.3f} s, effort {now['effort_s']:.3f} s{rail}; fastest found T = "
-        f"{plan.least_effort['least_time_s']:.3f} s{bound}, effort {fast['effort_s']:.3f} s{before}; grid {plan.grid}"
-    )
-
-
-def saving_line(told: Summary) -> str:
+def saving_line(answer: OptimizedJob) -> str:
     """The answer in one line: as written, and what the plans make of it."""
-    names = {Target.STREAM: "as a joint stream", Target.RAPID: "by the RAPID controller"}
+    told, names = answer.summary, {Target.RAPID: "by the RAPID controller", Target.STREAM: "as a joint stream"}
     changes = {one: f" ({changed})" if (changed := told.change(one)) else "" for one in names}
-    plans = ", ".join(f"{told.plans.of(one).cycle_time_s:.3f} s{changes[one]} {name}" for one, name in names.items())
+    plans = ", ".join(
+        f"{told.plans.of(one).cycle_time_s:.3f} s{changes[one]} {names[one]}" for one in answer.lead.first
+    )
     before = told.as_written
     if before.why_not is None:
         return f"as written {before.cycle_time_s:.3f} s → {plans}"
@@ -48,29 +36,28 @@ def saving_line(told: Summary) -> str:
     return f"as written it {why} → {plans}"
 
 
-def optimized_lines(answer: OptimizedJob) -> Iterator[str]:
-    """What stands below the table of motions: cycle times, clearance, what was not looked at, remarks, the files."""
+def optimized_lines(answer: OptimizedJob, verbose: bool = False) -> Iterator[str]:
+    """What stands below the table of motions: cycle times, clearance, remarks, the files. verbose: grids, too."""
     job, told = answer.job, answer.summary
     files = (*job.program.files, str(job.cell_path))
-    for one in Target:
-        yield cycle_line(one.value, told.plans.of(one))
-    yield from speed_lines(told.target.value, answer.kept_speed[told.target])
-    for one in Target:
+    for one in answer.lead.first:
+        yield cycle_line(one.value, told.plans.of(one), verbose)
+    yield from speed_lines(answer.lead.value, answer.kept_speed[answer.lead])
+    for one in answer.lead.first:
         nearest = least_clearance(answer.judged[one].report.findings)
         if nearest is not None:
             yield f"{one.value}: {by_name(nearest.message, files)}"
-    yield from (*told.unchecked, *job.program.without_effect)
+    yield from job.program.without_effect
     first = {str(one) for one in job.program.warnings if one.kind is WarningKind.NOT_CHECKED}
     warnings = [one for one in told.warnings if one not in first]
     said = (("warning", warnings), ("limits", told.limits), ("note", told.notes))
     for label, lines in said:
         yield from remarks(label, lines, files, "all in summary.json")
-    rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
-    plots = "" if not (answer.folder / "plots").is_dir() else ", plots/"
-    yield (
-        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {told.target} plan), "
-        f"stream.csv, rapid.csv, {rapid}summary.json, run.json{plots}"
-    )
+    rapid = [f"{', '.join(answer.rapid_files)} (the rapid plan)"] if answer.no_rapid is None else []
+    plots = ["plots/"] if (answer.folder / "plots").is_dir() else []
+    tables = [f"{one}.csv{' (for EGM)' * (one is Target.STREAM)}" for one in answer.lead.first]
+    named = [*rapid, "report.html (open it in a browser)", *tables, f"trajectory.csv (the {told.target} plan)"]
+    yield f"written to {answer.folder}: {', '.join([*named, 'summary.json', 'run.json', *plots])}"
 
 
 def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
@@ -78,7 +65,7 @@ def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
     Ctrl-C."""
     told, before = answer.summary, answer.summary.as_written.cycle_time_s
     plans = {}
-    for one in Target:
+    for one in answer.lead.first:
         plan = told.plans.of(one)
         plans[one.value] = {
             **plan.model_dump(include={"cycle_time_s", "lower_bound_s", "gap", "grid", "suspicious"}),
@@ -138,8 +125,8 @@ def _count(number: int, what: str, plural: str = "s") -> str:
 
 
 def motions_table(answer: OptimizedJob) -> TextTable:
-    """Every motion as written and on both targets; binding limits are those of the target in trajectory.csv."""
-    told = answer.summary
+    """Every motion as written and on both targets; binding limits are those of the plan that leads."""
+    told, lead = answer.summary, answer.lead
     written, ways = told.written_times, ways_told(told.plans)
     plans = {one: {row.index: row for row in told.plans.of(one).motions} for one in Target}
 
@@ -154,18 +141,18 @@ def motions_table(answer: OptimizedJob) -> TextTable:
 
     return tabulate(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
-        told.plans.of(told.target).motions,
+        told.plans.of(lead).motions,
         {
             "~place": lambda row: row.place,
             "instruction": lambda row: row.instruction,
             "~target": name,
             ">written [s]": lambda row: seconds(written.get(row.index), "-"),
-            **{f">{one} [s]": time(one) for one in Target},
-            f"what limits the {told.target} plan": lambda row: row.binding,
+            **{f">{one} [s]": time(one) for one in lead.first},
+            f"what limits the {lead} plan": lambda row: row.binding,
         },
         (
             *("cycle", "", "", seconds(told.as_written.cycle_time_s, "-")),
-            *(seconds(told.plans.of(one).cycle_time_s) for one in Target),
+            *(seconds(told.plans.of(one).cycle_time_s) for one in lead.first),
             "",
         ),
     )
@@ -204,15 +191,16 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
     }
 
 
-def verdict(name: str, report: Report) -> str:
-    """One line: legal or not, and by how many findings; of a file on a bare grid also what its rate leaves open."""
+def verdict(name: str, report: Report, unchecked: Sequence[str] = ()) -> str:
+    """One line: legal or not, by how many findings, and what was not looked at; of a file on a bare grid also what its
+    rate leaves open."""
     bad = sum(not finding.passed for finding in report.findings)
     lost = f"; {report.missing}" if report.missing else ""
     if report.too_coarse:
         return f"{name}: TOO COARSE to be judged ({bad} checks cannot be made){lost}"
     if bad:
         return f"{name}: ILLEGAL ({bad} checks failed){lost}"
-    return f"{name}: legal{_granted(report)} ({len(report.findings)} checks){lost}"
+    return "; ".join([f"{name}: legal{_granted(report)} ({len(report.findings)} checks){lost}", *unchecked])
 
 
 def _granted(report: Report) -> str:

@@ -50,7 +50,8 @@ def verify(
     from trajopt_cli.runs.folder import TASK, kind_of
     from trajopt_cli.table import findings_table
 
-    unchecked: tuple[str, ...] = ()
+    unchecked: tuple[str, ...] = ()  # of an iiwa's files
+    bodies: tuple[str, ...] = ()  # of a cell: said with the verdict
     advice = as_json or not quiet  # of which a line alone says nothing
     head: list[str] = []
     of_program = bool(program) or cell is not None or entry is not None or bool(assume_identity)
@@ -66,6 +67,7 @@ def verify(
         else:
             with reading():
                 job, reports = verify_results(what, advice)
+            bodies = job.plant.unchecked
             head = told_first(job.program.warnings)[0]
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
@@ -81,15 +83,15 @@ def verify(
     else:
         with reading(program):
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
-        reports = {what.name: verify_file(what, job, advice)}
+        reports, bodies = {what.name: verify_file(what, job, advice)}, job.plant.unchecked
         head = told_first(job.program.warnings)[0]
     if as_json:
-        print_json(reports_record(reports, unchecked))
+        print_json(reports_record(reports, (*bodies, *unchecked)))
     elif quiet:
         for line in head:
             warn(line)
         for name, report in reports.items():
-            result(verdict(name, report))
+            result(verdict(name, report, bodies))
     else:
         console = stdout()
         tell(console, head)
@@ -101,7 +103,7 @@ def verify(
         tell(console, (f"not checked: {line}" for line in unchecked))
         for name, report in reports.items():
             tell(console, (f"advice: {line}" for line in failures(report.advice)))
-            tell(console, [verdict(name, report), *(f"  {line}" for line in failures(report.findings))])
+            tell(console, [verdict(name, report, bodies), *(f"  {line}" for line in failures(report.findings))])
     if not all(report.legal for report in reports.values()):
         raise typer.Exit(1)
 

@@ -68,12 +68,12 @@ def cell_data(
 def motion_section() -> Section:
     """Rail, arm, path and obstacles, playing; motions and dwells over time."""
     gantt = '<figure class="chart" id="gantt"></figure>'
-    html = f'<div class="controls" id="choice"></div>{HOLDER}<div id="now"></div>{gantt}'
-    lead = (
-        "Play, or drag the slider below: both cycles, all charts and the lines of the program follow it. Space plays, "
-        "arrow keys step 10 ms, with Shift 100 ms, n and p go to the next and the previous motion."
+    keys = (
+        '<p class="lead keys">Space plays, arrow keys step 10 ms, with Shift 100 ms, n and p go to the next and the '
+        "previous motion; all charts and the lines of the program follow.</p>"
     )
-    return Section("motion", "Motion", html, lead)
+    html = f'{HOLDER}<div class="controls" id="choice"></div><div id="now"></div>{keys}{gantt}'
+    return Section("motion", "Motion", html)
 
 
 def program_section(user: Program, shown: Sequence[Shown], at_first: Sequence[int]) -> Section:
@@ -97,8 +97,8 @@ def chart_sections(plant: Plant, data: Mapping[str, Any], shown: Sequence[Shown]
         "Axes",
         '<div class="controls" id="axes-choice"></div><div class="charts" id="axes-charts"></div>'
         f'<ul class="legend">{rest}</ul>',
-        "Drag over a chart to enlarge a stretch of time, in all charts at once; double click or key 0 shows the whole "
-        "cycle again. Keys + and −, pinching, Ctrl and the wheel zoom, too.",
+        keys="Drag over a chart to enlarge a stretch of time, in all charts at once; double click or key 0 shows the "
+        "whole cycle again. Keys + and −, pinching, Ctrl and the wheel zoom, too.",
     )
     speed = Section(
         "speed",

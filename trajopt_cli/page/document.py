@@ -25,12 +25,13 @@ BASE = ("page.js", "charts.js")
 @dataclass(frozen=True)
 class Section:
     """A part of a page. name: its id, for links. heading: of its own. html: its content, escaped by who made it. lead:
-    a plain sentence below the heading."""
+    a plain sentence below the heading. keys: another on the use of keyboard and mouse, left out on a telephone."""
 
     name: str
     heading: str
     html: str
     lead: str = ""
+    keys: str = ""
 
 
 def document(
@@ -105,6 +106,7 @@ def _hash(content: str) -> str:
 
 def _section(one: Section) -> str:
     lead = f'<p class="lead">{text(one.lead)}</p>' if one.lead else ""
+    lead += f'<p class="lead keys">{text(one.keys)}</p>' if one.keys else ""
     name = text(one.name)
     return (
         f'<section id="{name}" aria-labelledby="{name}-heading"><h2 id="{name}-heading">{text(one.heading)}</h2>'

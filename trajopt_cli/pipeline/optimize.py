@@ -73,12 +73,14 @@ def refused(target: Target, report: Report) -> Illegal | Collides:
 class OptimizedJob:
     """The answer of optimize: what summary.json says, the motions behind it, and where the files are.
 
-    judged: both targets' plans. written: the program as it stands, driven under the same limits, or why it cannot be.
+    lead: whose plan is told first. judged: both targets' plans. written: the program as it stands, driven under the
+    same limits, or why it cannot be.
     kept_speed: the stretches that should keep their programmed speed, with the dips of each target's plan.
     no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
     """
 
     job: Job
+    lead: Target
     summary: Summary
     judged: Mapping[Target, Judged]
     written: Plan | str
@@ -91,7 +93,7 @@ class OptimizedJob:
 
 def optimize_job(
     job: Job,
-    target: Target,
+    target: Target | None,
     folder: Path,
     listen: Listener,
     plots: bool = False,
@@ -102,11 +104,14 @@ def optimize_job(
 ) -> OptimizedJob | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
-    target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
-    patience: how long a faster plan is looked for. jobs: processes, by default one for every core. objective: of the
-    target's plan; where the other one takes longer than a given time, it takes its least.
+    target: which plan leads, and trajectory.csv carries; None: that for the RAPID controller leads, where its text can
+    carry it, and the file has the stream's. plots: pictures of the file's plan. loops: what the RAPID plan makes of
+    them.
+    patience: how long a faster plan is looked for. jobs: processes, by default one for every core. objective: of
+    that plan; where the other one takes longer than a given time, it takes its least.
     Raises InputError where folder may not be replaced.
     """
+    from trajopt_cli.exporters.rapid_diff import unified_diff
     from trajopt_cli.judge.clearance import check_start
     from trajopt_cli.nlp.block_cache import evaluation_notices
 
@@ -122,8 +127,9 @@ def optimize_job(
         return agreed.infeasible
     changes, loops = agreed.changes, agreed.loops
     inputs = inputs_of(job)
-    judged: dict[Target, Judged] = {}
-    asked = {one: objective if one is target else for_the_other(objective) for one in Target}
+    found: dict[Target, Judged] = {}
+    chosen = target or Target.STREAM
+    asked = {one: objective if one is chosen else for_the_other(objective) for one in Target}
     kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
     answers, written, estimate = plan_all(
         job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept, kept_written
@@ -133,7 +139,8 @@ def optimize_job(
             return answer
         if not answer.report.legal:
             return refused(one, answer.report)
-        judged[one] = answer
+        found[one] = answer
+    judged = {one: found[one] for one in Target}
     listen("results", Progress("loops"))
     with clock.phase("loops"):
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
@@ -147,11 +154,12 @@ def optimize_job(
         placed = _placed(export, folder) if export is not None else ()
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
+        lead = target or (Target.RAPID if export is not None else Target.STREAM)
         kept_speed = {one: constant_speed(job.program, judged[one].plan, job.plant) for one in Target}
         told = summary(
             job.program,
             job.plant,
-            target,
+            chosen,
             judged,
             written,
             kept_speed,
@@ -162,21 +170,24 @@ def optimize_job(
             changes[Target.RAPID].kept,
         )
         files = _files(job, told, judged, inputs, export)
+        changed = no_rapid or ""
+        if export is not None:
+            changed = unified_diff(job.program.files, export.texts, export.new)
     options = PlanOptions(
         program=[str(path) for path in job.paths],
         cell=str(job.cell_path),
         entry=job.program.entry,
         assume_identity=list(job.assume_identity),
-        target=target.value,
+        target=chosen.value,
         loops=loops,
         cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
     )
     with clock.phase("page"):
-        files[REPORT] = _page(job, told, judged, written, inputs, options, kept_speed)
+        files[REPORT] = _page(job, lead, told, judged, written, inputs, options, kept_speed, changed)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
-            files |= plan_pictures(job, judged[target].plan)
+            files |= plan_pictures(job, judged[chosen].plan)
     added = {path: _place_of_new(path) for path in export.new} if export is not None else {}
     first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
     write_run(
@@ -197,7 +208,7 @@ def optimize_job(
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    return OptimizedJob(job, told, judged, written, kept_speed, folder, modules, no_rapid, clock.seconds)
+    return OptimizedJob(job, lead, told, judged, written, kept_speed, folder, modules, no_rapid, clock.seconds)
 
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
@@ -237,20 +248,22 @@ def _files(
 
 def _page(
     job: Job,
+    lead: Target,
     told: Summary,
     judged: Mapping[Target, Judged],
     written: Plan | str,
     inputs: Mapping[str, InputFile],
     options: PlanOptions,
     kept_speed: Mapping[Target, tuple[Stretch, ...]],
+    changed: str,
 ) -> bytes:
-    """report.html, which shows all of this."""
+    """report.html, which shows all of this. changed: the RAPID text as a diff, or why there is none."""
     from trajopt_cli.page.optimized import Provenance, optimized_page
 
     given = Provenance(
         made_by("optimize", PlanRecord, options), {path: sha256(one.content) for path, one in inputs.items()}
     )
-    return optimized_page(job.title, job.program, job.plant, told, judged, written, given, kept_speed)
+    return optimized_page(job.title, job.program, job.plant, lead, told, judged, written, given, kept_speed, changed)
 
 
 def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list[tuple[str, str]]:
@@ -301,16 +314,17 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
 def _said_once(notes: Mapping[Target, Sequence[str]]) -> Iterator[str]:
     """The notes of both plans, with whose they are. A way around that both go is told in one line; only the RAPID plan
     may go it by points."""
-    rapid = list(notes[Target.RAPID])
+    rapid, stream = list(notes[Target.RAPID]), list[str]()
     for note in notes[Target.STREAM]:
         more = next((other for other in rapid if other == note or other.startswith(f"{note} by ")), None)
         if more is None:
-            yield f"stream: {note}"
+            stream.append(note)
             continue
         rapid.remove(more)
         points = more.removeprefix(note)
         yield f"stream and rapid: {note}{f', rapid{points}' if points else ''}"
     yield from (f"rapid: {note}" for note in rapid)
+    yield from (f"stream: {note}" for note in stream)
 
 
 def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:

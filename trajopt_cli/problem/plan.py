@@ -15,10 +15,16 @@ from trajopt_cli.trajectory import Trajectory
 
 
 class Target(StrEnum):
-    """Which machine executes the plan: one that follows a stream of joint positions, or the RAPID controller itself."""
+    """Which machine executes the plan: the RAPID controller itself, which every ABB cell has, or one that follows a
+    stream of joint positions. In the order in which answers name them."""
 
-    STREAM = "stream"
     RAPID = "rapid"
+    STREAM = "stream"
+
+    @property
+    def first(self) -> tuple[Target, Target]:
+        """Both, this one first."""
+        return self, Target.RAPID if self is Target.STREAM else Target.STREAM
 
     @property
     def in_words(self) -> str:

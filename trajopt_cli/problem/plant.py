@@ -99,13 +99,12 @@ class Plant:
         if self.robot.confdata_rule == NO_CONFDATA:
             out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
         out += self.angle_unchecked
-        bodies = bool(self.robot.capsules or self.attached)
+        if not (self.robot.capsules or self.attached):
+            return (*out, f"collisions not checked: robot {self.robot.name} has no bodies")
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
-        elif not bodies:
-            out.append(f"obstacles not checked: robot {self.robot.name} has no collision shapes")
         if not self.robot.self_pairs:
-            out.append(f"self-collision not checked: robot {self.robot.name} has no collision shapes")
+            out.append(f"self-collision not checked: robot {self.robot.name} has no bodies")
         elif not self.self_pairs:
             out.append("self-collision not checked: the cell file lets every pair touch")
         return tuple(out)

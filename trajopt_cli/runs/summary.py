@@ -171,6 +171,12 @@ class Summary(Section):
     kept: list[str] = Field(default_factory=list)
 
     @property
+    def verdict(self) -> str:
+        """The judge's word on both plans, with what was not looked at."""
+        bad = [str(one) for one in Target if not self.plans.of(one).judge.legal]
+        return "; ".join([f"the {' and the '.join(bad)} plan: NOT LEGAL" if bad else "legal", *self.unchecked])
+
+    @property
     def written_times(self) -> dict[int, float]:
         """What motions take as written [s], by index; empty where that is not known."""
         indices = (one.index for one in self.plans.rapid.motions)
@@ -289,3 +295,18 @@ def _eased(eased: Eased) -> dict[str, Any]:
     strains = (("fastest", eased.fastest), ("planned", eased.planned))
     told = {name: {"effort_s": one.effort, "rail_way_m": one.rail_way} for name, one in strains}
     return {"least_time_s": eased.least_time, **told}
+
+
+def cycle_line(label: str, plan: PlanSummary, grid: bool = True) -> str:
+    """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
+    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound_s:.3f} s, gap {100 * plan.gap:.1f} %)"
+    bound += "" if plan.suspicious is None else ", SUSPICIOUS: see the warning"
+    on = f", grid {plan.grid}" if grid else ""
+    if plan.least_effort is None:
+        return f"{label}: T = {plan.cycle_time_s:.3f} s{bound}{on}"
+    now, fast = plan.least_effort["planned"], plan.least_effort["fastest"]
+    rail, before = (f", rail {one['rail_way_m']:.3f} m" if fast["rail_way_m"] else "" for one in (now, fast))
+    return (
+        f"{label}: T = {plan.cycle_time_s:.3f} s, effort {now['effort_s']:.3f} s{rail}; fastest found T = "
+        f"{plan.least_effort['least_time_s']:.3f} s{bound}, effort {fast['effort_s']:.3f} s{before}{on}"
+    )

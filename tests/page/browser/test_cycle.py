@@ -21,6 +21,14 @@ from trajopt_cli.runs.summary import Judged
 from trajopt_cli.trajectory import Trajectory, hermite
 
 TEXT = "MoveJ p_one; ! </script><script>document.title='no'</script>\nWaitTime 0.4;\nMoveJ p_two;\nMoveAbsJ j_home;\n"
+DIFF = """\
+--- a/t.mod
++++ b/t.mod
+@@ -2,2 +2,2 @@
+ WaitTime 0.4;
+-MoveJ p_two;
++MoveJ p_two, v1000;
+"""
 SLOWER = 1.5
 DRAWN = drawn(rail=True)
 ENDS = [motion.t_1 for motion in DRAWN.plan.motions]
@@ -38,9 +46,8 @@ def page(written: Callable[[str, bytes], Path]) -> Path:
     plans = {one: Judged(replace(DRAWN.plan, target=one), RowsFile(), report) for one in Target}
     program = replace(DRAWN.program, files={"t.mod": TextFile("t.mod", TEXT, "utf-8")})
     made = Provenance([("made by", "a test")], {"t.mod": "abc"})
-    content = optimized_page(
-        "t.mod", program, DRAWN.plant, summarized(program, DRAWN.plant, plans, before), plans, before, made
-    )
+    told = summarized(program, DRAWN.plant, plans, before)
+    content = optimized_page("t.mod", program, DRAWN.plant, Target.STREAM, told, plans, before, made, changed=DIFF)
     return written("cycle.html", content)
 
 
@@ -108,4 +115,32 @@ def test_another_cycle_can_be_chosen_and_fills_table_and_charts(window: Window, 
     cells = window.run("return [...document.querySelectorAll('#motions tbody tr')].map((r) => r.cells[5].textContent)")
     assert (head, cells) == ("rapid plan [s]", ["0.000"] * 4)
     assert window.run("return TrajoptPage.clock.duration") == pytest.approx(ENDS[3])
-    assert window.run("return [...document.querySelectorAll('.saved')].map((e) => e.textContent).join('')") == ""
+    assert (
+        window.run("return [...document.querySelectorAll('#source .saved')].map((e) => e.textContent).join('')") == ""
+    )
+
+
+def test_a_changed_line_goes_to_the_motion_it_changes(window: Window, page: Path) -> None:
+    window.open(page, flat=True)
+    assert window.run("return document.querySelector('#changes .add').textContent").startswith("+ 3MoveJ p_two, v1000;")
+    window.run("document.querySelector('#changes .add button').click()")
+    window.settle()
+    assert window.run("return TrajoptPage.clock.time") == pytest.approx(ENDS[1], abs=1e-3)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 900), (390, 844)])
+def test_both_views_are_in_sight_at_first(window: Window, page: Path, width: int, height: int) -> None:
+    window.open(page, width, height, flat=True)
+    stage = window.run("return document.querySelector('.v3d-stage').getBoundingClientRect().bottom")
+    assert stage < window.run("return document.getElementById('transport').getBoundingClientRect().top")
+    seen = "return [...document.querySelectorAll('.keys')].filter((one) => one.offsetHeight).length"
+    assert bool(window.run(seen)) == (width > 760)  # a telephone has no keys
+
+
+def test_what_scrolls_sideways_shows_a_shadow(window: Window, page: Path) -> None:
+    window.open(page, 390, 844, flat=True)
+    wide = "const one = document.querySelector(arguments[0]); return one.scrollWidth - one.clientWidth"
+    shown = "return getComputedStyle(document.querySelector(arguments[0])).backgroundAttachment"
+    for name in (".bar nav", "#motions"):
+        assert window.run(wide, name) > 0
+        assert window.run(shown, name) == "local, local, scroll, scroll"

@@ -185,8 +185,8 @@ def test_a_click_on_a_block_or_a_row_goes_to_its_beginning(window: Window, folde
 
     window.open(report(folders, "plan"), flat=True)
     summary = json.loads((folders["plan"] / "summary.json").read_text())
-    wait, back = summary["plans"]["stream"]["motions"][1:]
-    assert back["start_s"] == pytest.approx(2 * np.sqrt(np.radians(20) / ACCELERATION[Target.STREAM]) + 0.5)
+    wait, back = summary["plans"]["rapid"]["motions"][1:]
+    assert back["start_s"] == pytest.approx(2 * np.sqrt(np.radians(20) / ACCELERATION[Target.RAPID]) + 0.5)
     canvas = window.chrome.find_element(By.CSS_SELECTOR, "#gantt canvas")
     window.run("arguments[0].scrollIntoView({block: 'center'})", canvas)
     width, height, end = canvas.size["width"], canvas.size["height"], window.run("return TrajoptPage.zoom.to")

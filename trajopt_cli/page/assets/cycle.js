@@ -337,10 +337,9 @@
     renew();
     startTable();
     markLines();
-    const table = document.getElementById("motions");
-    if (table) {
-      table.addEventListener("click", (event) => {
-        const row = event.target.closest("tr[data-motion]");
+    for (const host of document.querySelectorAll("#motions, #changes")) {
+      host.addEventListener("click", (event) => {
+        const row = event.target.closest("[data-motion]");
         const at = row && times(after()).get(Number(row.dataset.motion));
         if (at) {
           clock.seek(at.from);

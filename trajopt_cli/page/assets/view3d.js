@@ -15,9 +15,8 @@
   const PATH = 3.2; // px, where driven on lines and arcs
   const NEAR = 14; // px from the pointer to a point that is meant
   const VIEWS = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["path", "Path"]];
-  const HELP =
-    "Drag to turn, with Shift to move; a click on a point goes to when the tool is there. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
-    "1 to 5 choose a view, 0 resets.";
+  const HELP = "Drag to turn, two fingers zoom; a tap or click on a point goes to when the tool is there.";
+  const KEYS = " With Shift a drag moves. With the view in focus: arrow keys turn, + and − or the wheel zoom, 1 to 5 choose a view, 0 resets.";
 
   function make(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);
@@ -138,7 +137,7 @@
         this.tools.append(make("label", {}, "Show point ", choice));
       }
       this.live = make("p", { class: "v3d-hidden", "aria-live": "polite" });
-      this.help = make("p", { class: "v3d-help" }, HELP);
+      this.help = make("p", { class: "v3d-help" }, HELP, make("span", { class: "keys" }, KEYS));
       this.root = make("div", { class: "v3d" }, this.stage, this.tools, this.help, this.live);
       element.append(this.root);
       this.tag();
@@ -167,7 +166,7 @@
       this.flat = gl ? null : this.canvas.getContext("2d");
       this.colors();
       if (!gl) {
-        this.help.textContent = `${HELP} This browser has no WebGL: the arm is drawn as lines.`;
+        this.help.append(" This browser has no WebGL: the arm is drawn as lines.");
         return;
       }
       const drawn = (one) => ({ ...one, buffer: this.graphics.shape(triangles(one, this.decode)) });
@@ -352,7 +351,8 @@
       const count = Math.max(this.shown.length, 1);
       const stacked = width < NARROW;
       const one = stacked ? width : (width - GAP * (count - 1)) / count;
-      const tall = Math.round(Math.min(Math.max(one * 0.78, 240), 520));
+      const full = Math.min(Math.max(one * 0.78, 240), 520);
+      const tall = Math.round(Math.max(Math.min(full, this.room(stacked ? count : 1)), Math.min(full, 190)));
       const height = stacked ? (tall + GAP) * count - GAP : tall;
       if (this.stage.style.height !== `${height}px`) this.stage.style.height = `${height}px`;
       const sharp = Math.min(window.devicePixelRatio || 1, 2);
@@ -369,6 +369,15 @@
         return { ...port, cycle, look: this.camera.look(port.width, port.height) };
       });
       this.perPixel = this.ports.length ? this.ports[0].look.perPixel : 0;
+    }
+
+    // The height for each of so many rows [px], so that all of them are in sight above what is fixed to the foot.
+    room(rows) {
+      const { clientHeight } = document.documentElement;
+      const top = this.stage.getBoundingClientRect().top + window.scrollY;
+      const foot = document.getElementById("transport")?.offsetHeight || 0;
+      const whole = clientHeight - foot - (rows > 1 ? GAP : this.tools.offsetHeight + 2 * GAP);
+      return (top < 0.6 * whole ? whole - top : whole) / rows - GAP;
     }
 
     draw() {

@@ -1,0 +1,53 @@
+"""`trajopt check PROGRAM`: one traffic light, for people in a hurry and commit hooks."""
+
+from __future__ import annotations
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
+from trajopt_cli.cli.process import reading
+
+
+def check(
+    program: ProgramPaths,
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Does PROGRAM read, reach, keep its limits and touch nothing, as it is written? Nothing is optimised or written.
+
+    Exit code 0: yes. 1: no, and the worst line. 2: it cannot be read. As a commit hook: trajopt check PROGRAM --quiet
+
+    \b
+    Example:
+      trajopt check programs/hinge_cell.mod
+    """
+    from dataclasses import asdict
+
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
+    from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.study.check import check
+    from trajopt_cli.table import Bad, Good, tabulate
+
+    with reading(program):
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    answer = check(job)
+    took = "" if answer.cycle is None else f", {answer.cycle:.3f} s"
+    line = "; ".join([f"{job.title}: {'OK' if answer.ok else 'NO'}{took}", answer.worst, *job.plant.unchecked])
+    if as_json:
+        print_json({"ok": answer.ok, "program": str(job.program_path), "cycle_time_s": answer.cycle,
+                    "worst": answer.worst, "checks": [asdict(one) for one in answer.lights]})  # fmt: skip
+    elif quiet:
+        result(line)
+    else:
+        columns = {
+            "check": lambda one: one.check,
+            "": lambda one: (Bad if one.state == "NO" else Good)(one.state),
+            "what": lambda one: one.said,
+        }
+        show(stdout(), tabulate(f"{job.title} on {job.plant.robot.name}, as written", answer.lights, columns))
+        tell(stdout(), [line])
+    if not answer.ok:
+        raise typer.Exit(1)
