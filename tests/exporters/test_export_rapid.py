@@ -11,7 +11,7 @@ from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.exporters.rapid_check import mismatches, read_again
-from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, TextFile, Wait
 from trajopt_cli.problem.editable_text import EditableText
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plan import Plan, Target
@@ -161,8 +161,10 @@ def test_rail_values_are_written_to_a_thousandth_of_a_millimetre(plant: Plant, m
     assert f",[{text},9E9,9E9,9E9,9E9,9E9]]; ! first\n" in export.texts["m.mod"]
 
 
-def test_another_branch_of_the_arm_is_written_as_its_confdata(plant: Plant) -> None:
-    program = made(J1)
+@pytest.mark.parametrize("written", ["[0,0,0,0]", "[0,0,0]"], ids=["four", "three, as S4 wrote it"])
+def test_another_branch_of_the_arm_is_written_as_its_confdata(plant: Plant, written: str) -> None:
+    text = made(J1).files["m.mod"].text.replace("[0,0,1,0],[0,0,0,0]", f"[0,0,1,0],{written}", 1)
+    program = run_program([TextFile("m.mod", text, "utf-8")])
     plan = plan_for(program, plant, {0: 0.2}, cfx={0: 1})  # the wrist turned over: axes 4 and 6 by half a turn
     conf = confdata(plant.robot, plan.motions[0].q_1[1:])
     assert conf.cfx == 1

@@ -311,7 +311,7 @@ class Targets:
         changes: list[tuple[Expression, str]] = []
         if wish.conf is not None and isinstance(move, PoseMove) and wish.conf != move.conf:
             part = node.items[2]
-            if isinstance(part, Aggregate):
+            if isinstance(part, Aggregate) and len(part.items) == len(_four(wish.conf)):  # S4 wrote no cfx
                 wanted, written = _four(wish.conf), _four(move.conf)
                 changes += [
                     (item, str(new)) for item, old, new in zip(part.items, written, wanted, strict=True) if old != new
