@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from trajopt_cli.cli import app
 from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.task.document import TaskDocument
 from trajopt_cli.iiwa.task.loader import load_task
+from trajopt_cli.limits import AXIS_LIMITS, TcpCaps
 
 REPOSITORY = Path(__file__).parents[1]
 PROGRAMS = REPOSITORY / "programs"
@@ -53,6 +55,14 @@ def files() -> list[tuple[str, Path]]:
 @pytest.mark.parametrize(("kind", "path"), files(), ids=lambda part: getattr(part, "stem", part))
 def test_what_ships_is_allowed(kind: str, path: Path, schemas: dict[str, Draft202012Validator]) -> None:
     assert [error.message for error in schemas[kind].iter_errors(plain(path.read_text(encoding="utf-8")))] == []
+
+
+def test_every_limit_is_a_key_of_the_cell_file(schemas: dict[str, Draft202012Validator]) -> None:
+    found = schemas["cell"].schema["$defs"]  # type: ignore[index]
+    for section in ("JointLimitSection", "RailLimitSection"):
+        assert {*AXIS_LIMITS} == {*found[section]["properties"]} - {"lower", "upper", "source"}
+    caps = [one.name for one in fields(TcpCaps)]
+    assert [*caps, "source"] == [*found["TcpSection"]["properties"]]
 
 
 GOOD = [
