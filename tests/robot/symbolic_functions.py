@@ -11,7 +11,7 @@ from trajopt_cli.robot.symbolic import forward
 
 def geometric_jacobian(robot: RobotModel, q: ca.SX, X_FT: Array | None = None) -> ca.SX:
     """Geometric Jacobian (6, k) at the TCP in world axes, linear rows first: what differentiating forward gives."""
-    p, R = forward(robot, q, X_FT)
+    p, R = forward(robot.pin_model, q, X_FT)
     columns = []
     for i in range(q.numel()):
         W = ca.reshape(ca.jacobian(ca.vec(R), q)[:, i], 3, 3) @ R.T  # of the angular velocity
@@ -22,7 +22,7 @@ def geometric_jacobian(robot: RobotModel, q: ca.SX, X_FT: Array | None = None) -
 def forward_function(robot: RobotModel, X_FT: Array | None = None) -> ca.Function:
     """(q) -> (p, R): see forward."""
     q = _axes_symbol(robot, "q")
-    p, R = forward(robot, q, X_FT)
+    p, R = forward(robot.pin_model, q, X_FT)
     return ca.Function("forward", [q], [p, R], ["q"], ["p", "R"])
 
 
@@ -42,7 +42,7 @@ def jacobian_rate_function(robot: RobotModel, X_FT: Array | None = None) -> ca.F
 def tcp_motion_function(robot: RobotModel, X_FT: Array | None = None) -> ca.Function:
     """(q, qd, qdd) -> (p, v, a, omega, alpha): TCP position, velocity, acceleration and angular ones (3,), world."""
     q, qd, qdd = (_axes_symbol(robot, name) for name in ("q", "qd", "qdd"))
-    p, _ = forward(robot, q, X_FT)
+    p, _ = forward(robot.pin_model, q, X_FT)
     J = geometric_jacobian(robot, q, X_FT)
     velocity = J @ qd
     acceleration = ca.jtimes(velocity, q, qd) + J @ qdd

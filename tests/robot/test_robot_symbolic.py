@@ -85,7 +85,7 @@ def test_expressions_stay_small(name):
 def test_expression_can_be_differentiated_where_it_is_used():
     robot = load_robot("irb140_rail")
     q = ca.SX.sym("q", 7)
-    p, _ = forward(robot, q)
+    p, _ = forward(robot.pin_model, q)
     gradient = ca.Function("gradient", [q], [ca.jacobian(p, q)])
     at = np.array([0.3, 0.1, 0.2, -0.3, 0.4, 0.5, 0.6])
     np.testing.assert_allclose(np.array(gradient(at)), robot.jacobian(at)[:3], rtol=0, atol=1e-14)

@@ -1,7 +1,6 @@
 """Torques as CasADi expressions against pin's RNEA, on a robot made up for tests, with a load, rotors and a rail."""
 
 from pathlib import Path
-from types import SimpleNamespace
 
 import casadi as ca
 import numpy as np
@@ -77,7 +76,7 @@ def test_expressions_of_any_chain_of_one_axis_joints_are_pins(kinds, rng):
     pin.framesForwardKinematics(model, data, q)
     X = data.oMf[model.getFrameId("tool0")].homogeneous
     for tool, wanted in ((None, X), (crooked_pose(5), X @ crooked_pose(5))):
-        where = ca.Function("X", symbols[:1], forward(SimpleNamespace(pin_model=model), symbols[0], tool))
+        where = ca.Function("X", symbols[:1], forward(model, symbols[0], tool))
         p, R = (np.array(one) for one in where(q))
         np.testing.assert_allclose(np.c_[R, p], wanted[:3], rtol=0, atol=1e-13)
 

@@ -183,7 +183,7 @@ class RobotModel:
         """Forward kinematics and the inverse on one branch as CasADi expressions."""
         from trajopt_cli.robot.symbolic_inverse import ArmExpressions
 
-        return ArmExpressions(self)
+        return ArmExpressions(self.arm, self.pin_model, self.chain_axes)
 
     def profile(self, name: str | None = None) -> JointLimits:
         """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""

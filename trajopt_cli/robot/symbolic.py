@@ -10,9 +10,9 @@ from typing import NamedTuple, Protocol
 
 import casadi as ca
 import numpy as np
+import pinocchio as pin
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.urdf import FLANGE
 
 
@@ -38,12 +38,11 @@ class Expressions(Protocol):
         """Joints of a flange pose in the arm's base frame, on a branch, within half a turn of joints near (m,)."""
 
 
-def forward(robot: RobotModel, q: ca.SX, X_FT: Array | None = None) -> tuple[ca.SX, ca.SX]:
+def forward(model: pin.Model, q: ca.SX, X_FT: Array | None = None) -> tuple[ca.SX, ca.SX]:
     """TCP position p (3,) [m] and rotation R (3, 3) in the world as expressions of axis positions q (k,).
 
     Parallel turns in a row (axes 2 and 3) are kept as one turn by the sum of their angles: fewer products.
     """
-    model = robot.pin_model
     flange = model.frames[model.getFrameId(FLANGE)]
     p, R = ca.SX.zeros(3), ca.SX.eye(3)  # R: before the turn that is still open
     open_axis, open_angle = np.zeros(3), ca.SX(0)

@@ -6,13 +6,15 @@ NaN where nothing exists, and here it is a pair of signs in a smooth expression.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
+import pinocchio as pin
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.robot.model import Arm, RobotModel
+from trajopt_cli.robot.arm import Arm
 from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.symbolic import Reached, exact, forward
 
@@ -35,15 +37,17 @@ class BranchSigns:
         return np.array([self.shoulder, self.elbow, self.wrist])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ArmExpressions:
-    """Expressions of a six-axis arm, on a rail or not."""
+    """Expressions of a six-axis arm, on a rail or not. chain_axes: the chain's joints of the controller's axes."""
 
-    robot: RobotModel
+    arm: Arm
+    chain: pin.Model
+    chain_axes: Callable[[ca.SX], ca.SX]
 
     def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Flange position (3,) and rotation (3, 3) in the world."""
-        return forward(self.robot, self.robot.chain_axes(q))
+        return forward(self.chain, self.chain_axes(q))
 
     def branch(self, number: int) -> Array:
         """The signs (3,) of a cfx."""
@@ -51,9 +55,9 @@ class ArmExpressions:
 
     def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
         """See inverse_arm."""
-        arm = self.robot.arm
+        arm = self.arm
         if not arm.closed_form:
-            raise ValueError(f"robot {self.robot.name}: a wrist with an offset has no closed form")
+            raise ValueError("a wrist with an offset has no closed form")
         q, reach = inverse_arm(arm, position, rotation, branch, near)
         return Reached(q, reach, branch[2] * ca.sin(q[4] + float(arm.signs[4] * arm.offsets[4])))
 
