@@ -206,12 +206,14 @@ DEFAULT_SETTINGS = Settings()
 
 
 class Hold(Enum):
-    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, the
-    program, whose instructions have deactivated its unit, or SyncMoveOn, behind which no wait has room for a move."""
+    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, nobody,
+    as it does in every wait that the cell file does not free, the program, whose instructions have deactivated its
+    unit, or SyncMoveOn, behind which no wait has room for a move."""
 
     PROGRAM = "program"
     CELL = "cell"
     GRIPPER = "gripper"
+    WAIT = "wait"
     UNIT = "unit"
     SYNCHRONISED = "synchronised"
 

@@ -51,13 +51,16 @@ class HoldRail:
     """Where the rail must stand still, because a process runs or a gripper works.
 
     procedures: while these run, with all that they call; names in lower case. lines: while the statements that begin
-    there run. waits: during every wait. gripper: during a wait that begins at most 0.1 s after an output was set.
+    there run. waits: during every wait. gripper: during a wait that begins at most 0.1 s after an output was set. Of
+    both, None: as free says. free: the waits in which it may move, all or, with its place in the cell file, by line, by
+    procedure or by what is waited for; in others it stands still.
     """
 
     procedures: frozenset[str] = frozenset()
     lines: frozenset[Lines] = frozenset()
-    waits: bool = False
-    gripper: bool = True
+    waits: bool | None = None
+    gripper: bool | None = None
+    free: bool | Mapping[str | Lines, Source] = False
 
 
 @dataclass(frozen=True)

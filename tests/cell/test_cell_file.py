@@ -273,7 +273,7 @@ def test_the_scenario_has_values_sequences_answers_waits_searches_and_limits() -
             "obstacles: {a: {fence: {points: [[0, 0], [-7e307, 2]], height: 1}}}\n",
             "3: obstacles.a.fence.points.1: needs a length within 1e+12 m, not -7e+307 m; check its digits and unit",
         ),
-        ("waits: {a: later}\n", '3: waits.a: needs seconds, or timeout, not "later"'),
+        ("waits: {a: later}\n", '3: waits.a: needs seconds, timeout or, of the rail, free, not "later"'),
         ("searches: {a: 1.5}\n", "3: searches.a: needs a share of the way from 0 to 1, or never, not 1.5"),
         ("searches: {a: no}\n", '3: searches.a: needs a share of the way from 0 to 1, or never, not "no"'),
         ("endless_passes: 0\n", "3: endless_passes: needs a whole number above zero, not 0"),

@@ -332,7 +332,7 @@ def test_a_wait_after_an_output_says_what_lets_the_rail_move() -> None:
     end = case.starts[7]
     assert failed == (
         f"cell.mod:17:5: rail way while held 0.0675 m at t = {end:.3f} s, limit 1e-06 in the wait at MoveL p_b: "
-        "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move"
+        "it holds still after an output; 'waits: {rail: free}' in the cell file lets it move"
     )
     assert verify(rapid_case().program, case.plant, rows).legal
 

@@ -298,4 +298,4 @@ def test_a_held_rail_stands_to_a_hair(kind: str, over: float) -> None:
     found = one_of(told("held", held, ride.rows(), marked, steps), "way while held", 11)
     whole = 0.5 if marked else 0.5 * 5 / 7
     assert (found.value, found.passed) == (pytest.approx(whole - r, abs=1e-9), False)
-    assert "hold_rail: {gripper: false}" in found.message
+    assert "waits: {rail: free}" in found.message

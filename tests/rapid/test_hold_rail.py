@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from trajopt_cli.cell.loader import parse_cell
-from trajopt_cli.errors import InputError
-from trajopt_cli.motion import Hold, Program, SignalEvent, TextFile
-from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
+from trajopt_cli.errors import ErrorKind, InputError
+from trajopt_cli.motion import Hold, Move, Program, SignalEvent, TextFile, Wait
+from trajopt_cli.rapid.execution.rail_hold import held_unasked, without_unasked
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario
 
@@ -171,10 +171,79 @@ def test_a_wait_right_after_an_output_holds_the_rail_unasked(body: str, expected
     assert holds(body, HoldRail(gripper=False)) == [NO] * len(expected)
 
 
+# -------------------------------------------------------------------------------------------------------- all waits
+
+RIDE = CELL.removesuffix("hold_rail: ")
+HELD, UNIT_WAITS = Hold.WAIT, "WaitTime 1;\nSet a; WaitDI diPart,1;\nWeld;"
+WELD = f"PROC weld()\n{L}\nWaitUntil diPart=1 AND diB=1; WaitSyncTask s1,t;\nENDPROC"
+
+
+def in_cell(cell: str, body: str = UNIT_WAITS, rest: str = WELD) -> Program:
+    module = f"MODULE m\n{P}\nPROC main()\n{body}\nENDPROC\n{rest}\nVAR syncident s1; PERS tasks t{{1}};\nENDMODULE\n"
+    scenario = parse_cell(RIDE + cell, "cell.yaml").scenario
+    return run_program([TextFile("cell/m.mod", module, "utf-8")], scenario)
+
+
+@pytest.mark.parametrize(
+    ("cell", "expected"),
+    [
+        ("", [HELD, GRIPPER, HELD, HELD]),
+        ("waits: {rail: hold}", [HELD, GRIPPER, HELD, HELD]),
+        ("waits: {rail: 0.5 s}", [HELD, GRIPPER, HELD, HELD]),  # a signal of this name
+        ("waits: {rail: free}", [NO, NO, NO, NO]),
+        ("waits: {RAIL: {free: [WELD]}}", [HELD, GRIPPER, NO, NO]),
+        ("waits: {rail: {free: [4, 'm.mod:5']}}", [NO, NO, HELD, HELD]),
+        ("waits: {rail: {free: [diPart]}}", [HELD, NO, HELD, HELD]),
+        ("waits: {rail: {free: ['DIPART=1', s1]}}", [HELD, NO, HELD, NO]),
+        ("waits: {rail: {free: ['diPart = 1 AND diB = 1']}}", [HELD, GRIPPER, NO, HELD]),
+        ("waits: {rail: free}\nhold_rail: {procedures: [weld], gripper: true}", [NO, GRIPPER, OF_CELL, OF_CELL]),
+        ("waits: {rail: {free: [4]}}\nhold_rail: {waits: true}", [NO, OF_CELL, OF_CELL, OF_CELL]),
+        ("hold_rail: {gripper: false}", [HELD, NO, HELD, HELD]),
+        ("hold_rail: {waits: false}", [NO, GRIPPER, NO, NO]),
+    ],
+)
+def test_every_wait_holds_the_rail_unless_the_cell_file_frees_it(cell: str, expected: list[Hold | None]) -> None:
+    motions = in_cell(cell).motions
+    assert [one.hold for one in motions if isinstance(one, Wait)] == expected
+    assert all(one.hold is None or "weld" in cell for one in motions if isinstance(one, Move))
+
+
+@pytest.mark.parametrize(
+    ("cell", "message"),
+    [
+        ("waits:\n  rail: {free: [weldd]}", "5: waits.rail.free: 'weldd' is no procedure, and .*; did you mean 'weld'"),
+        (
+            "waits:\n  rail:\n    free:\n    - weld\n    - diPrat",
+            "8: waits.rail.free: 'diPrat' is .*; did you mean 'diPart'",
+        ),
+        ("waits: {rail: {free: [77]}}", "4: waits.rail.free in the cell file: no statement begins in line 77"),
+        ("waits: {diPart: free}", r"4: waits.diPart: says nothing .*rail: {free: \[diPart\]}"),
+        ("waits: {rail: {free: []}}", "4: waits.rail: needs the waits in which"),
+        ("waits: {rail: {free: [1.5]}}", "4: waits.rail: needs a line, a procedure or what is waited for, not 1.5"),
+        ("waits: {rail: {held: [weld]}}", "4: waits.rail: needs the waits in which"),
+    ],
+)
+def test_what_cannot_be_freed_is_told_by_its_line_in_the_cell_file(cell: str, message: str) -> None:
+    with pytest.raises(InputError, match=f"^cell.yaml:{message}") as caught:
+        in_cell(cell)
+    assert caught.value.kind is ErrorKind.CELL
+
+
+def test_without_a_rail_no_wait_holds_it_and_none_is_freed() -> None:
+    assert [one.hold for one in run("WaitTime 1;").motions] == [None]
+    with pytest.raises(InputError, match=r"^cell.yaml:3: waits.rail: there is no rail"):
+        parse_cell("robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\nwaits: {rail: free}\n", "cell.yaml")
+
+
+def test_an_entry_that_frees_no_wait_is_said() -> None:
+    (warning,) = in_cell("waits: {rail: {free: [main, weld]}}", f"{L}", WELD).warnings[:1]
+    assert "no wait ran in or for main" in str(warning)
+
+
 def test_it_is_said_once_for_all_of_them() -> None:
-    program = run("Set a; WaitTime 1;\nReset a; WaitTime 1;\nSet a; WaitTime 1;\nReset a; WaitTime 1;")
-    assert held_after_outputs(program) == (
-        "the rail holds still in 4 waits after an output (m.mod:4, m.mod:5, m.mod:6 and 1 more); "
-        "'hold_rail: {gripper: false}' in the cell file lets it move"
+    program = in_cell("", "Set a; WaitTime 1;\nWaitTime 1;\nWaitDI b,1;\nWaitTime 1;\nReset a; WaitTime 1;", "")
+    assert held_unasked(program) == (
+        "the rail holds still in 4 waits (m.mod:4, m.mod:5, m.mod:7 and 1 more); "
+        "'waits: {rail: free}' in the cell file lets it move"
     )
-    assert held_after_outputs(run("WaitTime 1;")) is None
+    assert held_unasked(without_unasked(program)) is None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, dataclass, fields
 from itertools import pairwise
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -82,11 +82,24 @@ def _share(value: Any) -> float | None:
     return share
 
 
-def _least(value: Any) -> float | None:
+@dataclass(frozen=True)
+class FreeRail:
+    """In which waits the rail may move: all, none, or by line and by name of a procedure or of what is waited for."""
+
+    waits: bool | tuple[str | Lines, ...]
+
+
+def _least(value: Any) -> float | FreeRail | None:
     if _word(value) == "timeout":
         return None
+    if _word(value) in ("free", "hold"):
+        return FreeRail(_word(value) == "free")
+    if isinstance(value, dict) and list(value) == ["free"] and isinstance(value["free"], list) and value["free"]:
+        return FreeRail(tuple(_lines(one) or _wait_name(one) for one in value["free"]))
+    if isinstance(value, dict):
+        raise complain("needs the waits in which the rail may move, {free: [Handover, diPart, 41]}")
     if _word(value):
-        raise complain(f"needs seconds, or timeout, not {shown(value)}")
+        raise complain(f"needs seconds, timeout or, of the rail, free, not {shown(value)}")
     return _time(value)
 
 
@@ -124,6 +137,19 @@ def _said(value: str) -> str:
         raise complain("is empty; say where the number comes from")
     return value.strip()
 
+
+def _wait_name(value: Any) -> str:
+    if not isinstance(value, str) or not value.strip():
+        raise complain(f"needs a line, a procedure or what is waited for, not {shown(value)}")
+    return value.strip()
+
+
+_FREE = {"type": "array", "items": {"type": ["string", "integer"]}}
+_WAIT = [
+    *_or("timeout", TIME)["anyOf"],
+    *({"const": word} for word in ("free", "hold")),
+    {"type": "object", "properties": {"free": _FREE}, "required": ["free"], "additionalProperties": False},
+]
 
 Length = Annotated[float, BeforeValidator(number(LENGTH))]
 Angle = Annotated[float, BeforeValidator(number(ANGLE))]
@@ -454,12 +480,13 @@ Part = Annotated[Lines | str, PlainValidator(_part, json_schema_input_type=int |
 
 
 class HoldRailSection(_Section):
-    """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output."""
+    """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output. None: as
+    waits.rail says."""
 
     procedures: tuple[StrictStr, ...] = ()
     lines: tuple[Annotated[Lines, PlainValidator(_place, json_schema_input_type=int | str)], ...] = ()
-    waits: StrictBool = False
-    gripper: StrictBool = True
+    waits: StrictBool | None = None
+    gripper: StrictBool | None = None
 
 
 def _thickness(value: Any) -> float:
@@ -515,8 +542,8 @@ class CellDocument(_Section):
     data: dict[
         StrictStr, Annotated[DataSection, BeforeValidator(_data, json_schema_input_type=DataSection | Answers)]
     ] = Field(default_factory=dict)
-    waits: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_least, _or("timeout", TIME)))]] = Field(
-        default_factory=dict
+    waits: dict[StrictStr, Annotated[float | FreeRail | None, BeforeValidator(Reader(_least, {"anyOf": _WAIT}))]] = (
+        Field(default_factory=dict)
     )
     partner: dict[
         Annotated[int, Field(ge=0)], Annotated[float, BeforeValidator(Reader(_time, from_zero(TIME).takes))]

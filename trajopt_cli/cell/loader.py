@@ -10,13 +10,30 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from trajopt_cli.cell.document import CellDocument, FenceSection, FrameSection, PositionerSection, SolidSection
+from trajopt_cli.cell.document import (
+    CellDocument,
+    FenceSection,
+    FrameSection,
+    FreeRail,
+    PositionerSection,
+    SolidSection,
+)
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
 from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, PositionerAxis, RailUnit, Scenario, condition_key
+from trajopt_cli.motion import Source
+from trajopt_cli.scenario import (
+    ConstantSpeed,
+    Given,
+    HoldRail,
+    Lines,
+    PositionerAxis,
+    RailUnit,
+    Scenario,
+    condition_key,
+)
 from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Solid
 from trajopt_cli.validation import hint
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
@@ -107,11 +124,19 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
                 raise InputError(message, file=file, line=line_of(f"{section}.{name}", lines))
         return {key(name): value for name, value in given.items()}
 
+    waits = by("waits", document.waits, condition_key)
+    for name, least in document.waits.items():
+        if isinstance(least, FreeRail) and (name.lower() != "rail" or document.rail is None):
+            message = "there is no rail; remove it or add a rail section"
+            if document.rail is not None:
+                message = f"says nothing of the rail here; 'waits: {{rail: {{free: [{name}]}}}}' lets it move"
+            raise InputError(f"waits.{name}: {message}", file=file, line=line_of(f"waits.{name}", lines))
+    freed = waits.get("rail")
     return Scenario(
         signals=by("signals", document.signals),
         answers=by("answers", document.answers),
         data=by("data", {name: Given(one.value, one.type) for name, one in document.data.items()}),
-        waits=by("waits", document.waits, condition_key),
+        waits={key: least for key, least in waits.items() if not isinstance(least, FreeRail)},
         searches=by("searches", document.searches),
         endless_passes=document.endless_passes,
         pass_limit=document.pass_limit,
@@ -123,6 +148,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
             frozenset(document.hold_rail.lines),
             document.hold_rail.waits,
             document.hold_rail.gripper,
+            _freed(freed.waits, file, lines) if isinstance(freed, FreeRail) else False,
         ),
         constant_speed=ConstantSpeed(
             frozenset(part.lower() for part in document.constant_speed if isinstance(part, str)),
@@ -135,6 +161,14 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         active_units=None if document.start.units is None else frozenset(map(str.lower, document.start.units)),
         partner=dict(document.partner),
     )
+
+
+def _freed(
+    waits: bool | tuple[str | Lines, ...], file: str, lines: Mapping[str, int]
+) -> bool | dict[str | Lines, Source]:
+    if isinstance(waits, bool):
+        return waits
+    return {one: Source(file, line_of(f"waits.rail.free.{i}", lines), 1) for i, one in enumerate(waits)}
 
 
 def _axes(sections: Iterable[PositionerSection]) -> tuple[PositionerAxis, ...]:

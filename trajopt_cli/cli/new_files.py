@@ -79,6 +79,7 @@ _RAIL = """\
 rail:
   eax: a  # the external axis that drives the rail: the first number after the configuration
   stroke: [-0.2, {end}]  # m from end to end
+# waits: {{rail: free}}  # lets the rail move while the tool waits; without it it holds, for a gripper may work then
 
 """
 

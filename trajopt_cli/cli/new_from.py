@@ -64,6 +64,7 @@ def _lines(moc: Mechanics, arm: ConfiguredRobot, name: str, model: RobotModel) -
     track = arm.track if model.has_rail else None
     if track is not None:
         yield from _rail(moc, arm, track, model)
+        yield "# waits: {rail: free}  # lets the rail move while the tool waits; without it it holds"
     else:
         if arm.moved_by:
             yield f"# {arm.moved_by} moves its base frame, and is no track of this file: {moc.place(arm.line)}"

@@ -186,9 +186,9 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
         return
     from trajopt_cli.problem.configurations import unsure_nearest
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
-    from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
+    from trajopt_cli.rapid.execution.rail_hold import held_unasked
 
-    if plant.rail_eax is not None and (held := held_after_outputs(flat)):
+    if plant.rail_eax is not None and (held := held_unasked(flat)):
         yield held
     yield from planned_otherwise(flat)
     yield from unsure_nearest(flat, plant)

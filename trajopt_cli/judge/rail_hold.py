@@ -20,7 +20,8 @@ _WHY = {
     Hold.PROGRAM: "a comment in the program holds the rail still",
     Hold.CELL: "hold_rail in the cell file holds the rail still",
     Hold.UNIT: "its mechanical unit is not active",
-    Hold.GRIPPER: "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move",
+    Hold.GRIPPER: "it holds still after an output; 'waits: {rail: free}' in the cell file lets it move",
+    Hold.WAIT: "it holds still in every wait; 'waits: {rail: free}' in the cell file lets it move",
     Hold.SYNCHRONISED: "no move has room in a wait behind SyncMoveOn",
 }
 

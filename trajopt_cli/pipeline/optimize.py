@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from functools import partial
 from io import BufferedRandom
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -144,10 +145,11 @@ def optimize_job(
     listen("results", Progress("loops"))
     with clock.phase("loops"):
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
+        held = tuple(held_unasked(job, partial(_freed, job, loops, estimate)))
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
-        notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export), *evaluation_notices())
+        notices = (*_notices(job, judged), *held, *agreed.notices, *_one_way(job, export), *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged))
@@ -304,11 +306,25 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
         return
     if (then := search_estimate(job.program, job.plant, Target.RAPID, free)) is None:
         return
-    if now - then < _WORTH:
-        yield "--loops unroll would save nothing, by an estimate of the search"
-    else:
-        saved = f"{now - then:.2f} s ({(now - then) / now:.1%})"
-        yield f"--loops unroll would save about {saved} more, by an estimate of the search"
+    yield f"--loops unroll would save {_saved(now, then)}"
+
+
+def _freed(job: Job, loops: Loops, now: float | None) -> str:
+    """What it would save to let the rail move in the waits that hold it unasked, likewise; empty where nobody knows."""
+    from trajopt_cli.plan import search_estimate
+    from trajopt_cli.rapid.execution.rail_hold import without_unasked
+
+    if now is None:
+        return ""
+    free = replace(job, program=without_unasked(job.program))
+    then = search_estimate(free.program, job.plant, Target.RAPID, changes_of(free, Target.RAPID, loops))
+    return "" if then is None else f", which would save the rapid plan {_saved(now, then)}"
+
+
+def _saved(now: float, then: float) -> str:
+    """What a change is worth, by the search's estimates [s]."""
+    saved = f"about {now - then:.2f} s ({(now - then) / now:.1%}) more" if now - then >= _WORTH else "nothing"
+    return f"{saved}, by an estimate of the search"
 
 
 def _said_once(notes: Mapping[Target, Sequence[str]]) -> Iterator[str]:
@@ -377,7 +393,7 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
         )
     counted = load_notes(job.program, job.plant)
     otherwise = planned_otherwise(job.program, bool(counted))
-    return (*map(str, job.program.warnings), *out, *otherwise, *counted, *held_unasked(job))
+    return (*map(str, job.program.warnings), *out, *otherwise, *counted)
 
 
 def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Judged]) -> Iterator[str]:
@@ -431,12 +447,12 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
         yield f"{stopped} {points}: {whys}"
 
 
-def held_unasked(job: Job) -> Iterator[str]:
-    """A word on the waits that hold the rail because an output was set just before; none where there is no rail."""
-    from trajopt_cli.rapid.execution.rail_hold import held_after_outputs
+def held_unasked(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
+    """A word on the waits that hold the rail though nobody asked for it, and what it is worth; none without a rail."""
+    from trajopt_cli.rapid.execution import rail_hold
 
-    if job.plant.rail_eax is not None and (held := held_after_outputs(job.program)):
-        yield held
+    if job.plant.rail_eax is not None and (held := rail_hold.held_unasked(job.program)):
+        yield f"{held}{worth()}"
 
 
 def robot_place(job: Job) -> str | None:

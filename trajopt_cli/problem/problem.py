@@ -58,6 +58,7 @@ _HOLDERS = {
     Hold.PROGRAM: "a comment in the program",
     Hold.CELL: "hold_rail in the cell file",
     Hold.GRIPPER: "an output set just before",
+    Hold.WAIT: "a wait",
     Hold.UNIT: "DeactUnit",
 }
 _ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding

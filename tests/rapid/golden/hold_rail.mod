@@ -7,8 +7,12 @@ MODULE m
         Weld;
         WaitTime 1; ! trajopt: hold rail
         WaitTime 2;
+        Idle;
     ENDPROC
     PROC Weld()
         MoveL Offs(p,0,0,50),v100,fine,tool0;
+    ENDPROC
+    PROC Idle()
+        WaitTime 3;
     ENDPROC
 ENDMODULE

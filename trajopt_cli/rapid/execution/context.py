@@ -91,6 +91,7 @@ class Context(ABC):
         self.counts: dict[int, int] = {}  # how often a statement ran, by its id
         self.link: Link | None = None  # the statement that runs now, and those around it
         self.links: list[Link | None] = []  # of each motion
+        self.waited: dict[int, frozenset[str]] = {}  # what the cell file calls a wait, by its index; see condition_key
         self.takes: dict[str, tuple[str, ...]] = {}  # the required arguments of instructions and functions that ran
         self._noted: set[str] = set()
 

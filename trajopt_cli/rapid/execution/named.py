@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import PurePath
 
 from trajopt_cli.errors import ErrorKind, InputError
-from trajopt_cli.motion import PathMove, Span
+from trajopt_cli.motion import PathMove, Source, Span
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.single_runs import Link
-from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
+from trajopt_cli.rapid.language.syntax import DataDeclaration, Module, Name, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import Lines
@@ -36,12 +37,7 @@ def named(
     Raises InputError for a procedure or a line that the program does not have.
     """
     if procedures:
-        routines = [
-            (places.span(node.start, node.end), node.name)
-            for module, places in modules
-            for node in module.items
-            if isinstance(node, Routine)
-        ]
+        routines = routines_of(modules)
         for name in sorted(procedures):
             spans = tuple(span for span, spelled in routines if spelled.lower() == name)
             if not spans:
@@ -63,6 +59,38 @@ def named(
             hint = _few(names) if near is None else f"the nearest one is in line {near}"
             raise InputError(f"{key} in the cell file: no statement begins in {text}; {hint}", kind=ErrorKind.CELL)
         yield Named(spans, text)
+
+
+def routines_of(modules: Modules) -> list[tuple[Span, str]]:
+    """The routines of a program, with their names as spelled."""
+    return [
+        (places.span(node.start, node.end), node.name)
+        for module, places in modules
+        for node in module.items
+        if isinstance(node, Routine)
+    ]
+
+
+@contextmanager
+def placed(place: Source) -> Iterator[None]:
+    """Errors that leave the block are of the cell file's line."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(error.message, file=place.file, line=place.line, kind=ErrorKind.CELL) from None
+
+
+def check_name(run: Context, modules: Modules, name: str, message: str, place: Source) -> None:
+    """Raise InputError with the message and the nearest name where name stands nowhere in the program. place: of it in
+    the cell file."""
+    known = {
+        node.name
+        for module, _ in modules
+        for node in walk(module)
+        if isinstance(node, Name | Routine | DataDeclaration)
+    }
+    if name.lower() not in map(str.lower, known):
+        raise InputError(run.meant(name, message, known), file=place.file, line=place.line, kind=ErrorKind.CELL)
 
 
 def _few(names: Sequence[str]) -> str:

@@ -1,19 +1,22 @@
-"""During which motions the rail must stand still: comments in the program, the cell file, waits after an output."""
+"""During which motions the rail must stand still: in every wait that the cell file does not free, and wherever it or a
+comment of the program says so."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 
 from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.named import Around, Modules, named
+from trajopt_cli.rapid.execution.named import Around, Modules, check_name, named, placed, routines_of
+from trajopt_cli.scenario import HoldRail, Lines, condition_key
 from trajopt_cli.warnings import WarningKind
 
 # [s] between an output and a wait that is taken to be for what the output does; a num of 0.1 is a little more than that
 _AFTER_OUTPUT = 0.1 + 1e-6
 _SHOWN = 3  # places in a sentence
+_UNASKED = (Hold.GRIPPER, Hold.WAIT)  # who holds the rail where nobody has said so
 
 
 @dataclass(frozen=True)
@@ -34,31 +37,76 @@ def fill_holds(run: Context, modules: Modules) -> None:
     wish = run.scenario.hold_rail
     entries = [*_marked(run), *_named(run, modules)]
     held = _held(run, entries) if entries else {}
-    for index, motion in enumerate(run.motions if held or wish.waits else ()):
-        hold = held.get(index, Hold.CELL if wish.waits and isinstance(motion, Wait) else None)
+    after, freed = frozenset(map(id, _after_outputs(run.motions))), _freed(run, modules)
+    for index, motion in enumerate(run.motions):
+        hold = held.get(index)
+        if hold is None and isinstance(motion, Wait) and motion.hold is None and index not in freed:
+            hold = _of_wait(wish, id(motion) in after, run.scenario.rail is not None)
         if hold is not None:
             object.__setattr__(motion, "hold", hold)  # still the run's own, as in problem/single_runs.py
-    for wait in _after_outputs(run.motions) if wish.gripper else ():
-        if wait.hold is None:
-            object.__setattr__(wait, "hold", Hold.GRIPPER)
     for first, end in run.units.rail_inactive:
         for motion in run.motions[first:end]:
             if not isinstance(motion, SignalEvent):
                 object.__setattr__(motion, "hold", Hold.UNIT)
 
 
-def held_after_outputs(program: Program) -> str | None:
-    """One sentence on the waits that hold the rail unasked, because an output was set just before; None for none."""
-    waits = [one for one in program.motions if isinstance(one, Wait) and one.hold is Hold.GRIPPER]
+def _of_wait(wish: HoldRail, after_output: bool, has_rail: bool) -> Hold | None:
+    """Who holds the rail in a wait that nobody names."""
+    if wish.waits:
+        return Hold.CELL
+    if wish.free is True or (after_output and wish.gripper is False):
+        return Hold.GRIPPER if after_output and wish.gripper else None
+    if after_output:
+        return Hold.GRIPPER
+    return Hold.WAIT if has_rail and wish.waits is None else None
+
+
+def _freed(run: Context, modules: Modules) -> Set[int]:
+    """The waits that the cell file frees by line or name; warns of the entries that free none.
+
+    Raises InputError for a line that the program does not have, and for a name that is none of it.
+    """
+    free = run.scenario.hold_rail.free
+    if isinstance(free, bool):
+        return frozenset()
+    out, waits = set[int](), [i for i, motion in enumerate(run.motions) if isinstance(motion, Wait)]
+    for one, place in free.items():
+        if isinstance(one, Lines):
+            with placed(place):
+                spans = [span for found in named(run, modules, "waits.rail.free", (), [one]) for span in found.spans]
+        else:
+            spans = [span for span, name in routines_of(modules) if name.lower() == one.lower()]
+        around, name = Around([spans]), None if isinstance(one, Lines) else condition_key(one)
+        found = {i for i in waits if around(run.links[i]) or name in run.waited[i]}
+        if not found:
+            if isinstance(one, str) and not spans:
+                message = f"waits.rail.free: '{one}' is no procedure, and nothing that the program waits for"
+                check_name(run, modules, one, message, place)
+            run.warn(WarningKind.UNUSED, f"waits.rail.free in the cell file: no wait ran in or for {one}", place)
+        out |= found
+    return out
+
+
+def held_unasked(program: Program) -> str | None:
+    """One sentence on the waits of some time that hold the rail unasked; None for none."""
+    waits = [one for one in program.motions if isinstance(one, Wait) and one.hold in _UNASKED and one.duration > 0]
     if not waits:
         return None
     places = list(dict.fromkeys(f"{PurePath(wait.source.file).name}:{wait.source.line}" for wait in waits))
     more = f" and {len(places) - _SHOWN} more" if len(places) > _SHOWN else ""
     count = f"{len(waits)} waits" if len(waits) > 1 else "1 wait"
     return (
-        f"the rail holds still in {count} after an output ({', '.join(places[:_SHOWN])}{more}); "
-        "'hold_rail: {gripper: false}' in the cell file lets it move"
+        f"the rail holds still in {count} ({', '.join(places[:_SHOWN])}{more}); "
+        "'waits: {rail: free}' in the cell file lets it move"
     )
+
+
+def without_unasked(program: Program) -> Program:
+    """The program whose rail may move in the waits of held_unasked."""
+    motions = [
+        replace(one, hold=None) if isinstance(one, Wait) and one.hold in _UNASKED else one for one in program.motions
+    ]
+    return replace(program, motions=tuple(motions))
 
 
 def _marked(run: Context) -> Iterator[_Entry]:

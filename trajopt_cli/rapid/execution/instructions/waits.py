@@ -7,7 +7,7 @@ Where the scenario says `timeout`, a wait with \MaxTime lasts that long, and set
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import takewhile
 
@@ -40,9 +40,10 @@ from trajopt_cli.warnings import WarningKind
 
 
 def record(
-    run: Context, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
-) -> None:
-    """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
+    run: Context, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False,
+    names: Iterable[str] = (),
+) -> None:  # fmt: skip
+    """Stand still, or wait beside the move before it (\\Conc); see motion.Wait. names: of it in the cell file."""
     if in_position:
         run.concurrent = 0
     span = run.places().span(node.start, node.end)
@@ -56,6 +57,7 @@ def record(
         hold=Hold.SYNCHRONISED if run.settings.synchronised else None,
         beside=duration if run.concurrent else None,
     )
+    run.waited[len(run.motions)] = frozenset(map(condition_key, names))
     run.motions.append(made)
 
 
@@ -73,7 +75,7 @@ def hold_up(run: Context, node: ProcedureCall | Call, name: str) -> None:
         raise run.error(node, f"{what}: 'waits: {{{name}: 0}}'")
     standing = takewhile(lambda motion: not isinstance(motion, Move), reversed(run.motions))
     if least or not any(isinstance(one, Wait) and one.condition == name for one in standing):
-        record(run, node, least, name, name in _HALTS)
+        record(run, node, least, name, name in _HALTS, (name,))
 
 
 # ------------------------------------------------------------------------------------------------- time, standstill
@@ -147,7 +149,7 @@ def _over(
     least = run.external.least(*names) if possible else None
     if not possible and longest is None:
         raise run.error(node, f"waits for {shown}: this condition can never come true, and \\MaxTime is not given")
-    record(run, node, (longest or 0.0) if least is None else least, shown, "inpos" in args.optional)
+    record(run, node, (longest or 0.0) if least is None else least, shown, "inpos" in args.optional, names)
     if least is not None:
         if flag is not None:
             run.assign(flag, Value(BOOL, False))
