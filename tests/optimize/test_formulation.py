@@ -183,7 +183,7 @@ def test_torque_rows_are_pins_forces_and_torques(way: str) -> None:
         acc, rail_acc = rng.normal(size=2) * 3, rng.normal(size=2)
         if way == "dwell":
             X_1, s, v, acc = X_0, 0.0, 0.0, np.zeros(2)
-        tie = {"d_0": np.array([d - s * 0.3]), "way": np.array([0.3])} if way == "tied" else {}
+        tie = {"d_0": np.array([d - s * 0.3]), "span": np.array([0.3])} if way == "tied" else {}
         if tie:
             w, rail_acc = 0.3 * v, 0.3 * acc
         share, limit = rng.uniform(0.5, 1, 7), torque.limit

@@ -12,7 +12,7 @@ from small_cells import plant_with_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.mesh_refinement import MeshRefinement, first_draft
+from trajopt_cli.nlp.mesh_refinement import MeshRefinement, first_iterate
 from trajopt_cli.path_timing.path_parameterized_plan import timed
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Leg
@@ -63,7 +63,7 @@ def fastest(axes: Axes) -> tuple[Iterate, float, list[str], float]:
     chain = search(axes, problem)
     assert chain is not None
     cfx = tuple(label.cfx for label in chain.labels)
-    start = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times, capped=frozenset({0}))
+    start = first_iterate(axes, problem, chain.q, chain.w, cfx, chain.times, capped=frozenset({0}))
     found = MeshRefinement(axes, Formulation(axes), problem, Patience()).run(start)
     motions = [motion for motion in found.legs if motion is not None]
     speeds = sampled(axes, motions, [np.linspace(0, motion.T, 400) for motion in motions]).qd[:, 1]

@@ -18,7 +18,7 @@ from trajopt_cli.nlp.block import Block, Expressed
 from trajopt_cli.nlp.block_cache import Library, Maps, library
 from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
-from trajopt_cli.nlp.mesh_refinement import first_draft
+from trajopt_cli.nlp.mesh_refinement import first_iterate
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.line import LineSymbols
@@ -131,7 +131,7 @@ def test_a_program_has_one_answer_whoever_evaluates_it() -> None:
     chain = search(axes, problem)
     assert chain is not None
     cfx = tuple(label.cfx for label in chain.labels)
-    draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
+    draft = first_iterate(axes, problem, chain.q, chain.w, cfx, chain.times)
     margins = [Margins.full(axes, m.N, on_path=True) if hasattr(m, "N") else None for m in draft.legs]
 
     def solved(library: Library) -> NlpResult:

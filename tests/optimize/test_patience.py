@@ -95,7 +95,7 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
 
     def solve(self: MeshRefinement, stage: Stage) -> Iterate:
         nonlocal first
-        draft = stage.draft
+        draft = stage.iterate
         if not first:
             patience.interrupt()
             raise Stopped

@@ -65,7 +65,7 @@ def stand_in(monkeypatch: pytest.MonkeyPatch, solve: Callable[[Problem, Iterate]
 
     def finished(self: MeshRefinement, stage: Stage) -> Iterate:
         asked.append(len(self.problem.legs))
-        return solve(self.problem, stage.draft)
+        return solve(self.problem, stage.iterate)
 
     monkeypatch.setattr(MeshRefinement, "begun", lambda _, draft: Stage(draft, [], []))
     monkeypatch.setattr(MeshRefinement, "rough", lambda _, stage: stage)

@@ -14,7 +14,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.block_cache import library
 from trajopt_cli.nlp.constraint import Relation
 from trajopt_cli.nlp.formulation import DWELL, JOINTS, Formulation
-from trajopt_cli.nlp.mesh_refinement import first_draft
+from trajopt_cli.nlp.mesh_refinement import first_iterate
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind
@@ -36,7 +36,7 @@ def program() -> Transcription:
     chain = search(axes, problem)
     assert chain is not None
     cfx = tuple(label.cfx for label in chain.labels)
-    draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
+    draft = first_iterate(axes, problem, chain.q, chain.w, cfx, chain.times)
     rng, n = np.random.default_rng(5), axes.n
     margins: list[Margins | None] = []
     legs = []
@@ -69,7 +69,7 @@ def leg_of(program: Transcription, kind: LegKind) -> int:
 def test_every_node_of_a_path_has_the_accelerations_beside_it(program: Transcription) -> None:
     for kind in (LegKind.LINE, LegKind.DWELL):
         k = leg_of(program, kind)
-        x, m, N = program.legs[k], program.margins[k], program.draft.legs[k].N
+        x, m, N = program.legs[k], program.margins[k], program.iterate.legs[k].N
         for i in range(N + 1):
             beside = [j for j in (i - 1, i) if 0 <= j < N]
             sides = {(N - 1,): "l", (0,): "r"}.get(tuple(beside), "lr")
@@ -154,8 +154,8 @@ def test_a_slow_joint_move_is_damped_as_much_more_as_it_is_slower(program: Trans
     k = leg_of(program, LegKind.JOINT)
 
     def weights(T: float) -> list[float]:
-        legs = [replace(m, T=T) if i == k else m for i, m in enumerate(program.draft.legs)]
-        draft = replace(program.draft, legs=tuple(legs))
+        legs = [replace(m, T=T) if i == k else m for i, m in enumerate(program.iterate.legs)]
+        draft = replace(program.iterate, legs=tuple(legs))
         slow = Transcription(program.axes, program.formulation, program.problem, draft, program.margins)
         of = {int(i) for i in slow.legs[k].qa.ravel()}
         return [weight for indices, weight in slow.nlp._damped if of >= set(indices.tolist())]
@@ -171,7 +171,7 @@ def test_a_programmed_time_is_no_variable() -> None:
     problem = problem_of(rapid("MoveJ p_in,v1000,fine,tool0;MoveL p_low,v200\\T:=2,fine,tool0;"), plant)
     chain = search(axes, problem)
     assert chain is not None
-    draft = first_draft(axes, problem, chain.q, chain.w, tuple(label.cfx for label in chain.labels), chain.times)
+    draft = first_iterate(axes, problem, chain.q, chain.w, tuple(label.cfx for label in chain.labels), chain.times)
     margins = [Margins.full(axes, m.N, on_path=True) if isinstance(m, PathLeg) else None for m in draft.legs]
     nlp = Transcription(axes, Formulation(axes, library()), problem, draft, margins)
     timed = nlp.legs[1]

@@ -82,14 +82,14 @@ class Clearances:
         self._touched = set[int]()  # legs that came too near to something once
         self._through = set[int]()  # legs that went deep into something: they look farther
 
-    def tangents(self, draft: Iterate, margins: Sequence[Margins | None]) -> dict[int, Tangents]:
-        """About a draft by leg: of those on grids beside something that stands, or that came too near to anything. The
-        robot's links are always near each other, so they have none before that."""
+    def tangents(self, iterate: Iterate, margins: Sequence[Margins | None]) -> dict[int, Tangents]:
+        """About an iterate by leg: of those on grids beside something that stands, or that came too near to anything.
+        The robot's links are always near each other, so they have none before that."""
         settings = self._axes.settings
         out: dict[int, Tangents] = {}
         if self._scene is None:
             return out
-        for k, (leg, motion, m) in enumerate(zip(self._problem.legs, draft.legs, margins, strict=True)):
+        for k, (leg, motion, m) in enumerate(zip(self._problem.legs, iterate.legs, margins, strict=True)):
             if m is None or not isinstance(motion, PathLeg | JointNodes):
                 continue
             q = (
@@ -132,12 +132,12 @@ class Clearances:
         self._through |= out
         return out
 
-    def make_room(self, draft: Iterate, margins: Sequence[Margins | None]) -> bool:
+    def make_room(self, iterate: Iterate, margins: Sequence[Margins | None]) -> bool:
         """Whether any leg on a grid comes nearer to anything than wanted; where it does so between two nodes, they keep
         farther off from now on."""
-        near = [k for k, motion in enumerate(draft.legs) if margins[k] and motion and self.touches(k, motion)]
+        near = [k for k, motion in enumerate(iterate.legs) if margins[k] and motion and self.touches(k, motion)]
         for k in near:
-            m, motion = margins[k], draft.legs[k]
+            m, motion = margins[k], iterate.legs[k]
             assert m is not None
             assert motion is not None
             at, between = self._distances(k, motion)

@@ -1,4 +1,4 @@
-"""From the solver's variables back to a draft."""
+"""From the solver's variables back to an iterate."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from trajopt_cli.trajectories.profiles import hold, profiles
 
 
 def read(program: Transcription, x: Array) -> Iterate:
-    """The draft that variables x describe.
+    """The iterate that variables x describe.
 
     Raises ValueError for a joint move whose switches cannot be told apart in a file.
     """
-    axes, problem, draft = program.axes, program.problem, program.draft
+    axes, problem, iterate = program.axes, program.problem, program.iterate
     q, qd = (np.array([x[i] for i in indices]) for indices in (program.waypoint_q, program.waypoint_qd))
-    q, qd = _polished(axes, problem, draft, q, qd)
+    q, qd = _polished(axes, problem, iterate, q, qd)
     qdd = None
     if program.waypoint_qdd:
         qdd = _accelerations(axes, problem, q, qd, np.array([x[i] for i in program.waypoint_qdd]))
     legs: list[LegMotion | None] = []
-    for leg, motion, var in zip(problem.legs, draft.legs, program.legs, strict=True):
+    for leg, motion, var in zip(problem.legs, iterate.legs, program.legs, strict=True):
         k = leg.start
         if motion is None:
             legs.append(None)
@@ -52,7 +52,7 @@ def read(program: Transcription, x: Array) -> Iterate:
                 continue
             nodes[0], nodes[-1], velocities[0], velocities[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
             legs.append(JointNodes(T, motion.grid, nodes, velocities, x[var.qa]))
-    return Iterate(q, qd, draft.cfx, tuple(legs), qdd)
+    return Iterate(q, qd, iterate.cfx, tuple(legs), qdd)
 
 
 def _accelerations(axes: Axes, problem: Problem, q: Array, qd: Array, qdd: Array) -> Array:
@@ -88,7 +88,7 @@ def _exact(grid: Array, ends: tuple[Array, Array, Array], jerk: Array) -> tuple[
     return x, v, np.diff(v, axis=0) / h
 
 
-def _polished(axes: Axes, problem: Problem, draft: Iterate, q: Array, qd: Array) -> tuple[Array, Array]:
+def _polished(axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array) -> tuple[Array, Array]:
     """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
     rail, arm = axes.layout.rail, axes.layout.arm
     for first, *others in problem.ties:
@@ -96,7 +96,7 @@ def _polished(axes: Axes, problem: Problem, draft: Iterate, q: Array, qd: Array)
     for k, stop in enumerate(problem.waypoints):
         if stop.q is not None:
             continue
-        joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, draft.cfx[k]]
+        joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, iterate.cfx[k]]
         q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
         qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
     return q, qd
@@ -107,12 +107,12 @@ def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q: Array, qd
     lengths = np.repeat(x[var.h], motion.N // 3)
     grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
     s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
-    if not len(var.d):  # in proportion to the share
+    if not len(var.d):  # in proportion to the path parameter
         assert qdd is not None
         still = np.zeros((2, 1))
         s, v, a = _exact(grid, (np.array([[0.0], [1.0]]), still, still), x[var.j][:, None])
-        way = (q[1] - q[0])[axes.layout.rail]
-        d, w, b = q[0, axes.layout.rail] + s * way, v * way, a * way
+        span = (q[1] - q[0])[axes.layout.rail]
+        d, w, b = q[0, axes.layout.rail] + s * span, v * span, a * span
         return replace(motion, T=T, grid=grid, s=s[:, 0], v=v[:, 0], a=a[:, 0], d=d, w=w, b=b)
     d, w, b = x[var.d], x[var.w], x[var.b]
     w[0], w[-1] = qd[:, axes.layout.rail] * T  # short legs make much of what the solver leaves

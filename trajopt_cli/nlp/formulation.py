@@ -83,15 +83,15 @@ class Formulation:
         """x_1 = x_0 + h x_0' + h^2/2 x'' and x_1' = x_0' + h x'' over one interval of given length h. Where jerk is
         limited x''' = j is constant in it instead: all that with h^3/6 j and h^2/2 j more, and x_1'' = x_0'' + h j."""
         rows = _ramped if self.smooth else _integrated
-        return self._relation(("chain",), self._chain, {"h": ()}, lambda z, p: rows(z, p.h))
+        return self._relation(("chain",), self._states, {"h": ()}, lambda z, p: rows(z, p.h))
 
     def zoned_integration(self) -> Relation:
         """The same over an interval whose length h is a variable."""
         rows = _ramped if self.smooth else _integrated
-        return self._relation(("zone",), {**self._chain, "h": ()}, {}, lambda z, p: rows(z, z.h))
+        return self._relation(("zone",), {**self._states, "h": ()}, {}, lambda z, p: rows(z, z.h))
 
     @property
-    def _chain(self) -> Shapes:
+    def _states(self) -> Shapes:
         if self.smooth:
             return {"x_0": (), "v_0": (), "a_0": (), "j": (), "x_1": (), "v_1": (), "a_1": ()}
         return {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": ()}
@@ -132,7 +132,7 @@ class Formulation:
             place: where the node is.
             sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
             weighed: with the node's effort, see _weight.
-            tied: jerk is limited and the rail is in proportion to the share, d = d_0 + s way.
+            tied: jerk is limited and the rail is in proportion to the path parameter, d = d_0 + s span.
         """
         z, p = self._at(place, sides, tied)
         for limit in self._shared:
@@ -170,7 +170,7 @@ class Formulation:
             return {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}, {
                 **p,
                 "d_0": self._rails,
-                "way": self._rails,
+                "span": self._rails,
             }
         accelerations = self._driving(sides, a=(), b=self._rails)
         return {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}, p
@@ -186,10 +186,10 @@ class Formulation:
             at, qd, qdds, qddds = _carried(lambda d: self._resting(p, d), z.d, z.w, rail_acc, jerks)
             return self._joined(z, at, qd, rail_acc, qdds, jerks, qddds, None, ends), self._walls(at)
         if tied:
-            z.d, z.w = p.d_0 + z.s * p.way, z.v * p.way
+            z.d, z.w = p.d_0 + z.s * p.span, z.v * p.span
             for name in ("a", *(f"{name}_{side}" for side in sides for name in ("a", "ja"))):
                 if hasattr(z, name):
-                    setattr(z, name.replace("a", "b"), getattr(z, name) * p.way)
+                    setattr(z, name.replace("a", "b"), getattr(z, name) * p.span)
 
         def placed(x: ca.SX) -> Reached:
             flange = place.flange(p.path, x[0])
@@ -326,15 +326,15 @@ class Formulation:
         return self._relation(("reach",), z, {"V": (), "A": ()}, rows)
 
     def tool_chord(self) -> Relation:
-        """The tool's straight way between two nodes of a joint move <= cap h T, squared: with a limit at the nodes
-        alone it might be fast between them. way: cap h. tcp: the tool centre point in the flange's frame."""
+        """The tool's straight path between two nodes of a joint move <= cap h T, squared: with a limit at the nodes
+        alone it might be fast between them. reach: cap h. tcp: the tool centre point in the flange's frame."""
         z: Shapes = {"q_0": self._all, "q_1": self._all, "T": ()}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             p_0, p_1 = (self._tcp(p.tcp, q) for q in (z.q_0, z.q_1))
-            return [(ca.sumsqr(p_1 - p_0) / (p.way * z.T) ** 2, -INF, 1.0)]
+            return [(ca.sumsqr(p_1 - p_0) / (p.reach * z.T) ** 2, -INF, 1.0)]
 
-        return self._relation(("chord",), z, {"tcp": (3,), "way": ()}, rows)
+        return self._relation(("chord",), z, {"tcp": (3,), "reach": ()}, rows)
 
     def _tcp(self, p_FT: ca.SX, q: ca.SX) -> ca.SX:
         pos, R = self.axes.robot.expressions.flange(q)

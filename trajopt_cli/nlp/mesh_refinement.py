@@ -1,4 +1,4 @@
-"""From a chain of waypoints to a clean plan: nested grids, then the exchange loop."""
+"""From a route through the waypoints to a clean plan: nested grids, then the exchange loop."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ LONG = Grids(DEFAULT.last_grid, DEFAULT.joint_grid)
 LONGER = LONG.rough
 
 
-def first_draft(
+def first_iterate(
     axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array, grids: Grids = LONG,
     capped: frozenset[int] = frozenset(),
 ) -> Iterate:  # fmt: skip
@@ -83,17 +83,17 @@ def first_draft(
             legs.append(hold(leg.duration or 0.0, q[k]))
         else:
             s, v, a = parabola(np.linspace(0, 1, settings.first_grid + 1))
-            way = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
-            d, w, b = q[k, axes.layout.rail] + way * s[:, None], way * v[:, None], way * a[:, None]
+            span = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
+            d, w, b = q[k, axes.layout.rail] + span * s[:, None], span * v[:, None], span * a[:, None]
             legs.append(_path(axes, problem, k, T, q[k], cfx[k] if cfx[k] >= 0 else cfx[k + 1], (s, v, a, d, w, b)))
     return Iterate(q, qd, cfx, tuple(legs))
 
 
-def on_grid(axes: Axes, problem: Problem, draft: Iterate, grids: Grids = LONG) -> Iterate:
+def on_grid(axes: Axes, problem: Problem, iterate: Iterate, grids: Grids = LONG) -> Iterate:
     """The motion on these grids, as near as its nodes come."""
     legs: list[LegMotion | None] = []
-    for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True)):
-        q, at_hand = draft.q[k], motion is not None and grids.path == motion.N
+    for k, (leg, motion) in enumerate(zip(problem.legs, iterate.legs, strict=True)):
+        q, at_hand = iterate.q[k], motion is not None and grids.path == motion.N
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
@@ -114,9 +114,9 @@ def on_grid(axes: Axes, problem: Problem, draft: Iterate, grids: Grids = LONG) -
                 x, v = at, rate * motion.T
                 a = np.diff(v, axis=0) / np.diff(grid)[:, None]
                 nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
-            found = _path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes)
+            found = _path(axes, problem, k, motion.T, q, max(iterate.cfx[k], iterate.cfx[k + 1]), nodes)
             legs.append(replace(found, grid=grid))
-    return Iterate(draft.q, draft.qd, draft.cfx, tuple(legs), draft.qdd)
+    return Iterate(iterate.q, iterate.qd, iterate.cfx, tuple(legs), iterate.qdd)
 
 
 def _on_grids(axes: Axes, problem: Problem) -> bool:
@@ -193,7 +193,7 @@ def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, 
     return PathLeg(T, problem.segment(k), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
 
 
-def slowed(problem: Problem, draft: Iterate, times: float) -> Iterate:
+def slowed(problem: Problem, iterate: Iterate, times: float) -> Iterate:
     """The same motion, so many times as long; waits keep their time, and held ends of a window their velocities."""
 
     def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
@@ -202,9 +202,11 @@ def slowed(problem: Problem, draft: Iterate, times: float) -> Iterate:
         return motion.slowed(times)
 
     held = np.array([point.q is not None for point in problem.waypoints])
-    qd = np.where(held[:, None], draft.qd, draft.qd / times)
-    qdd = None if draft.qdd is None else np.where(held[:, None], draft.qdd, draft.qdd / times**2)
-    return replace(draft, qd=qd, qdd=qdd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
+    qd = np.where(held[:, None], iterate.qd, iterate.qd / times)
+    qdd = None if iterate.qdd is None else np.where(held[:, None], iterate.qdd, iterate.qdd / times**2)
+    return replace(
+        iterate, qd=qd, qdd=qdd, legs=tuple(leg(*one) for one in zip(problem.legs, iterate.legs, strict=True))
+    )
 
 
 def _halved(motion: LegMotion | None, grows: bool) -> LegMotion | None:
@@ -221,17 +223,17 @@ class Stopped(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """An answer on one grid: its draft, the limits in force, its program and the solver's answer; whether no grid is
+    """An answer on one grid: its iterate, the limits in force, its program and the solver's answer; whether no grid is
     left."""
 
-    draft: Iterate
+    iterate: Iterate
     margins: list[Margins | None]
     warm: Sequence[Any]
     ended: bool = False
 
 
 class MeshRefinement:
-    """Solves one problem from a draft, as long as there is patience. scene: what its motions stay clear of."""
+    """Solves one problem from an iterate, as long as there is patience. scene: what its motions stay clear of."""
 
     def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience, grids: Grids = LONG,
         scene: ClearanceQueries | None = None,
@@ -241,47 +243,47 @@ class MeshRefinement:
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
         self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
         self.solved: tuple[Transcription, NlpResult | None] | None = None
-        """The program of the clean draft and its answer."""
+        """The program of the clean iterate and its answer."""
 
-    def _ratios(self, draft: Iterate, kind: Any = LegMotion) -> list[Ratios | None]:
-        """What every leg of a draft with a motion of some kind uses of its limits at most; None for the others."""
+    def _ratios(self, iterate: Iterate, kind: Any = LegMotion) -> list[Ratios | None]:
+        """What every leg of an iterate with a motion of some kind uses of its limits at most; None for the others."""
         start = perf_counter()
-        legs = [(leg, one) for leg, one in zip(self.problem.legs, draft.legs, strict=True) if isinstance(one, kind)]
+        legs = [(leg, one) for leg, one in zip(self.problem.legs, iterate.legs, strict=True) if isinstance(one, kind)]
         new = [(leg, motion) for leg, motion in legs if motion not in self._known]
         found = check_legs(self.axes, [leg for leg, _ in new], [motion for _, motion in new])
         known = self._known | {motion: ratios for (_, motion), ratios in zip(new, found, strict=True)}
-        self._known = {motion: known[motion] for motion in draft.legs if motion is not None and motion in known}
+        self._known = {motion: known[motion] for motion in iterate.legs if motion is not None and motion in known}
         self.seconds["check"] += perf_counter() - start
-        return [self._known[motion] if isinstance(motion, kind) else None for motion in draft.legs]
+        return [self._known[motion] if isinstance(motion, kind) else None for motion in iterate.legs]
 
     def _solve(
-        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float | None = None,
+        self, iterate: Iterate, margins: list[Margins | None], mu: float, tolerance: float | None = None,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
-        """The answer from a draft; where that goes deep into something that the draft goes around, with rows about the
-        draft that keep it out."""
+        """The answer from an iterate; where that goes deep into something that the iterate goes around, with rows about
+        the iterate that keep it out."""
         while True:
-            found = self._answer(draft, margins, mu, tolerance or self.axes.settings.tolerance, warm)
-            through = self.clearances.through(draft, found[0])
+            found = self._answer(iterate, margins, mu, tolerance or self.axes.settings.tolerance, warm)
+            through = self.clearances.through(iterate, found[0])
             if not through:
                 return found
             for k in through:
-                if isinstance(draft.legs[k], JointProfiles):
+                if isinstance(iterate.legs[k], JointProfiles):
                     margins[k] = Margins.full(self.axes, self.grids.rough.joints, on_path=False)
-            draft, warm = self._with_grids(draft, margins), None
+            iterate, warm = self._with_grids(iterate, margins), None
 
     def _answer(
-        self, draft: Iterate, margins: list[Margins | None], mu: float, tolerance: float,
+        self, iterate: Iterate, margins: list[Margins | None], mu: float, tolerance: float,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Iterate, Transcription, NlpResult | None]:  # fmt: skip
         settings = self.axes.settings
         if self.patience.over:
             raise Stopped
         start = perf_counter()
-        tangents = self.clearances.tangents(draft, margins)
+        tangents = self.clearances.tangents(iterate, margins)
         if warm is not None and tangents.keys() != warm[0].tangents.keys():  # another program
             warm, mu = None, settings.barrier_refined
-        t = Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
+        t = Transcription(self.axes, self.formulation, self.problem, iterate, margins, tangents)
         if t.nlp.empty:
             return read(t, t.nlp.guess), t, None
         if warm is None:
@@ -295,7 +297,7 @@ class MeshRefinement:
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
-            out = read(t, result.x) if result.converged else draft
+            out = read(t, result.x) if result.converged else iterate
         except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
             raise NotConverged(str(odd)) from odd
         if not result.converged and self.patience.over:
@@ -304,39 +306,39 @@ class MeshRefinement:
             raise NotConverged(result.status)
         return out, t, result
 
-    def run(self, draft: Iterate) -> Iterate:
-        """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
-        return self.finished(self.begun(draft))
+    def run(self, iterate: Iterate) -> Iterate:
+        """From an iterate on its grid to the clean one of the least time found. Raises NotConverged and Stopped."""
+        return self.finished(self.begun(iterate))
 
-    def margins(self, draft: Iterate) -> list[Margins | None]:
+    def margins(self, iterate: Iterate) -> list[Margins | None]:
         """Of the legs on grids, nothing tightened."""
         return [
             Margins.full(self.axes, m.N, isinstance(m, PathLeg)) if isinstance(m, PathLeg | JointNodes) else None
-            for m in draft.legs
+            for m in iterate.legs
         ]
 
-    def transcription(self, draft: Iterate, margins: list[Margins | None]) -> Transcription:
-        """The nonlinear program about a draft."""
-        tangents = self.clearances.tangents(draft, margins)
-        return Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
+    def transcription(self, iterate: Iterate, margins: list[Margins | None]) -> Transcription:
+        """The nonlinear program about an iterate."""
+        tangents = self.clearances.tangents(iterate, margins)
+        return Transcription(self.axes, self.formulation, self.problem, iterate, margins, tangents)
 
-    def begun(self, draft: Iterate) -> Stage:
-        """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
-        margins = self.margins(draft)
-        draft, warm = self._first(draft, margins)
-        return Stage(draft, margins, warm)
+    def begun(self, iterate: Iterate) -> Stage:
+        """From an iterate to the answer on its grid. Raises NotConverged and Stopped."""
+        margins = self.margins(iterate)
+        iterate, warm = self._first(iterate, margins)
+        return Stage(iterate, margins, warm)
 
     def rough(self, stage: Stage) -> Stage:
         """From an answer to one on a grid that tells how far it leads. Raises NotConverged and Stopped."""
-        while not stage.ended and self._intervals(stage.draft, 0) < self.grids.rough.path:
+        while not stage.ended and self._intervals(stage.iterate, 0) < self.grids.rough.path:
             stage = self._finer(stage)
         return stage
 
     def finished(self, stage: Stage) -> Iterate:
-        """From an answer to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        """From an answer to the clean iterate with the shortest time found. Raises NotConverged and Stopped."""
         while not stage.ended:
             stage = self._finer(stage)
-        return self._exchange(stage.draft, stage.margins, stage.warm)
+        return self._exchange(stage.iterate, stage.margins, stage.warm)
 
     def _grows(self, motion: LegMotion | None, n: int) -> bool:
         """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
@@ -344,65 +346,65 @@ class MeshRefinement:
             return 2 * n >= self.axes.settings.ranking_grid and self.grids.joints > motion.N
         return isinstance(motion, PathLeg) and self.grids.path > motion.N
 
-    def _intervals(self, draft: Iterate, default: int) -> int:
-        """On the paths of a draft."""
-        return max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=default)
+    def _intervals(self, iterate: Iterate, default: int) -> int:
+        """On the paths of an iterate."""
+        return max((m.N for m in iterate.legs if isinstance(m, PathLeg)), default=default)
 
     def _finer(self, stage: Stage) -> Stage:
         """On the next grid, where there is one, with joint moves on grids that turned out to need one."""
         settings = self.axes.settings
-        draft, margins, last = stage.draft, [*stage.margins], self.grids.path
-        n = self._intervals(draft, last)
-        finer = [self._grows(motion, n) for motion in draft.legs]
-        opened = self._open_grids(draft, margins, self.grids if n >= settings.ranking_grid else self.grids.rough)
+        iterate, margins, last = stage.iterate, [*stage.margins], self.grids.path
+        n = self._intervals(iterate, last)
+        finer = [self._grows(motion, n) for motion in iterate.legs]
+        opened = self._open_grids(iterate, margins, self.grids if n >= settings.ranking_grid else self.grids.rough)
         if not (opened or any(finer)):
             return replace(stage, ended=True)
-        draft = self._with_grids(draft, margins)
+        iterate = self._with_grids(iterate, margins)
         margins = [m.refined() if m and grows else m for m, grows in zip(margins, finer, strict=True)]
-        draft = replace(draft, legs=tuple(_halved(*one) for one in zip(draft.legs, finer, strict=True)))
+        iterate = replace(iterate, legs=tuple(_halved(*one) for one in zip(iterate.legs, finer, strict=True)))
         try:
-            start = self._slowed(draft, margins)
+            start = self._slowed(iterate, margins)
             mu = settings.barrier_rough if n == settings.first_grid else settings.barrier_refined
-            draft, *warm = self._solve(
+            iterate, *warm = self._solve(
                 start, margins, mu, settings.tolerance if 2 * n >= last else settings.rough_tolerance
             )
         except NotConverged:
             # the coarser grid's answer is a motion too; cleaned, it is only a little slower
             return replace(stage, ended=True)
-        return Stage(draft, margins, warm)
+        return Stage(iterate, margins, warm)
 
-    def again(self, draft: Iterate, before: Transcription, answer: NlpResult) -> Iterate:
-        """From the clean draft of a program that differs in numbers only, with that program and its answer, to the
-        clean draft with the shortest time found. Raises NotConverged and Stopped."""
+    def again(self, iterate: Iterate, before: Transcription, answer: NlpResult) -> Iterate:
+        """From the clean iterate of a program that differs in numbers only, with that program and its answer, to the
+        clean iterate with the shortest time found. Raises NotConverged and Stopped."""
         settings = self.axes.settings
         margins = deepcopy([*before.margins])
         try:
-            found, *warm = self._solve(draft, margins, settings.barrier_again, warm=(before, answer))
+            found, *warm = self._solve(iterate, margins, settings.barrier_again, warm=(before, answer))
         except NotConverged:
-            found, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_refined)
+            found, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_refined)
         return self._exchange(found, margins, warm)
 
-    def _first(self, draft: Iterate, margins: list[Margins | None]) -> tuple[Iterate, list[Any]]:
-        """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
+    def _first(self, iterate: Iterate, margins: list[Margins | None]) -> tuple[Iterate, list[Any]]:
+        """The first solve: a rough one from estimates, a sharp one from an iterate already on the last grid."""
         settings = self.axes.settings
-        gridded = any(isinstance(m, JointNodes) for m in draft.legs)
-        n = self._intervals(draft, self.grids.path if gridded else settings.first_grid)
+        gridded = any(isinstance(m, JointNodes) for m in iterate.legs)
+        n = self._intervals(iterate, self.grids.path if gridded else settings.first_grid)
         mu = settings.barrier_refined if n >= self.grids.rough.path else settings.barrier_first
         tolerance = settings.tolerance if n >= self.grids.path else settings.rough_tolerance
         try:
-            out, *warm = self._solve(draft, margins, mu, tolerance)
+            out, *warm = self._solve(iterate, margins, mu, tolerance)
         except NotConverged:
-            out, *warm = self._solve(draft, margins, settings.barrier_doubt, tolerance)
+            out, *warm = self._solve(iterate, margins, settings.barrier_doubt, tolerance)
         return out, warm
 
-    def _exchange(self, draft: Iterate, margins: list[Margins | None], warm: Sequence[Any]) -> Iterate:
+    def _exchange(self, iterate: Iterate, margins: list[Margins | None], warm: Sequence[Any]) -> Iterate:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         settings = self.axes.settings
         for _ in range(settings.rounds):
-            worst, changed, opened = 0.0, False, self._open_grids(draft, margins, self.grids)
-            draft = self._with_grids(draft, margins)
-            every = self._ratios(draft)
-            for leg, motion, m, ratios in zip(self.problem.legs, draft.legs, margins, every, strict=True):
+            worst, changed, opened = 0.0, False, self._open_grids(iterate, margins, self.grids)
+            iterate = self._with_grids(iterate, margins)
+            every = self._ratios(iterate)
+            for leg, motion, m, ratios in zip(self.problem.legs, iterate.legs, margins, every, strict=True):
                 if motion is None or ratios is None:
                     continue
                 worst = max(worst, ratios.worst)
@@ -410,35 +412,35 @@ class MeshRefinement:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, self.axes.settings, rail)
-            changed |= self.clearances.make_room(draft, margins)
+            changed |= self.clearances.make_room(iterate, margins)
             if not (changed or opened):
                 self.solved = warm[0], warm[1]
-                return draft
+                return iterate
             if opened:
-                draft, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_refined)
+                iterate, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_refined)
             else:
                 try:
-                    draft, *warm = self._solve(draft, margins, settings.barrier_warm, warm=warm)
+                    iterate, *warm = self._solve(iterate, margins, settings.barrier_warm, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
-                    draft, *warm = self._solve(self._slowed(draft, margins), margins, settings.barrier_cold)
+                    iterate, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_cold)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {settings.rounds} rounds of tightening")
 
-    def _slowed(self, draft: Iterate, margins: list[Margins | None]) -> Iterate:
+    def _slowed(self, iterate: Iterate, margins: list[Margins | None]) -> Iterate:
         """The same motion so slow that no limit in force is reached: the solver keeps to them from where it begins."""
         most = 1.0
-        for r, m in zip(self._ratios(draft), margins, strict=True):
+        for r, m in zip(self._ratios(iterate), margins, strict=True):
             if r is not None and m is not None:
                 most = max(most, r.times_slower(m))
         if most > _MOST_SLOWED or most == 1.0:
-            return draft
-        return slowed(self.problem, draft, most * _SLOWED)
+            return iterate
+        return slowed(self.problem, iterate, most * _SLOWED)
 
-    def _open_grids(self, draft: Iterate, margins: list[Margins | None], grids: Grids) -> bool:
+    def _open_grids(self, iterate: Iterate, margins: list[Margins | None], grids: Grids) -> bool:
         """Joint moves whose closed-form profiles break a cap, a range or a torque limit, or touch something, go on a
         grid."""
         opened = False
-        closed = self._ratios(draft, JointProfiles)
-        for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, draft.legs, closed, strict=True)):
+        closed = self._ratios(iterate, JointProfiles)
+        for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, iterate.legs, closed, strict=True)):
             if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
                 continue
             if ratios.worst > 1 + self.axes.settings.closed_form_excess or self.clearances.touches(k, motion):
@@ -446,15 +448,15 @@ class MeshRefinement:
                 opened = True
         return opened
 
-    def _with_grids(self, draft: Iterate, margins: list[Margins | None]) -> Iterate:
-        legs = list(draft.legs)
+    def _with_grids(self, iterate: Iterate, margins: list[Margins | None]) -> Iterate:
+        legs = list(iterate.legs)
         for k, motion in enumerate(legs):
             m = margins[k]
             if isinstance(motion, JointProfiles) and m is not None:
                 T, N = motion.T, len(m.tool) - 1
                 end = motion.sample(self.axes, np.array([T])).q[0]
-                if np.abs(end - draft.q[k + 1]).max() < _ARRIVES:
+                if np.abs(end - iterate.q[k + 1]).max() < _ARRIVES:
                     legs[k] = _on_grid(self.axes, motion, N)
                 else:  # the time alone was guessed
-                    legs[k] = _smooth(T, draft.q[k : k + 2], draft.qd[k : k + 2], N)
-        return replace(draft, legs=tuple(legs))
+                    legs[k] = _smooth(T, iterate.q[k : k + 2], iterate.qd[k : k + 2], N)
+        return replace(iterate, legs=tuple(legs))

@@ -1,4 +1,4 @@
-"""The whole problem as one nonlinear program: which variables a draft has, and where each relation holds.
+"""The whole problem as one nonlinear program: which variables an iterate has, and where each relation holds.
 
 Each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the rail
 moves freely along lines and dwells.
@@ -98,15 +98,15 @@ def glides(leg: Leg, settings: Settings) -> bool:
 
 
 class Transcription:
-    """The program for one draft's structure: its branches, grids, which joint moves are on a grid, and which legs have
-    bodies near them."""
+    """The program for one iterate's structure: its branches, grids, which joint moves are on a grid, and which legs
+    have bodies near them."""
 
     def __init__(
-        self, axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, margins: Sequence[Margins | None],
-        tangents: Mapping[int, Tangents] = NOTHING_NEAR,
+        self, axes: Axes, formulation: Formulation, problem: Problem, iterate: Iterate,
+        margins: Sequence[Margins | None], tangents: Mapping[int, Tangents] = NOTHING_NEAR,
     ):  # fmt: skip
         self.axes, self.formulation, self.problem = axes, formulation, problem
-        self.draft, self.margins, self.tangents = draft, margins, tangents
+        self.iterate, self.margins, self.tangents = iterate, margins, tangents
         self.nlp = BlockNlp()
         self.waypoint_q: list[IndexArray] = []
         self.waypoint_qd: list[IndexArray] = []
@@ -117,9 +117,9 @@ class Transcription:
         asked = problem.objective
         self._weighed = isinstance(asked, LeastEffort)
         if isinstance(asked, LeastEffort):
-            whole = float(np.nansum(efforts(axes, draft.legs))) or 1.0
+            whole = float(np.nansum(efforts(axes, iterate.legs))) or 1.0
             self._unit = axes.acceleration * np.sqrt(whole)  # so that the efforts add up to one or less
-        self.legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
+        self.legs = [self._leg(leg, iterate.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
         if isinstance(asked, LeastEffort):
             self._elapse(asked.seconds)
         self._ties()
@@ -131,8 +131,8 @@ class Transcription:
     def _waypoint(self, k: int) -> None:
         nlp, axes, stop = self.nlp, self.axes, self.problem.waypoints[k]
         rail, arm = axes.layout.rail, axes.layout.arm
-        q, qd = self.draft.q[k], self.draft.qd[k]
-        qdd = np.zeros(axes.n) if self.draft.qdd is None else self.draft.qdd[k]
+        q, qd = self.iterate.q[k], self.iterate.qd[k]
+        qdd = np.zeros(axes.n) if self.iterate.qdd is None else self.iterate.qdd[k]
         if stop.q is not None and self._smooth:
             self.waypoint_qdd.append(nlp.variables(qdd, qdd, qdd))
         if stop.q is not None:
@@ -154,7 +154,7 @@ class Transcription:
             self.waypoint_qdd.append(nlp.variables(np.zeros(axes.n) if rest else np.clip(qdd, -A, A), -A, A))
         p = {
             "path": Line(stop.X_WF, stop.X_WF).parameters(inverse_pose(axes.X_WB0), np.eye(4)),
-            "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
+            "branch": axes.robot.expressions.branch(self.iterate.cfx[k]),
             "near": q[arm],
         }
         if rest:
@@ -167,11 +167,11 @@ class Transcription:
         if axes.couplings:
             self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
 
-    def _rail_range(self, share: Array) -> tuple[Array, Array]:
-        """The rail's range (..., r) at nodes that may use a share (..., r) of its half, about its middle: a rail that
-        is at its end with velocity would pass it before the next node."""
+    def _rail_range(self, fraction: Array) -> tuple[Array, Array]:
+        """The rail's range (..., r) at nodes that may use a fraction (..., r) of its half, about its middle: a rail
+        that is at its end with velocity would pass it before the next node."""
         low, high = self.axes.lower[self.axes.layout.rail], self.axes.upper[self.axes.layout.rail]
-        room = share * (high - low) / 2
+        room = fraction * (high - low) / 2
         return (low + high) / 2 - room, (low + high) / 2 + room
 
     def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array | float, Array | float]:
@@ -193,7 +193,7 @@ class Transcription:
             hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
-            if hold or at_once(self.draft.legs[k]):
+            if hold or at_once(self.iterate.legs[k]):
                 pairs.append((k, k + 1))
         held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
         for i, k in pairs:
@@ -202,7 +202,7 @@ class Transcription:
                 for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
                     self._hold(self.formulation.equal(), {"x": x, "y": y})
                 held = [held[i] if one == held[k] else one for one in held]
-        for k, motion in enumerate(self.draft.legs):
+        for k, motion in enumerate(self.iterate.legs):
             moved = [i for i in (k, k + 1) if self.problem.waypoints[i].q is None and not self.problem.rests(i)]
             if at_once(motion) and moved:
                 for x, y in zip(self.waypoint_qd[k][rail], self.waypoint_qd[k + 1][rail], strict=True):
@@ -256,7 +256,7 @@ class Transcription:
 
     def _elapse(self, seconds: float) -> None:
         """The legs take so long in all."""
-        pairs = zip(self.legs, self.draft.legs, strict=True)
+        pairs = zip(self.legs, self.iterate.legs, strict=True)
         left = seconds - sum(motion.T for var, motion in pairs if var is None and motion is not None)
         times = [var.T for var in self.legs if var is not None]
         passed = np.cumsum([0.0, *self.nlp.guess[times]])
@@ -292,13 +292,13 @@ class Transcription:
             "near": motion.node_arm(self.axes),
         }
 
-    def _chain(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
-        """What the integration of a chain is made of; j: jerks where they are limited."""
+    def _states(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
+        """What one axis' integration is made of; j: jerks where they are limited."""
         z = {"x_0": x[:-1], "v_0": v[:-1], "x_1": x[1:], "v_1": v[1:]}
         return z | ({"a_0": a[:-1], "j": j, "a_1": a[1:]} if self._smooth else {"a": a})
 
     def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> None:
-        z = self._chain(x, v, a, j) | {"h": np.repeat(h, (len(x) - 1) // 3)}
+        z = self._states(x, v, a, j) | {"h": np.repeat(h, (len(x) - 1) // 3)}
         self._hold(self.formulation.zoned_integration(), z)
 
     def _linked(self, leg: Leg, axes: slice, v: IndexArray, a: IndexArray, T: int) -> None:
@@ -324,9 +324,9 @@ class Transcription:
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 
-    def _share(self, motion: PathLeg, curve: float, out: LegVariables) -> None:
-        """Variables of a share going from 0 to 1, at rest at both ends, never backwards; curve: bound of its second
-        derivative."""
+    def _path_parameter(self, motion: PathLeg, curve: float, out: LegVariables) -> None:
+        """Variables of the path parameter going from 0 to 1, at rest at both ends, never backwards; curve: bound of its
+        second derivative."""
         settings = self.axes.settings
         N = motion.N
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
@@ -386,8 +386,8 @@ class Transcription:
         out.h = self._zones(motion)
         line = leg.kind is LegKind.LINE
         if line:
-            sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow way has short ramps
-            self._share(motion, max(settings.share_curve, min(sharp, settings.sharpest)), out)
+            sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow path has short ramps
+            self._path_parameter(motion, max(settings.share_curve, min(sharp, settings.sharpest)), out)
             self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
             if self._smooth:
                 self._damp_jerk(out.j[:, None], np.array([settings.typical_jerk]), motion.T)
@@ -408,8 +408,8 @@ class Transcription:
                 z |= {"d": out.d[at], "w": out.w[at], **self._driving(nodes, b=out.b, jb=out.y)}
             here = {name: x[at] for name, x in p.items()}
             if tied:
-                ends = self.draft.q[leg.start : leg.start + 2, self.axes.layout.rail]
-                here |= {"d_0": np.tile(ends[0], (len(at), 1)), "way": np.tile(ends[1] - ends[0], (len(at), 1))}
+                ends = self.iterate.q[leg.start : leg.start + 2, self.axes.layout.rail]
+                here |= {"d_0": np.tile(ends[0], (len(at), 1)), "span": np.tile(ends[1] - ends[0], (len(at), 1))}
             more: dict[str, Array] = {}
             if self._weighed:
                 z["e"] = e[at]
@@ -486,10 +486,10 @@ class Transcription:
             self._damp_jerk(out.qj, self.axes.jerk * motion.T**3, motion.T)
         rail = self.axes.layout.rail
         if not leg.rail_moves:
-            held = out.q[1:-2, rail]  # the last one follows from the chain
+            held = out.q[1:-2, rail]  # the last one follows from the integration
             x = np.broadcast_to(self.waypoint_q[k0][rail], held.shape)
             self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
-        self._integrate(motion.grid, self._chain(out.q, out.qv, out.qa, out.qj))
+        self._integrate(motion.grid, self._states(out.q, out.qv, out.qa, out.qj))
         self._linked(leg, slice(None), out.qv, out.qa, out.T)
         if self._weighed:
             h, unit, a = np.diff(motion.grid), self._unit, motion.a
@@ -506,10 +506,10 @@ class Transcription:
             self._hold(self.formulation.clear_axes(), {"q": out.q}, p)
         if np.isfinite(leg.v_tcp):  # with a limit at the nodes alone the tool might be fast between them
             speed = margins.tool[:, 0]
-            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * np.minimum(speed[:-1], speed[1:]) * np.diff(motion.grid)}
+            p = {"tcp": leg.X_FT[:3, 3], "reach": leg.v_tcp * np.minimum(speed[:-1], speed[1:]) * np.diff(motion.grid)}
             self._hold(self.formulation.tool_chord(), {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}, p)
 
     def _integrate(self, grid: Array, z: dict[str, IndexArray]) -> None:
-        """Chains (N+1, n) of all axes on one grid."""
+        """All axes (N+1, n) on one grid."""
         h = np.repeat(np.diff(grid), z["x_0"].shape[1])
         self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})

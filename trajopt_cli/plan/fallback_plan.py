@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import Array
-from trajopt_cli.nlp.mesh_refinement import first_draft
+from trajopt_cli.nlp.mesh_refinement import first_iterate
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
@@ -107,7 +107,7 @@ def _leg_motion(axes: Axes, problem: Problem, k: int, state: State, then: State)
         motion = JointNodes(T, grid, q, v, np.diff(v, axis=0) * axes.settings.first_joint_grid)
     else:
         times = np.array([0.0 if still else T])
-        motion = first_draft(axes, alone, ends, rest, (cfx_0, cfx_1), times).legs[0]
+        motion = first_iterate(axes, alone, ends, rest, (cfx_0, cfx_1), times).legs[0]
     if motion is None or motion.T == 0.0:
         return motion
     for _ in range(_TIMES):

@@ -20,7 +20,7 @@ from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, Stopped, first_draft, on_grid
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, Stopped, first_iterate, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
@@ -270,7 +270,7 @@ class WindowSweeps:
         """
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
-        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
+        coarse = first_iterate(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
         near, seconds, clean = on_grid(self._axes, problem, own, self._grids), dict[str, float](), False
         best, least, first = None, cost(self._axes, problem, own.legs), np.inf
         try:
@@ -280,7 +280,7 @@ class WindowSweeps:
                 starts = [*self._first_answers(problem, [*searched, coarse, *rough], few, seconds), near]
             for start in starts:
                 if isinstance(start, Stage):
-                    answer = cost(self._axes, problem, start.draft.legs)
+                    answer = cost(self._axes, problem, start.iterate.legs)
                     first = min(first, answer)
                 if best is not None and not (few and isinstance(start, Stage) and answer <= _RIVAL * first):
                     break
@@ -308,7 +308,7 @@ class WindowSweeps:
             with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                 stage = refiner.begun(start)
                 found.append(refiner.rough(stage) if few else stage)
-        return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
+        return sorted(found, key=lambda stage: cost(self._axes, problem, stage.iterate.legs))
 
     @contextmanager
     def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[MeshRefinement]:
@@ -344,7 +344,7 @@ def _searched_start(axes: Axes, problem: Problem, window: Window, chain: Route, 
             times[k] = 0.0
         elif motion is not None and (k in kept or k + 1 in kept):
             times[k] = max(times[k], motion.T)
-    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
+    return first_iterate(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
 
 
 def _capped(draft: Iterate) -> frozenset[int]:

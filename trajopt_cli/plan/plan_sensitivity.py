@@ -21,7 +21,7 @@ from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import Program
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
-from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, first_draft, on_grid
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, first_iterate, on_grid
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
@@ -110,7 +110,7 @@ class PlanSensitivity:
         chain, qd = _route_of_plan(axes, problem, plan)
         grids, capped = Grids.of(problem), _capped(axes, problem, chain, qd)
         cfx = tuple(label.cfx for label in chain.labels)
-        draft = first_draft(axes, problem, chain.q, qd, cfx, chain.times, grids, capped)
+        draft = first_iterate(axes, problem, chain.q, qd, cfx, chain.times, grids, capped)
         if not problem.coordinated and self._passed:
             problem = with_fixed_runs(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)

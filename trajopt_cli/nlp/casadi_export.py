@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.block import MapKernel
 from trajopt_cli.nlp.block_cache import Maps
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, first_draft, on_grid
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, first_iterate, on_grid
 from trajopt_cli.nlp.transcription import LegVariables, Transcription
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
@@ -25,7 +25,7 @@ from trajopt_cli.trajectories.route import Route
 @dataclass(frozen=True, eq=False)
 class CasadiProgram:
     """min f(x) subject to lbx <= x <= ubx, lbg <= g(x) <= ubg: `casadi.nlpsol("s", "ipopt", program.nlp)` takes nlp,
-    and what that gives takes program.start. x: times [s], fractions of a way, metres and radians, and derivatives of
+    and what that gives takes program.start. x: times [s], path parameters, metres and radians, and derivatives of
     these by the scaled time of a leg; f: the cycle time without programmed waits [s], and a hair of curvature where
     many motions take the same time.
 
@@ -91,8 +91,8 @@ def _from_route(axes: Axes, problem: Problem, route: Route, intervals: int) -> I
     cfx = tuple(label.cfx for label in route.labels)
     grids = Grids(intervals, intervals)
     joints = frozenset(range(len(problem.legs)))
-    draft = first_draft(axes, problem, route.q, route.w, cfx, route.times, grids, joints)
-    return on_grid(axes, problem, draft, grids)
+    iterate = first_iterate(axes, problem, route.q, route.w, cfx, route.times, grids, joints)
+    return on_grid(axes, problem, iterate, grids)
 
 
 def expressed(program: Transcription) -> CasadiProgram:
