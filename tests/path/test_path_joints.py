@@ -41,18 +41,24 @@ def two_moves(rng: np.random.Generator, k: int = 6) -> tuple[JointMove, JointMov
     return JointMove(q[0], q[1]), JointMove(q[1], q[2])
 
 
+def cornered(before: JointMove, after: JointMove, a: float, b: float) -> JointCorner:
+    """Over the last fraction a of a move and the first b of the next."""
+    s, t = np.array([1 - a]), np.array([b])
+    return JointCorner(before.axes(s)[0], 2 * a * before.rate(s)[0], after.axes(t)[0], 2 * b * after.rate(t)[0])
+
+
 @given(seeds, st.floats(0.01, 1), st.floats(0.01, 1))
 @settings(max_examples=50)
 def test_a_corner_of_two_joint_moves_is_a_quadratic_bezier(seed: int, a: float, b: float) -> None:
     before, after = two_moves(np.random.default_rng(seed))
-    corner = JointCorner.between(before, after, a, b)
+    corner = cornered(before, after, a, b)
     entry, point, end = before.axes(np.array([1 - a]))[0], after.q_0, after.axes(np.array([b]))[0]
     u = S[:, None]
     bezier = (1 - u) ** 2 * entry + 2 * u * (1 - u) * point + u**2 * end
     np.testing.assert_allclose(corner.axes(S), bezier, rtol=0, atol=1e-14)
     rates = [2 * a * (before.q_1 - before.q_0), 2 * b * (after.q_1 - after.q_0)]
     np.testing.assert_allclose(corner.rate(S[[0, -1]]), rates, rtol=0, atol=1e-14)
-    back = JointCorner.between(JointMove(after.q_1, point), JointMove(point, before.q_0), b, a)
+    back = cornered(JointMove(after.q_1, point), JointMove(point, before.q_0), b, a)
     np.testing.assert_allclose(back.axes(S), corner.axes(1 - S), rtol=0, atol=1e-13)
     np.testing.assert_allclose(back.rate_change(S), corner.rate_change(1 - S), rtol=0, atol=1e-12)
 
@@ -65,13 +71,3 @@ def test_a_corner_meets_any_two_ends_with_their_rates(k: int) -> None:
     np.testing.assert_allclose(corner.rate(np.array([0.0, 1.0])), [rate_0, rate_1], rtol=0, atol=1e-14)
     assert corner.breaks.shape == (0,)
     check_slopes(corner, k)
-
-
-def test_what_is_no_corner_is_refused() -> None:
-    before, after = two_moves(np.random.default_rng(0))
-    with pytest.raises(ValueError, match="0 is no fraction of a segment"):
-        JointCorner.between(before, after, 0.0, 0.5)
-    with pytest.raises(ValueError, match=r"1\.1 is no fraction of a segment"):
-        JointCorner.between(before, after, 0.5, 1.1)
-    with pytest.raises(ValueError, match="the move after the corner begins at"):
-        JointCorner.between(after, before, 0.5, 0.5)

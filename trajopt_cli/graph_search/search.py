@@ -181,7 +181,7 @@ def _most_rail_travel(axes: Axes, problem: Problem, k: int, far: bool) -> float:
     leg = problem.legs[k]
     if not leg.rail_moves or problem.freedom.rail is RailFreedom.STATION:
         return 0.0
-    cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.table[0])
+    cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.positioner_use[0])
     beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else _SHIFT
     return np.inf if far else beyond + float(axes.layout.place(axes.velocity_on(leg))) * cruise
 
@@ -247,7 +247,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     slow = np.max(np.max(dq, axis=1) / V[layout.arm, None], axis=0)
     for limit in V[layout.rail]:
         slow = np.maximum(slow, rail / limit)
-    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.table[0], _LEAST))
+    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.positioner_use[0], _LEAST))
     limits = A[layout.arm, None, None]
     ddq *= -((_CURVED / slow) ** 2)
     ddq += limits
@@ -256,7 +256,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     hard = np.max(dq, axis=(0, 1))
     for limit in A[layout.rail]:
         hard = np.maximum(hard, rail / limit)
-    hard = np.maximum(hard, max(leg.chord / mean_ramp(*leg.ramps), leg.table[1], _LEAST))
+    hard = np.maximum(hard, max(leg.chord / mean_ramp(*leg.ramps), leg.positioner_use[1], _LEAST))
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 

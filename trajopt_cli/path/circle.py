@@ -36,12 +36,6 @@ def circle_through(start: Point, via: Point, end: Point) -> Circle | None:
     return Circle(centre, axis, atan2(_dot(axis, _cross(first, last)), _dot(first, last)) % (2 * pi))
 
 
-def arc_length(course: Circle, start: Point) -> float:
-    """Length of an arc that begins at start."""
-    first = _minus(start, course.centre)
-    return sqrt(_dot(first, first)) * course.angle
-
-
 def _minus(a: Point, b: Point) -> Point:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 

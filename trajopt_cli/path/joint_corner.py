@@ -10,7 +10,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.hermite import hermite
-from trajopt_cli.path.segment import POINT, JointSegment, check_fractions
+from trajopt_cli.path.segment import JointSegment
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,27 +27,6 @@ class JointCorner(JointSegment):
     rate_0: Array
     q_1: Array
     rate_1: Array
-
-    @classmethod
-    def between(
-        cls, before: JointSegment, after: JointSegment, fraction_before: float, fraction_after: float
-    ) -> JointCorner:
-        """The corner that replaces the last fraction of before and the first of after, both in (0, 1].
-
-        Raises:
-            ValueError: a fraction is none, or after does not begin where before ends.
-        """
-        check_fractions(fraction_before, fraction_after)
-        end, begin = before.axes(np.ones(1))[0], after.axes(np.zeros(1))[0]
-        if np.abs(end - begin).max() > POINT:
-            raise ValueError(f"the move after the corner begins at {begin}, the one before it ends at {end}")
-        s_0, s_1 = np.array([1 - fraction_before]), np.array([fraction_after])
-        return cls(
-            before.axes(s_0)[0],
-            2 * fraction_before * before.rate(s_0)[0],
-            after.axes(s_1)[0],
-            2 * fraction_after * after.rate(s_1)[0],
-        )
 
     def axes(self, s: Array) -> Array:
         """Axis positions (n, k) at s (n,)."""

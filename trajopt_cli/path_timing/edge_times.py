@@ -24,7 +24,7 @@ from trajopt_cli.trajectories.axes import Axes
 
 _SLACK = 1 + 0.0001  # times its least time that a wait must have, for limits are not used to the last hair.
 _LATE = 1000.0  # times what a leg would pass its programmed time by, added to the chain's.
-_JERK_ROOM = 1.1  # times what a straight way takes at least that a wait must have.
+_JERK_ROOM = 1.1  # times what a straight path takes at least that a wait must have.
 _FLIPPED = 1.0  # rad, m by which axes in the middle of such a line may be elsewhere than at its ends.
 
 _SAME = 1e-9  # m between rail positions that are one
@@ -58,8 +58,8 @@ def _nodes(problem: Problem, k: int) -> Array:
     settings = problem.plant.settings
     if not short(problem, k):
         return spaced(settings.pair_nodes, settings.end_spacing)
-    share = max(problem.legs[k].chord / settings.long_line, problem.legs[k].angle / settings.long_turn)
-    N = max(1, int(np.ceil(settings.short_nodes * share)))
+    fraction = max(problem.legs[k].chord / settings.long_line, problem.legs[k].angle / settings.long_turn)
+    N = max(1, int(np.ceil(settings.short_nodes * fraction)))
     return (np.arange(N) + 0.5) / N
 
 
@@ -128,9 +128,9 @@ def _resting(problem: Problem, pairs: Pairs) -> BoolArray:
 def _straight_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
     """What straight joint moves (m,) take under jerk limits; of other paths about what they take at least."""
     assert axes.jerk is not None
-    way = np.maximum(np.abs(q_1 - q_0), 1e-12)
+    span = np.maximum(np.abs(q_1 - q_0), 1e-12)
     limits = axes.velocity_on(leg), axes.acceleration_on(leg), axes.jerk
-    T = rest_time(np.ones(len(way)), *(np.min(limit / way, axis=1) for limit in limits))
+    T = rest_time(np.ones(len(span)), *(np.min(limit / span, axis=1) for limit in limits))
     return np.asarray(T * (_JERK_ROOM if leg.duration is not None else 1.0))
 
 
@@ -172,7 +172,7 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
     counts = [len(one.q_0) for one in pairs]
     leg, B = problem.legs[pairs[0].k], sum(counts)
     s = _nodes(problem, pairs[0].k)
-    along, ok = (_straight if leg.kind is LegKind.JOINT else _on_ways)(axes, problem, pairs, s)
+    along, ok = (_straight if leg.kind is LegKind.JOINT else _on_paths)(axes, problem, pairs, s)
     number = np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
     samples = samples_of(axes, [problem.legs[one.k] for one in pairs], number, along)
     found = stacked(path_rows(but_torques(axes), samples))
@@ -195,12 +195,12 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
 
 
 def _straight(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> tuple[PathDerivatives, BoolArray]:
-    """Along joint moves, by their share; all places of the first, then of the next. And which are in range: all."""
+    """Along joint moves, by s; all places of the first, then of the next. And which are in range: all."""
     q_0, q_1 = (np.concatenate(x) for x in ([one.q_0 for one in pairs], [one.q_1 for one in pairs]))
     B, m = len(q_0), len(s)
-    way = q_1 - q_0
-    q = (q_0[:, None] + s[:, None] * way[:, None]).reshape(B * m, -1)
-    dq = np.repeat(way, m, axis=0)
+    span = q_1 - q_0
+    q = (q_0[:, None] + s[:, None] * span[:, None]).reshape(B * m, -1)
+    dq = np.repeat(span, m, axis=0)
     X_FT = problem.legs[pairs[0].k].X_FT
     at = axes.differential(q, X_FT)
     twist, bend = at.velocity(dq), at.bias(dq)
@@ -210,13 +210,13 @@ def _straight(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     )
 
 
-def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> tuple[PathDerivatives, BoolArray]:
+def _on_paths(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> tuple[PathDerivatives, BoolArray]:
     """The same along legs of the tool, the rail in proportion; and which stay in range and end where they should."""
     q_0, q_1 = (np.concatenate(x) for x in ([one.q_0 for one in pairs], [one.q_1 for one in pairs]))
     B, m, layout, X_FT = len(q_0), len(s), axes.layout, problem.legs[pairs[0].k].X_FT
     counts = [len(one.q_0) for one in pairs]
-    rail_way = q_1[:, layout.rail] - q_0[:, layout.rail]
-    d = (q_0[:, None, layout.rail] + s[:, None] * rail_way[:, None]).reshape(B * m, -1)
+    rail_span = q_1[:, layout.rail] - q_0[:, layout.rail]
+    d = (q_0[:, None, layout.rail] + s[:, None] * rail_span[:, None]).reshape(B * m, -1)
     kept = np.clip(s, 1e-9, 1 - 1e-9)
     segments = [problem.segment(one.k) for one in pairs]
     X, twist, bend = along_all(segments, [kept] * len(pairs))
@@ -226,7 +226,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     steps = np.diff(np.concatenate([q_0[:, None, layout.arm], arm], axis=1), axis=1)
     arm = arm - 2 * np.pi * np.cumsum(np.round(np.nan_to_num(steps) / (2 * np.pi)), axis=1)
     q = layout.merge(d, arm.reshape(B * m, -1))
-    dd = np.repeat(rail_way, m, axis=0)
+    dd = np.repeat(rail_span, m, axis=0)
     dq, ddq = rates(axes, q, X_FT, twist[of], bend[of], dd, np.zeros_like(dd))
     every = q.reshape(B, m, -1)
     with np.errstate(invalid="ignore"):
@@ -234,5 +234,5 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
         inside = axes.within(every).all(axis=1)
         ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else _FLIPPED)))
     twist, bend = over_work(segments, [kept] * len(pairs), twist, bend)
-    table = np.repeat([problem.legs[one.k].table for one in pairs], np.array(counts) * m, axis=0)
-    return PathDerivatives(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3], table), ok
+    use = np.repeat([problem.legs[one.k].positioner_use for one in pairs], np.array(counts) * m, axis=0)
+    return PathDerivatives(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3], use), ok

@@ -1,6 +1,6 @@
 """Where a run leads all axes: its parts in order, with derivatives along them, for given axes at its waypoints.
 
-The axes share one progress. A leg is cut where its formula changes: half of the corner before it, its own path, half
+The axes fraction one progress. A leg is cut where its formula changes: half of the corner before it, its own path, half
 of the corner behind it, and where the rail has left its own corner. The parameter sigma goes on through the whole run
 with continuous first derivatives: it counts the metres of a line or an arc, and a joint move in the measure that the
 corner beside it asks for. Second derivatives jump between parts.
@@ -31,24 +31,24 @@ _SHRINK = 0.8  # a corner of all axes that leaves its zone is made smaller by th
 
 _SHORT = 1e-9  # of a path, or of its parameter: no part of it
 _SLIVER = 1e-6  # fraction of a path between two corners: no part of it; a corner goes on along its own segments
-_INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
+_INSIDE = 1e-9  # fraction of a part by which a sample keeps from its ends, where derivatives jump
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
-_ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
-_FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "table")
+_ASIDE = 1e-3  # fraction of a part beside such a place, where derivatives are taken instead
+_FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "positioner_use")
 _APART = 1e-4  # rad, m: axes of two parts that are not one place
 
 
 @dataclass(frozen=True, eq=False)
 class Rail:
-    """The rail on a part, over its share u: d + u (slope + u bend); each (r,), or (m, r) on one part at each of m
-    shares."""
+    """The rail on a part, over its fraction u: d + u (slope + u bend); each (r,), or (m, r) on one part at each of m
+    fractions."""
 
     d: Array
     slope: Array
     bend: Array
 
     def at(self, u: Array) -> tuple[Array, Array, Array]:
-        """Position and both derivatives by u, each (m, r), at shares u (m,)."""
+        """Position and both derivatives by u, each (m, r), at fractions u (m,)."""
         u = u[:, None]
         rate = self.slope + 2 * u * self.bend
         return self.d + u * (self.slope + u * self.bend), rate, 2 * np.broadcast_to(self.bend, rate.shape)
@@ -57,7 +57,7 @@ class Rail:
 @dataclass(frozen=True, eq=False)
 class PathPart:
     """From s_0 to s_1 of a segment, of one leg (its number in the problem). size: how much sigma it is. u (N+1,): its
-    nodes, as shares of it.
+    nodes, as fractions of it.
 
     rail, cfx: rail and branch on a segment of the tool; None and -1 on one of the axes.
     """
@@ -77,15 +77,15 @@ class PathPart:
         return len(self.u) - 1
 
     def own(self, u: Array) -> Array:
-        """The segment's parameter (m,) at shares u (m,) of the part."""
+        """The segment's parameter (m,) at fractions u (m,) of the part."""
         return self.s_0 + u * (self.s_1 - self.s_0)
 
 
 @dataclass(frozen=True, eq=False)
 class PathDerivatives:
     """At m places: axes q with their derivatives dq, ddq (m, n), and the tool's position's v, bend and turning's first
-    one w (m, 3), all by sigma; against the work object where that turns. table (m, 2): what positioners take for one
-    sigma, see Leg.table."""
+    one w (m, 3), all by sigma; against the work object where that turns. positioner_use (m, 2): what positioners take
+    for one sigma, see Leg.positioner_use."""
 
     q: Array
     dq: Array
@@ -93,7 +93,7 @@ class PathDerivatives:
     v: Array
     w: Array
     bend: Array
-    table: Array
+    positioner_use: Array
 
     def at(self, rows: slice | IndexArray) -> PathDerivatives:
         """Some of the places."""
@@ -108,7 +108,7 @@ class PathDerivatives:
         """The derivatives by a parameter that grows size (m,) times as fast."""
         k = 1 / size[:, None]
         return PathDerivatives(
-            self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2, self.table * k
+            self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2, self.positioner_use * k
         )
 
 
@@ -233,9 +233,9 @@ def together(paths: Sequence[SampledPath]) -> SampledPath:
 
 
 @dataclass(frozen=True, eq=False)
-class _Bend:
-    """The corner at a waypoint: the shares of the legs before and behind it that it replaces, and those in which the
-    rail is bent by itself (0 where the corner is one of all axes)."""
+class _CornerAt:
+    """The corner at a waypoint: the fractions of the legs before and behind it that it replaces, and those in which
+    the rail is bent by itself (0 where the corner is one of all axes)."""
 
     corner: Corner | JointCorner
     before: float
@@ -260,19 +260,19 @@ class _RunParts:
 
     def parts(self) -> list[PathPart] | None:
         """The parts in order; None where a corner's joints are not to be had."""
-        bends: dict[int, _Bend] = {}
+        corners: dict[int, _CornerAt] = {}
         for k in range(self._first + 1, self._last):
-            bend = self._bend(k)
-            if bend is None:
+            corner = self._corner(k)
+            if corner is None:
                 return None
-            bends[k] = bend
+            corners[k] = corner
         out: list[PathPart] = []
         measure, half = self._measure(self._first), 0.0
         for k in range(self._first, self._last):
-            if k in bends:  # both halves of a corner are equally much sigma
-                measure = half / bends[k].after
-            out += self._leg(k, bends.get(k), bends.get(k + 1), measure)
-            half = measure * bends[k + 1].before if k + 1 in bends else 0.0
+            if k in corners:  # both halves of a corner are equally much sigma
+                measure = half / corners[k].after
+            out += self._leg(k, corners.get(k), corners.get(k + 1), measure)
+            half = measure * corners[k + 1].before if k + 1 in corners else 0.0
         return out
 
     def _path(self, k: int) -> Segment | JointSegment:
@@ -295,7 +295,7 @@ class _RunParts:
         return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
 
     # ---- a leg's parts
-    def _leg(self, k: int, start: _Bend | None, end: _Bend | None, measure: float) -> Iterator[PathPart]:
+    def _leg(self, k: int, start: _CornerAt | None, end: _CornerAt | None, measure: float) -> Iterator[PathPart]:
         """The parts of leg k between the middles of its corners."""
         settings = self._axes.settings
         t_0, t_1 = (start.after if start else 0.0), 1 - (end.before if end else 0.0)
@@ -341,20 +341,20 @@ class _RunParts:
     def _branch(self, k: int) -> int:
         return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]
 
-    def _rail(self, k: int, start: _Bend | None, end: _Bend | None, a: float, b: float) -> Rail:
-        """The rail from share a to b of leg k: in proportion to the path, between its corners."""
-        d_0, way, h = self._d(k), self._d(k + 1) - self._d(k), b - a
+    def _rail(self, k: int, start: _CornerAt | None, end: _CornerAt | None, a: float, b: float) -> Rail:
+        """The rail from fraction a to b of leg k: in proportion to the path, between its corners."""
+        d_0, span, h = self._d(k), self._d(k + 1) - self._d(k), b - a
         middle = (a + b) / 2
         if start and middle < start.rail_after:
             zone, slope = start.rail_after, self._slope_in(k, k - 1)
             # the parabola through both edges of the corner with the slopes on both sides
-            curve, t = (way - slope) / (4 * zone), a + zone
+            curve, t = (span - slope) / (4 * zone), a + zone
             return Rail(d_0 + slope * a + curve * t**2, (slope + 2 * curve * t) * h, curve * h**2)
         if end and middle > 1 - end.rail_before:
             zone, slope, t = end.rail_before, self._slope_in(k, k + 1), a - 1 + end.rail_before
-            curve = (slope - way) / (4 * zone)
-            return Rail(d_0 + way * a + curve * t**2, (way + 2 * curve * t) * h, curve * h**2)
-        return Rail(d_0 + way * a, way * h, np.zeros_like(way))
+            curve = (slope - span) / (4 * zone)
+            return Rail(d_0 + span * a + curve * t**2, (span + 2 * curve * t) * h, curve * h**2)
+        return Rail(d_0 + span * a, span * h, np.zeros_like(span))
 
     def _d(self, k: int) -> Array:
         return np.asarray(self._q[k, self._axes.layout.rail])
@@ -364,13 +364,13 @@ class _RunParts:
         return np.asarray((self._d(other + 1) - self._d(other)) * self._measure(k) / self._measure(other))
 
     # ---- corners
-    def _bend(self, k: int) -> _Bend | None:
+    def _corner(self, k: int) -> _CornerAt | None:
         """The corner at waypoint k, between legs k - 1 and k."""
         zone = self._problem.waypoints[k].fly_by
         assert zone is not None
         before, after = self._paths[k - 1], self._paths[k]
         if zone.joint or isinstance(before, JointSegment) or isinstance(after, JointSegment):
-            found: _Bend | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_bend(k, zone.radius))
+            found: _CornerAt | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_corner(k, zone.radius))
             return found
         sides = self._measure(k - 1), self._measure(k)
 
@@ -381,9 +381,9 @@ class _RunParts:
 
         corner: Corner = self._once(k, self._q[:0], make)
         rail_before, rail_after = (zone.external / side for side in sides)
-        return _Bend(corner, corner.fraction_before, corner.fraction_after, rail_before, rail_after)
+        return _CornerAt(corner, corner.fraction_before, corner.fraction_after, rail_before, rail_after)
 
-    def _joint_bend(self, k: int, radius: float) -> _Bend | None:
+    def _joint_corner(self, k: int, radius: float) -> _CornerAt | None:
         """A corner of all axes, small enough that the tool stays within its zone. Where another one takes over, the
         first stays within it in its half, and the other comes no farther from its point than where the corner begins.
         """
@@ -391,19 +391,19 @@ class _RunParts:
         sides = ((k - 1, True), (k, False))
         tools = [self._problem.legs[leg].X_FT for leg, _ in sides]
         points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
-        shares = []
+        fractions = []
         for (leg, end), X_FT, point in zip(sides, tools, points, strict=True):
             path = self._paths[leg]
             if isinstance(path, JointSegment):
-                shares.append(_reaching(self._axes, path, X_FT, point, radius, end))
+                fractions.append(_reaching(self._axes, path, X_FT, point, radius, end))
             else:
-                shares.append(radius / self._measure(leg))
+                fractions.append(radius / self._measure(leg))
         for _ in range(_SHRINKS):
-            states = [self._state(k - 1, 1 - shares[0]), self._state(k, shares[1])]
+            states = [self._state(k - 1, 1 - fractions[0]), self._state(k, fractions[1])]
             if any(np.isnan(q).any() for q, _ in states):
                 return None
             (q_0, rate_0), (q_1, rate_1) = states
-            corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
+            corner = JointCorner(q_0, 2 * fractions[0] * rate_0, q_1, 2 * fractions[1] * rate_1)
             halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, settings.sphere_samples))), 2)
             first, last = (
                 float(np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max())
@@ -414,18 +414,18 @@ class _RunParts:
                 begins = float(np.linalg.norm((halves[0][0] @ tools[1])[:3, 3] - points[1]))
             if first <= radius * _SPHERE and last <= max(radius, begins) * _SPHERE:
                 break
-            shares = [share * _SHRINK for share in shares]
-        return _Bend(corner, *shares)
+            fractions = [fraction * _SHRINK for fraction in fractions]
+        return _CornerAt(corner, *fractions)
 
-    def _state(self, k: int, share: float) -> tuple[Array, Array]:
-        """Axes (n,) at a share of leg k, and their derivative by it."""
-        path, t = self._paths[k], np.array([share])
+    def _state(self, k: int, fraction: float) -> tuple[Array, Array]:
+        """Axes (n,) at a fraction of leg k, and their derivative by it."""
+        path, t = self._paths[k], np.array([fraction])
         if isinstance(path, JointSegment):
             return path.axes(t)[0], path.rate(t)[0]
         rail = Rail(self._d(k), self._d(k + 1) - self._d(k), np.zeros_like(self._d(k)))
         part = PathPart(k, path, 0.0, 1.0, 1.0, t, rail, self._branch(k))
-        near = self._q[k] + share * (self._q[k + 1] - self._q[k])
-        along = _on_ways(self._axes, self._problem, [part], [t])
+        near = self._q[k] + fraction * (self._q[k + 1] - self._q[k])
+        along = _on_paths(self._axes, self._problem, [part], [t])
         turns = 2 * np.pi * np.round((near - along.q[0]) / (2 * np.pi))
         turns[self._axes.layout.rail] = 0.0
         return along.q[0] + turns, along.dq[0]
@@ -449,15 +449,15 @@ def _distinct(cuts: set[float]) -> list[float]:
 
 
 def _reaching(axes: Axes, move: JointSegment, X_FT: Array, point: Array, radius: float, end: bool) -> float:
-    """Which share of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
-    share = np.linspace(0, 0.5, axes.settings.zone_samples)
-    away = np.linalg.norm((axes.forward(move.axes(1 - share if end else share)) @ X_FT)[:, :3, 3] - point, axis=1)
+    """Which part of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
+    fraction = np.linspace(0, 0.5, axes.settings.zone_samples)
+    away = np.linalg.norm((axes.forward(move.axes(1 - fraction if end else fraction)) @ X_FT)[:, :3, 3] - point, axis=1)
     outside = np.flatnonzero(away > radius)
     if not len(outside):
         return 0.5
     i = max(int(outside[0]), 1)
     part = (radius - away[i - 1]) / max(away[i] - away[i - 1], 1e-300)
-    return float(max(share[i - 1] + np.clip(part, 0, 1) * (share[i] - share[i - 1]), _SHORT * 10))
+    return float(max(fraction[i - 1] + np.clip(part, 0, 1) * (fraction[i] - fraction[i - 1]), _SHORT * 10))
 
 
 # ------------------------------------------------------------------------------------------- axes along the parts
@@ -468,7 +468,7 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart]
     parts = [part for own, _ in runs for part in own]
     counts = np.array([part.N + 1 for part in parts])
     edges = np.concatenate([[0], np.cumsum(counts)])
-    on_way = np.array([part.rail is not None for part in parts])
+    on_path = np.array([part.rail is not None for part in parts])
     names = [_name(part) for part in parts]
     distinct = {name: part for name, part in zip(names, parts, strict=True)}  # many runs may have it alike
     out = _along_distinct(axes, problem, [*distinct.values()])
@@ -489,7 +489,7 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart]
                 near.append(q[part.leg])
         first += len(own)
     if starts:
-        at = np.repeat(on_way, counts)
+        at = np.repeat(on_path, counts)
         kept = np.cumsum(at)[starts] - 1
         arm = axes.layout.arm
         out.q[at, arm] = unwound(out.q[at, arm], kept, np.array(near)[:, arm])
@@ -497,31 +497,31 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[PathPart]
 
 
 def _along_distinct(axes: Axes, problem: Problem, parts: Sequence[PathPart]) -> PathDerivatives:
-    """The same of parts, one after the other, by their own shares and with joints in whatever turn."""
+    """The same of parts, one after the other, by their own fractions and with joints in whatever turn."""
     counts = [part.N + 1 for part in parts]
     out = _empty(axes.n, sum(counts))
-    on_way = np.array([part.rail is not None for part in parts])
-    for which, of in ((on_way, _on_ways), (~on_way, _on_axes)):
+    on_path = np.array([part.rail is not None for part in parts])
+    for which, of in ((on_path, _on_paths), (~on_path, _on_axes)):
         some = [part for part, wanted in zip(parts, which, strict=True) if wanted]
         if some:
-            out.put(np.repeat(which, counts), of(axes, problem, some, [_shares(part) for part in some]))
+            out.put(np.repeat(which, counts), of(axes, problem, some, [_fractions(part) for part in some]))
     return out
 
 
 def _name(part: PathPart) -> tuple[object, ...]:
-    """Equal for parts of one problem along which is the same by their shares."""
+    """Equal for parts of one problem along which is the same by their fractions."""
     rail = () if part.rail is None else (*part.rail.d, *part.rail.slope, *part.rail.bend)
     return part.leg, id(part.segment), part.s_0, part.s_1, part.cfx, part.u.tobytes(), *rail
 
 
-def _shares(part: PathPart) -> Array:
+def _fractions(part: PathPart) -> Array:
     return part.u if part.rail is None else np.clip(part.u, _INSIDE, 1 - _INSIDE)
 
 
-def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Sequence[Array]) -> PathDerivatives:
-    """Along parts that axes decide, by their shares, one after the other."""
+def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], fractions: Sequence[Array]) -> PathDerivatives:
+    """Along parts that axes decide, by their fractions, one after the other."""
     found = []
-    for part, u in zip(parts, shares, strict=True):
+    for part, u in zip(parts, fractions, strict=True):
         segment = part.segment
         assert isinstance(segment, JointSegment)
         s, k = part.own(u), part.s_1 - part.s_0
@@ -530,64 +530,64 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Se
     v, w, bend = (np.empty((len(q), 3)) for _ in range(3))
     out = PathDerivatives(q, dq, ddq, v, w, bend, np.zeros((len(q), 2)))
     tools = [problem.legs[part.leg].X_FT for part in parts]
-    for at, X_FT in _by_tool(tools, shares):
+    for at, X_FT in _by_tool(tools, fractions):
         motion = axes.differential(q[at], X_FT).motion(dq[at], ddq[at])
         out.v[at], out.w[at], out.bend[at] = motion[:, 0, :3], motion[:, 0, 3:], motion[:, 1, :3]
     return out
 
 
-def _by_tool(tools: Sequence[Array], shares: Sequence[Array]) -> Iterator[tuple[IndexArray, Array]]:
-    """The rows of every tool X_FT among parts with shares (m,) each, and the tool."""
+def _by_tool(tools: Sequence[Array], fractions: Sequence[Array]) -> Iterator[tuple[IndexArray, Array]]:
+    """The rows of every tool X_FT among parts with fractions (m,) each, and the tool."""
     names = [X_FT.tobytes() for X_FT in tools]
     number = {name: i for i, name in enumerate(dict.fromkeys(names))}
-    of = np.repeat([number[name] for name in names], [len(u) for u in shares])
+    of = np.repeat([number[name] for name in names], [len(u) for u in fractions])
     for name, i in number.items():
         yield np.flatnonzero(of == i), tools[names.index(name)]
 
 
-def _on_ways(axes: Axes, problem: Problem, parts: Sequence[PathPart], shares: Sequence[Array]) -> PathDerivatives:
-    """Along parts that the tool decides by their shares, at shares (m,) of each, one part after the other; joints in
-    whatever turn, NaN out of reach."""
+def _on_paths(axes: Axes, problem: Problem, parts: Sequence[PathPart], fractions: Sequence[Array]) -> PathDerivatives:
+    """Along parts that the tool decides, by their fractions (m,) of each, one part after the other; joints in whatever
+    turn, NaN out of reach."""
     tools = [problem.legs[part.leg].X_FT for part in parts]
-    names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in shares]
+    names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in fractions]
     out = _empty(axes.n, sum(counts))
     for name in dict.fromkeys(names):
         alike = np.array([one == name for one in names])
         numbers = np.flatnonzero(alike).tolist()
-        ways = [parts[i] for i in numbers]
-        table = np.array([problem.legs[one.leg].table for one in ways])
-        found = _with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers], table)
+        own = [parts[i] for i in numbers]
+        positioner_use = np.array([problem.legs[one.leg].positioner_use for one in own])
+        found = _with_tool(axes, tools[numbers[0]], own, [fractions[i] for i in numbers], positioner_use)
         out.put(np.repeat(alike, counts), found)
     return out
 
 
 def _with_tool(
-    axes: Axes, X_FT: Array, parts: Sequence[PathPart], shares: Sequence[Array], table: Array
+    axes: Axes, X_FT: Array, parts: Sequence[PathPart], fractions: Sequence[Array], positioner_use: Array
 ) -> PathDerivatives:
-    """The same with one tool on all parts. table (p, 2): what positioners take for the whole of each."""
-    counts = [len(u) for u in shares]
+    """The same with one tool on all parts. positioner_use (p, 2): what positioners take for the whole of each."""
+    counts = [len(u) for u in fractions]
     edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
     cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
     rail = Rail(*(np.array([getattr(part.rail, name) for part in parts])[of] for name in ("d", "slope", "bend")))
-    way = (s_1 - s_0)[:, None]
+    size = (s_1 - s_0)[:, None]
     segments: list[Any] = [part.segment for part in parts]
 
     def at(u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
         X, twist, bend = along_all(segments, np.split(s_0 + u * (s_1 - s_0), edges))
         d, dd, ddd = rail.at(u)
         arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[np.arange(len(u)), cfx]
-        return axes.layout.merge(d, arm), arm, twist * way, bend * way**2, dd, ddd
+        return axes.layout.merge(d, arm), arm, twist * size, bend * size**2, dd, ddd
 
-    u = np.concatenate(shares)
+    u = np.concatenate(fractions)
     q, arm, twist, bend, dd, ddd = at(u)
     numb = axes.robot.walls(arm)[1] < _NUMB
     place = q
     if numb.any():  # there a derivative is what it is a little farther on
         place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
     dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
-    if table.any():  # such a path is one part: its share is the segment's own
+    if positioner_use.any():  # such a path is one part: its parameter is the segment's own
         twist, bend = over_work(segments, np.split(u, edges), twist, bend)
-    return PathDerivatives(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], table[of])
+    return PathDerivatives(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], positioner_use[of])
 
 
 def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:

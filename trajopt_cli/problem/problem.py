@@ -174,7 +174,7 @@ class Leg:
         return self.along or (self.a_tcp, self.a_tcp)
 
     @property
-    def table(self) -> tuple[float, float]:
+    def positioner_use(self) -> tuple[float, float]:
         """What the units take for the whole way at their velocity [s], and at their acceleration [s2]: no share of it
         goes by at more than 1 / the first, nor gathers speed at more than 1 / the second; 0 where none turns."""
         return (

@@ -59,7 +59,7 @@ class PathSamples:
     """Places of a sampled path on legs, place i on legs[number[i]]; all derivatives by the path parameter.
 
     q, dq, ddq (m, n): axes. v, w, bend (m, 3): the tool's velocity, rate of turning and second derivative of position.
-    table (m, 2): what positioners use of their velocity at the rate 1, of their acceleration at u = 1.
+    positioner_use (m, 2): what positioners use of their velocity at the rate 1, of their acceleration at u = 1.
     """
 
     legs: Sequence[Leg]
@@ -71,7 +71,7 @@ class PathSamples:
     v: Array
     w: Array
     bend: Array
-    table: Array
+    positioner_use: Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMoti
 
 class PositionerRate(Limit):
     """The share's rate times the turn is at most what positioners allow, its second derivative likewise; see
-    Leg.table."""
+    Leg.positioner_use."""
 
     name = "positioner"
     apart = True
@@ -26,7 +26,7 @@ class PositionerRate(Limit):
 
     def numbers(self, leg: Leg) -> Array:
         """See Limit."""
-        return np.array(leg.table)[:, None]
+        return np.array(leg.positioner_use)[:, None]
 
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
@@ -36,7 +36,7 @@ class PositionerRate(Limit):
         """See Limit; zero where the share's rates are not given."""
         if motion.progress is None:
             return np.zeros((len(motion.number), 2))
-        return np.abs(motion.progress.T) * np.array([leg.table for leg in motion.legs])[motion.number]
+        return np.abs(motion.progress.T) * np.array([leg.positioner_use for leg in motion.legs])[motion.number]
 
     def used(self, motion: MotionSamples) -> Array:
         """The larger one in both columns: reports tell them apart by nothing."""
@@ -44,11 +44,11 @@ class PositionerRate(Limit):
 
     def path_rows(self, path: PathSamples) -> PathRows | None:
         """See Limit."""
-        if not path.table.any():
+        if not path.positioner_use.any():
             return None
         with np.errstate(divide="ignore"):
-            top = 1 / path.table[..., :1]
-        slopes = path.table[..., 1:]
+            top = 1 / path.positioner_use[..., :1]
+        slopes = path.positioner_use[..., 1:]
         return PathRows(top, slopes, np.zeros_like(slopes), np.zeros_like(slopes))
 
     def node_kind(self, leg: Leg) -> Hashable:
@@ -57,15 +57,18 @@ class PositionerRate(Limit):
 
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         """See Limit."""
-        return {"table": (2,)} if on_path else {}
+        return {"positioner_use": (2,)} if on_path else {}
 
     def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
         """See Limit."""
-        return {"table": np.array(leg.table) / margin} if on_path else {}
+        return {"positioner_use": np.array(leg.positioner_use) / margin} if on_path else {}
 
     def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
         """See Limit."""
         if node.share is None:
             return []
-        rates = [p.table[0] * node.share.v / node.T, *(p.table[1] * a / node.T**2 for a in node.share.a)]
+        rates = [
+            p.positioner_use[0] * node.share.v / node.T,
+            *(p.positioner_use[1] * a / node.T**2 for a in node.share.a),
+        ]
         return [(rate, -1.0, 1.0) for rate in rates]
