@@ -21,8 +21,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # run from a checkout without installing
 
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
-from trajopt_cli.iiwa.controller.feed_path import DosePath, dose_path
+from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead, dose_path
 from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, dose
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.loader import load_task

@@ -505,9 +505,9 @@ def test_the_judge_of_the_compliant_job_shares_data_and_readers_with_it_and_noth
     ("module", "text", "expected"),
     [
         ("iiwa.judge.path", "from trajopt_cli.iiwa.task.legs import legs", "may not import legs from"),
-        ("iiwa.judge.arm", "from trajopt_cli.robot.srs import load_srs", "may not import load_srs from"),
+        ("iiwa.judge.joints", "from trajopt_cli.robot.srs import load_srs", "may not import load_srs from"),
         (
-            "iiwa.judge.arm",
+            "iiwa.judge.joints",
             "def f():\n    import trajopt_cli.robot.srs_inverse",
             "this judge reaches robot.srs_inv",
         ),

@@ -12,11 +12,15 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from trajopt_cli.iiwa.report.charts import loop_time_figure, stability_figure
-from trajopt_cli.iiwa.report.follow import family_figure, feed_figure, following_figure
-from trajopt_cli.iiwa.report.forces import contact_figure, guided_figure, steps_figure, zeroing_figure
+from trajopt_cli.iiwa.report.follow import (
+    family_figure,
+    feed_figure,
+    following_figure,
+    loop_time_figure,
+    stability_figure,
+)
+from trajopt_cli.iiwa.report.forces import contact_figure, draw_paths, guided_figure, steps_figure, zeroing_figure
 from trajopt_cli.iiwa.report.runs import Following, checked, number_of, picture
-from trajopt_cli.iiwa.report.space import draw_paths
 from trajopt_cli.iiwa.report.thinning import thinned
 from trajopt_cli.report import style
 

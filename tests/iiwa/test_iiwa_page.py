@@ -14,7 +14,7 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.experiments.tables import experiments_page
+from trajopt_cli.iiwa.experiments.catalogue import experiments_page
 from trajopt_cli.iiwa.report.page import AFTER, Chart, Curve, charts_data
 
 TASK = """\

@@ -15,6 +15,7 @@ from told_cases import Cases, Told
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.job.pages import simulation_page
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.samples import read_table, unit
 from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, SIMULATED
@@ -38,7 +39,7 @@ CASES = Cases()
 def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of eleven rows, with joints and a simulation."""
     folder = make_folder(tmp_path_factory.mktemp("small") / "small", task_text(poses=SMALL))
-    simulate(folder, settle=0.004)
+    simulate(folder, simulation_page, settle=0.004)
     FOLDER[:] = [folder]
     return folder
 

@@ -13,8 +13,7 @@ from scipy.spatial.transform import Rotation
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.iiwa.judge.path import legs
-from trajopt_cli.iiwa.judge.poses_csv import lines_of, read_poses
-from trajopt_cli.iiwa.judge.task_order import FramePose, Order, read_order
+from trajopt_cli.iiwa.judge.task_order import FramePose, Order, lines_of, read_order, read_poses
 from trajopt_cli.iiwa.judge.tolerances import EXACT, ROUNDING, START
 from trajopt_cli.iiwa.judge.written import METRE, RADIAN, rate
 from trajopt_cli.robot.srs import load_srs

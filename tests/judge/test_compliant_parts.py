@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose
 from trajopt_cli.iiwa.judge import quaternions as turns
-from trajopt_cli.iiwa.judge.arm import arm_angles, configuration, wrapped
+from trajopt_cli.iiwa.judge.joints import arm_angles, configuration, wrapped
 from trajopt_cli.iiwa.judge.path import legs
 from trajopt_cli.iiwa.judge.samples import poses_of_joints
 from trajopt_cli.iiwa.judge.task_order import FramePose, arm_frame, periods, read_arm, read_order

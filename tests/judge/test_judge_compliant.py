@@ -21,8 +21,9 @@ from iiwa_folders import (
 from spoiled_iiwa import SPOILED
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
+from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
 from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob, schedule_feed
+from trajopt_cli.iiwa.job.pages import feed_page, simulation_page
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.verify import Judged, verify_folder
 from trajopt_cli.iiwa.task.model import AngleMeaning
@@ -71,7 +72,7 @@ def bases(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
                 joints = name in ("joints", "simulated")
                 made[name] = make_folder(place / name, task_text("trapezoid" if joints else name), joints=joints)
             if name == "simulated":
-                simulate(made[name], settle=0.1)
+                simulate(made[name], simulation_page, settle=0.1)
         return made[name]
 
     return base
@@ -187,7 +188,7 @@ def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str]
 
 
 def test_a_dosed_sequence_keeps_its_path_and_its_caps(bases: Callable[[str], Path], tmp_path: Path) -> None:
-    dosed = schedule_feed(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)))
+    dosed = schedule_feed(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)), feed_page)
     assert isinstance(dosed, ScheduledJob)
     judged = verify_folder(tmp_path / "dosed")
     assert messages(judged) == []
@@ -198,7 +199,7 @@ def test_a_dosed_sequence_keeps_its_path_and_its_caps(bases: Callable[[str], Pat
 
 def test_a_plan_that_passes_its_corners_at_speed_has_rows_at_them(tmp_path: Path) -> None:
     make_folder(tmp_path / "cube", shipped("cube").replace("profile: trapezoid", "profile: thesis"), joints=False)
-    dosed = schedule_feed(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)))
+    dosed = schedule_feed(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)), feed_page)
     assert isinstance(dosed, ScheduledJob)
     assert any("slowed down" in note for note in dosed.scheduled.notes)  # or the joints would break theirs
     assert dosed.scheduled.lag.maximum > 4e-3  # corners are cut

@@ -13,8 +13,7 @@ from scipy.optimize import linprog
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import rotation_about
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
-from trajopt_cli.iiwa.controller.feed_path import DosePath, PathInterval, dose_path
+from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead, PathInterval, dose_path
 from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, Dosed
 from trajopt_cli.iiwa.controller.feed_schedule import dose as dosed_as
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece

@@ -13,11 +13,10 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.iiwa.controller.admittance import Controller
-from trajopt_cli.iiwa.controller.forces import force_of
+from trajopt_cli.iiwa.controller.forces import TorqueErrors, force_of
 from trajopt_cli.iiwa.controller.loop import LoopRun, run
 from trajopt_cli.iiwa.controller.parameters import Settings, Stop, StopKind
 from trajopt_cli.iiwa.controller.regulator import response, response_rotation
-from trajopt_cli.iiwa.controller.sensor import TorqueErrors
 from trajopt_cli.iiwa.task.model import (
     Change,
     Clamps,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trajopt_cli.iiwa.controller.sensor import TorqueErrors
+from trajopt_cli.iiwa.controller.forces import TorqueErrors
 from trajopt_cli.iiwa.task.model import Sensor
 
 H = 1e-3

@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.loop import run
 from trajopt_cli.iiwa.controller.parameters import Settings
-from trajopt_cli.iiwa.experiments import measuring, moving, pushed
+from trajopt_cli.iiwa.experiments import moving, pushed
 from trajopt_cli.iiwa.experiments.catalogue import EXPERIMENTS, Experiments, bench_of, collected, write_experiments
 from trajopt_cli.iiwa.experiments.setup import START, Bench, Experiment, compliance
 from trajopt_cli.iiwa.report.runs import Following
@@ -78,7 +78,7 @@ def whole(bench: Bench, hit: Experiment) -> Iterator[Mapping[str, Experiment]]:
     """Every experiment, what is slow in a shorter form."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(moving, "BOUND", 0.1)  # fed in seconds, not in minutes
-        patch.setattr(measuring, "_PERIODS", 100)
+        patch.setattr(pushed, "_PERIODS", 100)
         yield {name: hit if name == "collision" else make(bench) for name, make in EXPERIMENTS.items()}
 
 
@@ -304,7 +304,7 @@ def test_the_record_is_plain_and_the_same_again(
     bench: Bench, whole: Mapping[str, Experiment], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = gathered(whole).record
-    monkeypatch.setattr(measuring, "_PERIODS", 100)
+    monkeypatch.setattr(pushed, "_PERIODS", 100)
     made = {name: EXPERIMENTS[name](bench) for name in ("all_axes", "zeroing", "stability", "speed", "loop_time")}
     again = gathered({**whole, **made, "collision": moving.collision(bench, wall(tmp_path, 0.095))}).record
     more = {"flange_worst", "flange_worst_notes", "flange_worst_of_the_earlier_work_m"}

@@ -11,11 +11,10 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
-from trajopt_cli.iiwa.controller.forces import SMALLEST, ForceMap, SingularArm, clamped, zero
+from trajopt_cli.iiwa.controller.forces import SMALLEST, ForceMap, SingularArm, TorqueErrors, clamped, zero
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
 from trajopt_cli.iiwa.controller.pose_regulator import pose_regulator
 from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, product, rotation, transpose, turned
-from trajopt_cli.iiwa.controller.sensor import TorqueErrors
 from trajopt_cli.iiwa.task.model import BETA_LIMIT, Change, Clamps, RotationLaw
 from trajopt_cli.iiwa.task.world import Measured, Seven, Six
 from trajopt_cli.robot.dynamics import Dynamics

@@ -19,8 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import Allowed
-from trajopt_cli.iiwa.controller.feed_path import DosePath
+from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath
 from trajopt_cli.iiwa.controller.regulator import Coefficients, coefficients
 from trajopt_cli.iiwa.task.model import Compliance, Integration
 

@@ -15,8 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, rotations_by
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
-from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, Lead
-from trajopt_cli.iiwa.controller.feed_path import DosePath
+from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, DosePath, Lead
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import response, response_rotation

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.rotations import rotation
-from trajopt_cli.iiwa.task.model import Zeroing
+from trajopt_cli.iiwa.task.model import Sensor, Zeroing
 
 SMALLEST = 1e-5
 """Singular value of J under which no force is given: a torque error of 1 Nm would pass for about 1e5 N."""
@@ -93,3 +94,29 @@ def clamped(values: Sequence[float], bounds: Sequence[float]) -> list[float]:
         bound if value > bound else -bound if value < -bound else value
         for value, bound in zip(values, bounds, strict=True)
     ]
+
+
+class TorqueErrors:
+    """Errors [Nm] of seven measured torques at times k h: the same sensor and seed give the same numbers.
+
+    ranges (7,) [Nm]: each sensor's range; its constant error is drawn evenly from +-sensor.bias of it. The ripple has
+    the amplitude of the sensor's list on every joint, each with a phase of its own.
+    """
+
+    def __init__(self, sensor: Sensor, ranges: ArrayLike, h: float) -> None:
+        span = np.asarray(ranges, dtype=np.float64)
+        if span.shape != (7,):
+            raise ValueError(f"ranges has shape {span.shape}, wanted (7,)")
+        rng = np.random.default_rng(sensor.seed)
+        self._bias = sensor.bias * span * rng.uniform(-1, 1, 7)
+        phases = rng.uniform(0, 2 * pi, (len(sensor.ripple), 7))
+        self._waves = [
+            (2 * pi * f * h, amplitude, row) for (f, amplitude), row in zip(sensor.ripple, phases, strict=True)
+        ]
+
+    def at(self, k: ArrayLike) -> Array:
+        """The errors (..., 7) of periods k (...)."""
+        out = self._bias
+        for turn, amplitude, phases in self._waves:
+            out = out + amplitude * np.sin(turn * np.asarray(k)[..., None] + phases)
+        return np.broadcast_to(out, (*np.shape(k), 7))

@@ -17,8 +17,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
-from trajopt_cli.iiwa.controller.feed_path import dose_path
+from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead, dose_path
 from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, dose, resting_time
 from trajopt_cli.iiwa.controller.lag import deviation, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import response

@@ -16,7 +16,7 @@ from trajopt_cli.runs.files import check_writable
 from trajopt_cli.table import TextTable
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.feed_limits import Lead
+    from trajopt_cli.iiwa.controller.feed_path import Lead
 
 Tell = Callable[[str], None]
 
@@ -93,13 +93,14 @@ def simulate(
     plots: Path | None,
 ) -> Answer | Refused:
     """Run the controller on a folder's sequence and write what it does into it; arguments as of simulation.simulate."""
+    from trajopt_cli.iiwa.job.pages import simulation_page
     from trajopt_cli.iiwa.job.simulation import simulate as run
 
     _check_places(results, plots)
     if settle is not None and not settle < float("inf"):
         raise InputError(f"--settle: needs a time of 0 to 600 s, not {settle}")
     how = Integration(integration) if integration else None
-    found = run(results, contact, engine, Feed(feed) if feed else None, how, settle)
+    found = run(results, simulation_page, contact, engine, Feed(feed) if feed else None, how, settle)
     if isinstance(found, Refused):
         return found
 
@@ -138,8 +139,9 @@ def schedule_feed(
 
     unbounded: no lead is assumed where none is given.
     """
-    from trajopt_cli.iiwa.controller.feed_limits import Allowed
+    from trajopt_cli.iiwa.controller.feed_path import Allowed
     from trajopt_cli.iiwa.job import feed_scheduling
+    from trajopt_cli.iiwa.job.pages import feed_page
 
     # '.' and '..' have no name of their own
     beside = results if results.name not in ("", "..") else results.resolve()
@@ -156,7 +158,7 @@ def schedule_feed(
         lead,
         _lead(max_turn_lead, MOMENT, ANGLE, "--max-turn-lead"),
     )
-    found = feed_scheduling.schedule_feed(results, folder, allowed, front, unbounded)
+    found = feed_scheduling.schedule_feed(results, folder, allowed, feed_page, front, unbounded)
     if isinstance(found, Refused):
         return found
 
@@ -189,7 +191,7 @@ def _check_places(results: Path, plots: Path | None) -> None:
 
 def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
     """A bound on the lead: a force or moment, or what a spring that pushes as much is stretched by."""
-    from trajopt_cli.iiwa.controller.feed_limits import Lead
+    from trajopt_cli.iiwa.controller.feed_path import Lead
 
     if text is None:
         return None

@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_limits import LAGS, TURN_LAGS, Allowed, Lead
+from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, Lead
 from trajopt_cli.iiwa.job.folder import (
     Opened,
     check_place,
@@ -124,9 +124,14 @@ class ScheduledJob:
 
 
 def schedule_feed(
-    folder: Path, output: Path, allowed: Allowed, front: bool = False, unbounded: bool = False
+    folder: Path,
+    output: Path,
+    allowed: Allowed,
+    page: Callable[[ScheduledJob], bytes],
+    front: bool = False,
+    unbounded: bool = False,
 ) -> ScheduledJob | Refused:
-    """Retime a folder's sequence: least time within what is allowed, into output.
+    """Retime a folder's sequence: least time within what is allowed, into output. page: makes report.html.
 
     Where no lead is bounded, a spring that is stretched by the lag is taken for one, unless unbounded. The sequence
     keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written where there
@@ -211,7 +216,7 @@ def schedule_feed(
         _left_out(task),
         output,
     )
-    _write(job)
+    _write(job, page(job))
     return job
 
 
@@ -346,9 +351,7 @@ def feed_record(made: Dosed) -> dict[str, Any]:
     }
 
 
-def _write(job: ScheduledJob) -> None:
-    from trajopt_cli.iiwa.job.pages import feed_page
-
+def _write(job: ScheduledJob, page: bytes) -> None:
     found = job.before.folder
     assert found is not None
     inputs = {name: content for name, content in found.contents.items() if name.startswith(INPUT)}
@@ -359,6 +362,6 @@ def _write(job: ScheduledJob) -> None:
         "iiwa dose",
         options,
         found.record.inputs,
-        {**inputs, **sequence_files(job.after), REPORT: feed_page(job)},
+        {**inputs, **sequence_files(job.after), REPORT: page},
         {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": job.record()},
     )

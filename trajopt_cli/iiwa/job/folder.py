@@ -185,7 +185,7 @@ def counted_from_start(opened: Opened) -> Opened:
 
     Raises InputError where an angle then passes its limit.
     """
-    from trajopt_cli.iiwa.task.angle_frames import counted
+    from trajopt_cli.iiwa.task.equilibrium import counted
 
     try:
         R_start = opened.X_start[:3, :3]

@@ -74,7 +74,7 @@ def make_segments(
     angles: how the sequence counts them, None for the task's own way. tell: hears of progress. Raises InputError for
     mistakes, and nothing is written then.
     """
-    from trajopt_cli.iiwa.task.angle_frames import counted
+    from trajopt_cli.iiwa.task.equilibrium import counted
     from trajopt_cli.iiwa.task.segments import planned
     from trajopt_cli.robot.srs import load_srs
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil
@@ -153,6 +153,7 @@ class Simulated:
 
 def simulate(
     folder: Path,
+    page: Callable[[Simulated], bytes],
     contact_file: Path | None = None,
     engine: str | None = None,
     feed: Feed | None = None,
@@ -161,9 +162,9 @@ def simulate(
 ) -> Simulated | Refused:
     """Run the controller on a folder's sequence and write simulation.csv and report.html into it.
 
-    contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
-    MuJoCo where it is installed. feed: None for the one the folder was made for. settle [s]: how long the last pose is
-    held, None for as long as the controller needs.
+    page: makes report.html. contact_file: what the tool may run into, None for what the task itself says. engine:
+    "spring" or "mujoco", None for MuJoCo where it is installed. feed: None for the one the folder was made for. settle
+    [s]: how long the last pose is held, None for as long as the controller needs.
     """
     from trajopt_cli.iiwa.task.loader import load_contact
 
@@ -172,9 +173,7 @@ def simulate(
     place = str(contact_file or opened.task.file)
     answer = run_controller(opened, contact, engine, feed, integration, settle, place)
     if isinstance(answer, Simulated):
-        from trajopt_cli.iiwa.job.pages import simulation_page
-
-        files = {SIMULATION: simulation_csv(answer).encode(), REPORT: simulation_page(answer)}
+        files = {SIMULATION: simulation_csv(answer).encode(), REPORT: page(answer)}
         add_to_folder(answer.opened, files, {"simulation": simulation_record(answer)})
     return answer
 

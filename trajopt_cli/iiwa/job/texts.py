@@ -13,7 +13,7 @@ from trajopt_cli.table import TextTable, seconds, tabulate
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.feed_limits import Allowed, Lead
+    from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
     from trajopt_cli.iiwa.controller.lag import Lag
     from trajopt_cli.iiwa.controller.stability import AxisStability
     from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob

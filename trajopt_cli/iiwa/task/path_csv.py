@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, BoolArray, rotation_from_wxyz
 from trajopt_cli.iiwa.task.angles import angles_of
-from trajopt_cli.iiwa.task.csv_numbers import read_numbers
+from trajopt_cli.iiwa.task.equilibrium_csv import read_numbers
 from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints
 from trajopt_cli.quantity import ANGLE, LENGTH
 

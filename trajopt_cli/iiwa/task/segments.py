@@ -17,8 +17,7 @@ from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.laws import FullSpeed, Ramps, full_speed, ramps
-from trajopt_cli.iiwa.task.legs import MOST_ROWS, StraightSegment, legs, whole_periods
-from trajopt_cli.iiwa.task.many_legs import path_of
+from trajopt_cli.iiwa.task.legs import MOST_ROWS, StraightSegment, legs, path_of, whole_periods
 from trajopt_cli.iiwa.task.model import COORDINATES, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.passing import Caps, passage
 from trajopt_cli.iiwa.task.rounded import Polyline
