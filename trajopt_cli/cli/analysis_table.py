@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.motion import Program
 from trajopt_cli.report.stepwise import Analysis, StepMove, StepWait
 from trajopt_cli.runs.summary import motion_label
-from trajopt_cli.table import place
+from trajopt_cli.table import TextTable, place, seconds, tabulate
 from trajopt_cli.units import DEG, MM
 
 MODEL = (
@@ -58,26 +55,32 @@ def _move_record(program: Program, move: StepMove) -> dict[str, Any]:
     }
 
 
-def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
+def analysis_table(name: str, program: Program, analysis: Analysis) -> TextTable:
     """One line per move and wait, in program order; a wait's time stands in a column of its own."""
-    table = plain_table(
-        f"{name}: as written, in steps of speed; lengths and axis speeds as the carriage sees them",
-        *("~place", "instruction", "~target", ">time [s]", ">wait [s]", ">length [mm]", ">turn [deg]", ">rail by [mm]"),
-        *(">programmed [mm/s]", ">x [mm/s]", ">y [mm/s]", ">z [mm/s]"),
-    )
+
+    def of_move(text: Callable[[StepMove], str]) -> Callable[[StepMove | StepWait], str]:
+        return lambda one: "" if isinstance(one, StepWait) else text(one)
+
+    def axis(i: int) -> Callable[[StepMove | StepWait], str]:
+        return of_move(lambda one: _figure(float(one.velocity[i]) / MM))
+
     entries: list[StepMove | StepWait] = [*analysis.moves, *analysis.waits]
-    for entry in sorted(entries, key=lambda one: one.index):
-        label = (place(entry.source), *motion_label(program, entry.index))
-        if isinstance(entry, StepWait):
-            table.add_row(*label, "", f"{entry.duration:.3f}", *[""] * 7)
-            continue
-        x, y, z = (_figure(float(value) / MM) for value in entry.velocity)
-        table.add_row(
-            *(*label, f"{entry.duration:.3f}", ""),
-            *(_figure(entry.length / MM), _figure(entry.angle / DEG), _figure((entry.rail_1 - entry.rail_0) / MM)),
-            *(_figure(entry.v_tcp / MM), x, y, z),
-        )
-    return table
+    return tabulate(
+        f"{name}: as written, in steps of speed; lengths and axis speeds as the carriage sees them",
+        sorted(entries, key=lambda one: one.index),
+        {
+            "~place": lambda one: place(one.source),
+            "instruction": lambda one: motion_label(program, one.index)[0],
+            "~target": lambda one: motion_label(program, one.index)[1],
+            ">time [s]": of_move(lambda one: seconds(one.duration)),
+            ">wait [s]": lambda one: seconds(one.duration) if isinstance(one, StepWait) else "",
+            ">length [mm]": of_move(lambda one: _figure(one.length / MM)),
+            ">turn [deg]": of_move(lambda one: _figure(one.angle / DEG)),
+            ">rail by [mm]": of_move(lambda one: _figure((one.rail_1 - one.rail_0) / MM)),
+            ">programmed [mm/s]": of_move(lambda one: _figure(one.v_tcp / MM)),
+            **{f">{name} [mm/s]": axis(i) for i, name in enumerate("xyz")},
+        },
+    )
 
 
 def sums(analysis: Analysis) -> Iterator[str]:

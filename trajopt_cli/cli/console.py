@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
 from rich.console import Console
-from rich.table import Table
 
-from trajopt_cli.cli.layout import drawn, wrapped
+from trajopt_cli.cli.layout import Fitted, wrapped
 from trajopt_cli.cli.listing import terminal_width
 from trajopt_cli.table import TextTable
 
@@ -31,9 +30,9 @@ def stdout(quiet: bool = False) -> Console:
     return Console(highlight=False, markup=False, emoji=False, width=width, quiet=quiet)
 
 
-def show(console: Console, table: Table | TextTable) -> None:
+def show(console: Console, table: TextTable) -> None:
     """Print a table with every figure whole: one that is too narrow for its first column is not cut."""
-    console.print(drawn(table) if isinstance(table, TextTable) else table, crop=False, no_wrap=True, overflow="ignore")
+    console.print(Fitted(table), crop=False, no_wrap=True, overflow="ignore")
 
 
 def tell(console: Console, lines: Iterable[str]) -> None:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from rich.table import Table
-
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.measured.identify import Kind, Limit, Seen
+from trajopt_cli.table import TextTable, tabulate
 from trajopt_cli.units import DEG, MM
 
 _UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
@@ -23,27 +21,38 @@ def _in_force(limit: Limit, limits: JointLimits) -> float | None:
     return value if value == value else None
 
 
-def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) -> Table:
+def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) -> TextTable:
     """A line per axis and limit, in degrees and millimetres."""
-    table = plain_table(
+
+    def factor(one: Limit) -> float:
+        return MM if one.axis == "rail" else DEG
+
+    def unit(one: Limit) -> str:
+        return ("mm" if one.axis == "rail" else "deg") + _UNIT[one.kind]
+
+    def missing(one: Limit) -> str:
+        if one.value is not None or one.most is None:
+            return one.why if one.value is None else ""
+        return f"{one.why}; the highest of those that can tell is {one.most / factor(one):.4g} {unit(one)}"
+
+    def told(value: float | None, one: Limit, digits: int = 5) -> str:
+        return "" if value is None else f"{value / factor(one):.{digits}g}"
+
+    return tabulate(
         f"limits by the log, 90 % intervals, beside those of {place}",
-        *("axis", "limit", ">identified", ">from", ">to", "unit", ">motions", ">in force", "what is missing"),
+        found,
+        {
+            "axis": lambda one: one.axis,
+            "limit": lambda one: one.kind.value,
+            ">identified": lambda one: told(one.value, one),
+            ">from": lambda one: told(one.low, one),
+            ">to": lambda one: told(one.high, one),
+            "unit": unit,
+            ">motions": lambda one: "" if one.value is None else str(one.motions),
+            ">in force": lambda one: told(_in_force(one, limits), one, 4),
+            "what is missing": missing,
+        },
     )
-    for one in found:
-        factor = MM if one.axis == "rail" else DEG
-        unit = ("mm" if one.axis == "rail" else "deg") + _UNIT[one.kind]
-        now = _in_force(one, limits)
-        cells = [one.axis, one.kind.value]
-        if one.value is None:
-            most = "" if one.most is None else f"; the highest of those that can tell is {one.most / factor:.4g} {unit}"
-            cells += ["", "", "", unit, "", "" if now is None else f"{now / factor:.4g}", f"{one.why}{most}"]
-        else:
-            assert one.low is not None
-            assert one.high is not None
-            three = (f"{value / factor:.5g}" for value in (one.value, one.low, one.high))
-            cells += [*three, unit, str(one.motions), "" if now is None else f"{now / factor:.4g}", ""]
-        table.add_row(*cells)
-    return table
 
 
 def seen_lines(

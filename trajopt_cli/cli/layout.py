@@ -11,7 +11,6 @@ from textwrap import wrap
 from rich.console import Console, ConsoleOptions, RenderResult
 from rich.segment import Segment
 from rich.style import Style
-from rich.table import Table
 
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.table import TextTable
@@ -21,54 +20,35 @@ _INDENT = "    "  # of what does not fit and stands below
 _LEAST = 12  # characters that a name keeps when it is cut in the middle
 
 
-def plain_table(title: str, *columns: str) -> Table:
-    """A plain table as wide as the terminal. A column whose name begins with '>' is set flush right; one that begins
-    with '~' holds names, which are cut in the middle where there is no room."""
-    table = FittedTable(title=title)
-    for column in columns:
-        table.add_column(
-            column.lstrip(">~"),
-            justify="right" if column.startswith(">") else "left",
-            min_width=_LEAST if column.startswith("~") else None,
-        )
-    return table
-
-
-def drawn(table: TextTable) -> Table:
-    """A table of text for a terminal."""
-    out = plain_table(table.title, *table.heads)
-    for i, row in enumerate(table.rows):
-        if table.total and i == len(table.rows) - 1:
-            out.add_section()
-        out.add_row(*row)
-    return out
-
-
-class FittedTable(Table):
+@dataclass(frozen=True)
+class Fitted:
     """A table that is never wider than the terminal and loses no figure there: columns move together, heads take
     several lines, names are cut in the middle, and at last the columns on the right stand below each row."""
 
+    table: TextTable
+
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """The lines, none with spaces at its end; heads in bold on a terminal, unless NO_COLOR is set."""
+        heads, rows = self.table.heads, self.table.rows
         columns = [
-            Column(str(one.header), [str(cell) for cell in one.cells], one.justify == "right", one.min_width)
-            for one in self.columns
+            Column(head.lstrip(">~"), [row[i] for row in rows], head.startswith(">"), _LEAST * head.startswith("~"))
+            for i, head in enumerate(heads)
         ]
         bold = None if os.environ.get("NO_COLOR") else Style(bold=True)
-        sections = [row.end_section for row in self.rows]
-        for line, head in table_lines(str(self.title), columns, sections, options.max_width):
+        sections = [self.table.total and i == len(rows) - 2 for i in range(len(rows))]
+        for line, head in table_lines(self.table.title, columns, sections, options.max_width):
             yield Segment(line, bold if head else None)
             yield Segment.line()
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column of text. right: set flush right. least: to how many characters its cells may be cut, None for not."""
+    """A column of text. right: set flush right. least: to how many characters its cells may be cut, 0 for not."""
 
     head: str
     cells: Sequence[str]
     right: bool = False
-    least: int | None = None
+    least: int = 0
 
     def width(self, split: bool) -> int:
         """What the column needs; of a split head the longest word counts."""

@@ -15,10 +15,9 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from rich.table import Table
-
     from trajopt_cli.exporters.egm import Stream
     from trajopt_cli.exporters.egm_player import Lag
+    from trajopt_cli.table import TextTable
 
 app = typer.Typer(help="Play a stream to a simulated controller on this machine.", rich_markup_mode=None)
 _SETTLED = 10  # time constants behind the last set point, in which a follower arrives
@@ -113,22 +112,20 @@ def _stream(source: Path) -> Stream:
         raise InputError(f"cannot read: {error.strerror}", file=str(source)) from error
 
 
-def _table(constant: float, found: Iterable[Lag]) -> Table:
-    from trajopt_cli.cli.layout import plain_table
+def _table(constant: float, found: Iterable[Lag]) -> TextTable:
+    from trajopt_cli.table import tabulate
 
-    table = plain_table(
+    return tabulate(
         f"lag behind the set points, predicted for a follower of {1000 * constant:g} ms",
-        *("axis", ">fastest", "", ">speed x time", ">predicted", ">received", "", ">as of"),
+        found,
+        {
+            "axis": lambda lag: lag.name,
+            ">fastest": lambda lag: f"{lag.fastest:.2f}",
+            "": lambda lag: f"{lag.unit}/s",
+            ">speed x time": lambda lag: f"{lag.ramp:.3f}",
+            ">predicted": lambda lag: f"{lag.foretold:.3f}",
+            ">received": lambda lag: "" if lag.measured is None else f"{lag.measured:.3f}",
+            " ": lambda lag: lag.unit,
+            ">as of": lambda lag: "" if lag.constant is None else f"{1000 * lag.constant:.1f} ms",
+        },
     )
-    for lag in found:
-        table.add_row(
-            lag.name,
-            f"{lag.fastest:.2f}",
-            f"{lag.unit}/s",
-            f"{lag.ramp:.3f}",
-            f"{lag.foretold:.3f}",
-            "" if lag.measured is None else f"{lag.measured:.3f}",
-            lag.unit,
-            "" if lag.constant is None else f"{1000 * lag.constant:.1f} ms",
-        )
-    return table

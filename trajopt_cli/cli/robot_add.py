@@ -13,10 +13,9 @@ from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError, printable
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from trajopt_cli.adopt.add import NewRobot
     from trajopt_cli.robot.model import RobotModel
+    from trajopt_cli.table import TextTable
 
 _LENGTHS = {
     "a1": "axis 2 in front of axis 1",
@@ -149,22 +148,20 @@ def _record(made: NewRobot, robot: RobotModel) -> dict[str, Any]:
     }
 
 
-def _told(made: NewRobot, robot: RobotModel, folder: Path) -> Iterator[Table | str]:
-    from trajopt_cli.cli.layout import plain_table
+def _told(made: NewRobot, robot: RobotModel, folder: Path) -> Iterator[TextTable | str]:
+    from trajopt_cli.table import TextTable
     from trajopt_cli.units import DEG, MM
 
     chain = made.chain
     yield f"{made.name}: from {chain.base} to {chain.tip} of {chain.tree.path}\n"
-    table = plain_table("axes", "axis", "in the URDF", ">from", ">to", "unit", ">speed", "unit")
+    rows = []
     for joint in chain.axes:
         factor, unit = (MM, "mm") if joint.kind == "prismatic" else (DEG, "deg")
         figures = [f"{value / factor:.6g}" for value in (joint.lower, joint.upper, joint.velocity)]
-        table.add_row(joint.name, chain.named[joint.name], *figures[:2], unit, figures[2], f"{unit}/s")
-    yield table
-    lengths = plain_table("dimensions", "length", ">mm", "what it is")
-    for what, value in robot.arm.lengths.items():
-        lengths.add_row(what, f"{value / MM:.6g}", _LENGTHS[what])
-    yield lengths
+        rows.append((joint.name, chain.named[joint.name], *figures[:2], unit, figures[2], f"{unit}/s"))
+    yield TextTable("axes", ("axis", "in the URDF", ">from", ">to", "unit", ">speed", "unit"), tuple(rows))
+    lengths = ((what, f"{value / MM:.6g}", _LENGTHS[what]) for what, value in robot.arm.lengths.items())
+    yield TextTable("dimensions", ("length", ">mm", "what it is"), tuple(lengths))
     if not robot.closed_form:
         yield "axes 4, 5 and 6 do not meet in one point: configurations are sought step by step, so planning takes"
         yield "minutes, and no nonlinear program improves the plan\n"

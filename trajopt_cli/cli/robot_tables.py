@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
-from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.table import TextTable
 from trajopt_cli.units import DEG, MM
 
 
@@ -53,14 +52,13 @@ def _limits_record(limits: JointLimits) -> dict[str, Any]:
     return record | ({"coupled": [asdict(one) for one in limits.coupled]} if limits.coupled else {})
 
 
-def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
+def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
     notes = _Footnotes()
     yield f"{robot.name}: {robot.title}\n"
-    lengths = plain_table("dimensions", "length", ">mm", "source")
-    for name, value in _lengths(robot).items():
-        lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
-    yield lengths
+    mark = notes.mark(robot.notes["geometry"])
+    lengths = ((name, f"{value / MM:.6g}", mark) for name, value in _lengths(robot).items())
+    yield TextTable("dimensions", ("length", ">mm", "source"), tuple(lengths))
     yield _ranges(robot.profile("default"), notes)
     if robot.profile("default").coupled:
         yield _coupled(robot.profile("default"), notes)
@@ -83,12 +81,12 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
     yield from notes.lines()
 
 
-def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
+def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[TextTable]:
     """What the drives give and how heavy they are, and the links' masses, where the robot's files say it."""
     limits = robot.profile()
     if limits.torque is None:
         return
-    table = plain_table("drives", "axis", ">torque", "unit", "source", ">rotor", "unit", "source")
+    rows = []
     for name, torque, rotor in zip(robot.axis_names, limits.torque, robot.rotor, strict=True):
         units = ("N", "kg") if name == "rail" else ("Nm", "kg m²")
         given = (
@@ -97,42 +95,41 @@ def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
             else [""] * 3
         )
         has = [f"{rotor:g}", units[1], notes.mark(robot.notes[f"{name}.rotor"])] if rotor else [""] * 3
-        table.add_row(name, *given, *has)
-    yield table
+        rows.append((name, *given, *has))
+    yield TextTable("drives", ("axis", ">torque", "unit", "source", ">rotor", "unit", "source"), tuple(rows))
     if "inertia" in robot.notes:
-        masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
-        bodies = list(robot.pin_model.inertias)[1:][robot.layout.arm]
-        for link, body in zip(robot.link_names[1:], bodies, strict=True):
-            centre = (f"{value / MM:.4g}" for value in body.lever)
-            masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
-        yield masses
+        yield _masses(robot, list(robot.pin_model.inertias)[1:][robot.layout.arm], notes)
 
 
-def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
+def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[TextTable]:
     """What the data sheet grants the tool centre point."""
-    caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
-    caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
-    caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
-    yield caps
+    given = (("speed", robot.tcp.speed, "m/s"), ("acceleration", robot.tcp.acceleration, "m/s²"))
+    rows = ((name, f"{value:g}", unit, notes.mark(robot.notes[f"tcp.{name}"])) for name, value, unit in given)
+    yield TextTable("tool centre point", ("cap", ">value", "unit", "source"), tuple(rows))
 
 
-def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[Table]:
+def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[TextTable]:
     """What joints give and lose; masses and centres of mass of the links, in the links' frames."""
     heads = (">torque, sensor's range [Nm]", "source", ">damping [Nm s/rad]", "source", ">friction [Nm]", "source")
-    torques = plain_table("torques of motors and joints", "axis", *heads)
+    rows = []
     for axis, torque, *losses in zip(robot.axis_names, robot.torque, robot.damping, robot.friction, strict=True):
         row = [f"±{torque:g}", notes.mark(robot.notes[f"{axis}.torque"])]
         for name, value in zip(("damping", "friction"), losses, strict=True):
             source = robot.notes.get(f"{axis}.{name}")
             row += [f"{value:g}", notes.mark(source)] if source else ["", ""]
-        torques.add_row(axis, *row)
-    yield torques
-    masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
-    model = robot.pin_model
-    for link, body in zip(robot.link_names[1:], list(model.inertias)[1:], strict=True):
-        centre = (f"{value / MM:.4g}" for value in body.lever)
-        masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
-    yield masses
+        rows.append((axis, *row))
+    yield TextTable("torques of motors and joints", ("axis", *heads), tuple(rows))
+    yield _masses(robot, list(robot.pin_model.inertias)[1:], notes)
+
+
+def _masses(robot: RobotModel | SrsRobot, bodies: Sequence[Any], notes: _Footnotes) -> TextTable:
+    """Masses and centres of mass of the links, in the links' frames."""
+    mark = notes.mark(robot.notes["inertia"])
+    rows = (
+        (link, f"{body.mass:.4g}", *(f"{value / MM:.4g}" for value in body.lever), mark)
+        for link, body in zip(robot.link_names[1:], bodies, strict=True)
+    )
+    return TextTable("links", ("link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source"), tuple(rows))
 
 
 class _Footnotes:
@@ -159,33 +156,34 @@ def _unit(axis: str) -> tuple[float, str]:
     return (MM, "mm") if axis == "rail" else (DEG, "deg")
 
 
-def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
-    table = plain_table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
+def _ranges(limits: JointLimits, notes: _Footnotes) -> TextTable:
+    rows: list[tuple[str, ...]] = []
     for i, axis in enumerate(limits.names):
         factor, unit = _unit(axis)
         low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
         marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
-        table.add_row(axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1])
+        rows.append((axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1]))
+    rows += [(*row, "", "", "") for row in _sums(limits, notes)]
+    heads = ("axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
+    return TextTable("ranges and speeds", heads, tuple(rows))
+
+
+def _coupled(limits: JointLimits, notes: _Footnotes) -> TextTable:
+    return TextTable("ranges of axes together", ("sum", ">from", ">to", "unit", "source"), tuple(_sums(limits, notes)))
+
+
+def _sums(limits: JointLimits, notes: _Footnotes) -> Iterator[tuple[str, ...]]:
     for one in limits.coupled:
         low, high = (f"{value / DEG:.6g}" for value in (one.lower, one.upper))
-        table.add_row(one.name, low, high, "deg", notes.mark(one.source), "", "", "")
-    return table
+        yield one.name, low, high, "deg", notes.mark(one.source)
 
 
-def _coupled(limits: JointLimits, notes: _Footnotes) -> Table:
-    table = plain_table("ranges of axes together", "sum", ">from", ">to", "unit", "source")
-    for one in limits.coupled:
-        low, high = (f"{value / DEG:.6g}" for value in (one.lower, one.upper))
-        table.add_row(one.name, low, high, "deg", notes.mark(one.source))
-    return table
-
-
-def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
+def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> TextTable:
     columns = [column for name in profiles for column in (f">{name}", "source")]
-    table = plain_table(f"{kind}s by profile", "axis", "unit", *columns)
+    rows = []
     for i, axis in enumerate(next(iter(profiles.values())).names):
         cells = []
         for limits in profiles.values():
             cells += [f"{getattr(limits, kind)[i]:g}", notes.mark(limits.sources[f"{axis}.{kind}"])]
-        table.add_row(axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells)
-    return table
+        rows.append((axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells))
+    return TextTable(f"{kind}s by profile", ("axis", "unit", *columns), tuple(rows))

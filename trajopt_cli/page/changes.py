@@ -14,6 +14,7 @@ from trajopt_cli.table import seconds
 MOST = 1_500
 """Lines of a diff on a page; `trajopt export rapid --diff` prints all of any."""
 _HUNK = re.compile(r"@@ -(\d+)\S* \+(\d+)\S* @@")
+_FIGURE = re.compile(r"[\w.+-]+$")
 _NAME = re.compile(r"\w+")
 _ROW = (
     '<div class="src{kind}"><span class="number">{number}</span><span class="text">{text}</span>'
@@ -78,10 +79,11 @@ def _common(one: str, other: str) -> int:
 
 def _marked(was: str, now: str) -> str:
     """A new line with what differs from the old one in bold, where both declare or do the same."""
-    first = _common(was, now)
+    first = len(_FIGURE.sub("", now[: _common(was, now)]))
     if not now[:first].strip() or ":=" in now[first:].split(",")[0]:
         return text(now)
-    end = len(now) - _common(was[first:][::-1], now[first:][::-1])
+    end = len(_FIGURE.sub("", now[: first - 1 : -1][: _common(was[first:][::-1], now[first:][::-1])]))
+    end = len(now) - end
     return f"{text(now[:first])}<b>{text(now[first:end])}</b>{text(now[end:])}" if first < end else text(now)
 
 
