@@ -437,13 +437,15 @@ class Wait:
 
 @dataclass(frozen=True, kw_only=True)
 class SignalEvent:
-    """An output set between two motions; delay [s]: how long after the instruction it changes."""
+    """An output set between two motions; delay [s]: how long after the instruction it changes. drives_rail: it says no
+    more than where the rail goes (rail_at in the cell file), which is the plan's."""
 
     source: Source
     written: Written
     signal: str
     value: float
     delay: float = 0.0
+    drives_rail: bool = False
 
 
 Move = PoseMove | MoveAbsJ | MoveExtJ

@@ -63,6 +63,15 @@ class HoldRail:
     free: bool | Mapping[str | Lines, Source] = False
 
 
+class RailPlace(NamedTuple):
+    """Where the rail stands [m] for targets that leave it open; name: of a point, a routine or an output with its value
+    ("doRail = 2"), as spelled; place: in the cell file."""
+
+    name: str
+    d: float
+    place: Source
+
+
 @dataclass(frozen=True)
 class PositionerAxis:
     """One axis of a positioner: eax, 0 for eax_a. p [m], q (w, x, y, z): the frame about whose z it turns, in the world
@@ -101,7 +110,8 @@ class Scenario:
     taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
     the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
     the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant. rail: None
-    where there is none. active_units: the mechanical units that are active when the program starts, names in lower
+    where there is none. rail_at: where it stands for targets that leave it open, by RailPlace.name as condition_key has
+    it. active_units: the mechanical units that are active when the program starts, names in lower
     case; None for all that share no axis. partner: what the
     other robots take [s] for the moves that they make together with this one (MultiMove), by \ID.
     """
@@ -122,6 +132,7 @@ class Scenario:
     free_speed: bool = False
     droppable: frozenset[str] = frozenset()
     rail: RailUnit | None = None
+    rail_at: Mapping[str, RailPlace] = field(default_factory=dict)
     active_units: frozenset[str] | None = None
     partner: Mapping[int, float] = field(default_factory=dict)
 

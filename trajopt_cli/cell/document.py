@@ -555,6 +555,7 @@ class CellDocument(_Section):
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
     constant_speed: tuple[Part, ...] = ()
+    rail_at: dict[StrictStr, Length] = Field(default_factory=dict)
     order: dict[StrictStr, Annotated[tuple[Part, ...], Field(min_length=2)]] = Field(default_factory=dict)
     free_speed: StrictBool = False
     jerk_limits: StrictBool = False

@@ -30,6 +30,7 @@ from trajopt_cli.scenario import (
     HoldRail,
     Lines,
     PositionerAxis,
+    RailPlace,
     RailUnit,
     Scenario,
     condition_key,
@@ -132,6 +133,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
                 message = f"says nothing of the rail here; 'waits: {{rail: {{free: [{name}]}}}}' lets it move"
             raise InputError(f"waits.{name}: {message}", file=file, line=line_of(f"waits.{name}", lines))
     freed = waits.get("rail")
+    by("rail_at", document.rail_at, condition_key)
     return Scenario(
         signals=by("signals", document.signals),
         answers=by("answers", document.answers),
@@ -158,6 +160,10 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         free_speed=document.free_speed,
         droppable=frozenset(name.lower() for name in document.optional),
         rail=RailUnit(_EXTERNAL_AXES.index(document.rail.eax), document.rail.unit) if document.rail else None,
+        rail_at={
+            condition_key(name): RailPlace(name, d, Source(file, line_of(f"rail_at.{name}", lines), 1))
+            for name, d in document.rail_at.items()
+        },
         active_units=None if document.start.units is None else frozenset(map(str.lower, document.start.units)),
         partner=dict(document.partner),
     )
@@ -240,8 +246,13 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
     if cell.rail is not None and cell.start_rail is None:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
-    if cell.rail is None and "hold_rail" in document.model_fields_set:
-        raise cell.error("hold_rail", "there is no rail; remove it or add a rail section")
+    for key in ("hold_rail", "rail_at"):
+        if cell.rail is None and key in document.model_fields_set:
+            raise cell.error(key, "there is no rail; remove it or add a rail section")
+    for name, d in document.rail_at.items():
+        if cell.rail is not None and not cell.rail.stroke[0] <= d <= cell.rail.stroke[1]:
+            low, high = cell.rail.stroke
+            raise cell.error(f"rail_at.{name}", f"{d:g} m is not on the rail, whose stroke is {low:g}..{high:g} m")
     if cell.rail is None and cell.start_rail is not None:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     if document.attached and "tool_radius" in document.model_fields_set and document.tool_radius > 0:

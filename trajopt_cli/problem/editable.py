@@ -74,10 +74,10 @@ def may_go(motion: Motion, plant: Plant) -> bool:
 
 def droppable(program: Program, plant: Plant) -> frozenset[int]:
     """Motions the user lets go and that can, without moving another path: the next motion is a joint move, and no
-    positioner waits for the motion."""
-    motions = program.motions
+    positioner waits for the motion. Outputs that drive the rail are no motions."""
+    motions = [(i, one) for i, one in enumerate(program.motions) if not getattr(one, "drives_rail", False)]
     return frozenset(
         i
-        for i, (motion, following) in enumerate(pairwise(motions))
+        for (i, motion), (_, following) in pairwise(motions)
         if may_go(motion, plant) and isinstance(following, MoveJ | MoveAbsJ) and not getattr(motion, "units", ())
     )

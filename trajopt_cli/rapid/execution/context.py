@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
+from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
@@ -28,6 +29,9 @@ from trajopt_cli.rapid.language.syntax import Block, Call, Component, Element, E
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Missing, Scenario, yaml_answer
 from trajopt_cli.warnings import ProgramWarning, WarningKind
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.rail_at import RailPlaces
 
 MOTION_LIMIT = 300_000
 _PERS = ("tool0", "wobj0", "load0")  # predefined, and PERS on a controller: they may be given to PERS parameters
@@ -51,6 +55,7 @@ class Context(ABC):
         self.scenario = scenario
         self.units = Units(scenario)
         self.position = Position(kinematics)
+        self.rail_places: RailPlaces | None = None  # None where the cell file gives none
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
         self.external = External(scenario)

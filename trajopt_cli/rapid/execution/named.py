@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import PurePath
 
 from trajopt_cli.errors import ErrorKind, InputError
@@ -80,17 +81,19 @@ def placed(place: Source) -> Iterator[None]:
         raise InputError(error.message, file=place.file, line=place.line, kind=ErrorKind.CELL) from None
 
 
-def check_name(run: Context, modules: Modules, name: str, message: str, place: Source) -> None:
+def check_name(modules: Modules, name: str, message: str, place: Source) -> None:
     """Raise InputError with the message and the nearest name where name stands nowhere in the program. place: of it in
     the cell file."""
     known = {
-        node.name
+        node.name.lower(): node.name
         for module, _ in modules
         for node in walk(module)
         if isinstance(node, Name | Routine | DataDeclaration)
     }
-    if name.lower() not in map(str.lower, known):
-        raise InputError(run.meant(name, message, known), file=place.file, line=place.line, kind=ErrorKind.CELL)
+    if name.lower() not in known:
+        close = get_close_matches(name.lower(), sorted(known), n=1)
+        message += f"; did you mean '{known[close[0]]}'?" if close else f"; {_few([*known.values()])}"
+        raise InputError(message, file=place.file, line=place.line, kind=ErrorKind.CELL)
 
 
 def _few(names: Sequence[str]) -> str:

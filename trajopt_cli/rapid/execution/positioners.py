@@ -83,8 +83,10 @@ def _trapezoid(way: float, v: float, a: float) -> float:
 
 def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
     """The external axes of a move's target that active units drive; reports once per unit that a value is ignored, or
-    missing."""
+    missing. Where it leaves the rail open, the cell file may say where that stands."""
     units = run.units
+    if run.rail_places is not None and isinstance(point, Expression):
+        extax = run.rail_places.fill(point, extax)
     if not units.axes:  # nearly always
         return extax
     for eax, names in units.inactive.items():

@@ -81,7 +81,7 @@ def _freed(run: Context, modules: Modules) -> Set[int]:
         if not found:
             if isinstance(one, str) and not spans:
                 message = f"waits.rail.free: '{one}' is no procedure, and nothing that the program waits for"
-                check_name(run, modules, one, message, place)
+                check_name(modules, one, message, place)
             run.warn(WarningKind.UNUSED, f"waits.rail.free in the cell file: no wait ran in or for {one}", place)
         out |= found
     return out

@@ -243,6 +243,8 @@ def to_pose(
     run.motions.append(motion)
     counts = settings.conf_j if kind is MoveJ else settings.conf_l
     run.position.to_pose(setup, place, conf, counts, extax, line=kind is MoveL)
+    if run.rail_places is not None:
+        run.rail_places.happened(events)
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
 
 

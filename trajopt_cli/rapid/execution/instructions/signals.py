@@ -12,14 +12,24 @@ from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureC
 from trajopt_cli.warnings import WarningKind
 
 
-def _event(run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+def _event(
+    run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0, given: float | None = None
+) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
-    run.motions.append(SignalEvent(source=run.source(node), written=written, signal=signal, value=value, delay=delay))
+    drives = run.rail_places is not None and run.rail_places.set(signal, value if given is None else given)
+    run.motions.append(
+        SignalEvent(
+            source=run.source(node), written=written, signal=signal, value=value, delay=delay, drives_rail=drives
+        )
+    )
 
 
-def _change(run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+def _change(
+    run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0, given: float | None = None
+) -> None:
+    """given: the value as written, where the signal takes another."""
     run.external.set(signal, value)
-    _event(run, node, signal, value, delay)
+    _event(run, node, signal, value, delay, given)
 
 
 def _set(run: Context, node: ProcedureCall) -> None:
@@ -37,7 +47,8 @@ def _set_digital(run: Context, node: ProcedureCall) -> None:
     args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
     signal, value = args.required
     run.check_digital(signal, run.signal(signal))
-    _change(run, node, run.signal(signal), float(run.number(value) != 0), _seconds(run, args, "SDelay"))
+    given = run.number(value)
+    _change(run, node, run.signal(signal), float(given != 0), _seconds(run, args, "SDelay"), given)
 
 
 def _set_group(run: Context, node: ProcedureCall) -> None:
