@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.job.pages import simulation_page
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.samples import read_table, unit
-from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, SIMULATED
+from trajopt_cli.iiwa.judge.tolerances import PERIOD, SIMULATED
 from trajopt_cli.iiwa.judge.verify import Judged, verify_folder, verify_joints
 
 SMALL = """
@@ -74,30 +74,6 @@ def a_row_beside_its_place_in_time(share: float, name: str) -> Told:
     return Told(found(name, edit), "period", "row 6", share * PERIOD, PERIOD, 6e-3 - share * PERIOD)
 
 
-@CASES.one
-def positions_of_the_two_files(share: float) -> Told:
-    off = share * EXACT
-
-    def edit(rows: Array) -> None:
-        rows[6, 1:4] += [0.3 * EXACT, -off, 0.5 * EXACT]
-
-    return Told(found("equilibrium.csv", edit), "position", "row 6", rounded(off), EXACT, 6e-3)
-
-
-def rounded(off: float) -> float:
-    """What is left of an offset in a coordinate."""
-    y = rows_of("equilibrium.csv")[6, 2]
-    return abs((y - off) - y)
-
-
-@CASES.one
-def angles_of_the_two_files(share: float) -> Told:
-    def edit(rows: Array) -> None:
-        rows[6, 4] += share * 10 * EXACT
-
-    return Told(found("equilibrium.csv", edit), "angles", "row 6", share * 10 * EXACT, 10 * EXACT, 6e-3)
-
-
 @CASES.with_each([-1, 1])
 def a_jump_of_an_angle(share: float, way: int) -> Told:
     def edit(rows: Array) -> None:
@@ -118,24 +94,6 @@ def fed_another_position(share: float, row: int) -> Told:
 
     said = found("simulation.csv", edit)
     return Told(said, "position fed", f"row {row}", share * SIMULATED, SIMULATED, row * 1e-3)
-
-
-@CASES.with_each([7, 13])
-def fed_another_turn(share: float, row: int) -> Told:
-    def edit(rows: Array) -> None:
-        rows[row, 4:7] = fed(row)[3:] + share * SIMULATED * np.array([1, 0, 0])
-
-    said = found("simulation.csv", edit)
-    return Told(said, "orientation fed", f"row {row}", share * SIMULATED, SIMULATED, row * 1e-3)
-
-
-@CASES.with_each([-1, 1])
-def another_deviation(share: float, way: int) -> Told:
-    def edit(rows: Array) -> None:
-        rows[8, 7:10] += 1e-3 * ASIDE
-        rows[8, 13] = np.linalg.norm(rows[8, 7:10] - rows[8, 1:4]) + way * share * SIMULATED
-
-    return Told(found("simulation.csv", edit), "deviation", "row 8", share * SIMULATED, SIMULATED, 8e-3)
 
 
 @pytest.mark.parametrize("name", CASES)

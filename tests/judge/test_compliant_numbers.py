@@ -29,7 +29,6 @@ from trajopt_cli.iiwa.judge.tolerances import (
     BACKWARD,
     BETWEEN,
     CAP,
-    EXACT,
     FOLLOW,
     JOINT,
     PATH,
@@ -76,12 +75,6 @@ def position_above(share: float, printed: bool) -> Told:
     value = 3 + share * granted
     q = two(np.r_[2.9, 2.9, 2.95, value, 2.9, 2.9], 1)
     return Told(limits_of(q, PRINTED if printed else None), "joint position", "b", value, 3.0, 0.4)
-
-
-@CASES.one
-def position_below(share: float) -> Told:
-    value = -2 - share * (JOINT * 3 + 1e-6)
-    return Told(limits_of(two(np.r_[-1.9, value, -1.9, -1.9, -1.9, 0.99], 0)), "joint position", "a", value, -2.0, 0.1)
 
 
 @CASES.one
@@ -194,23 +187,6 @@ def at_arm_angles(angles: Array) -> Array:
     robot = load_srs("iiwa7")
     X = np.tile(robot.forward(HOME[None]), (len(angles), 1, 1))
     return inverse_branch(robot, X, angles, ArmAngle.FARIA, 2)
-
-
-@CASES.with_each([None, 0.3, -3.1])
-def arm_angle_off(share: float, wanted: float | None) -> Told:
-    off = share * ARM_ANGLE
-    q = at_arm_angles((wanted or 0.0) + np.array([0, -off / 2, 0, -off, off / 3]))
-    found = posture(q, arm_angle=wanted, swivel=wanted == 0.3)
-    return Told(found, "arm angle", "elbow", off, ARM_ANGLE, 1.5)
-
-
-@CASES.with_each([-1, 1])
-def arm_angle_out_of_its_range(share: float, side: int) -> Told:
-    least, greatest = -0.2, 0.5
-    off = share * ARM_ANGLE
-    angles = np.array([0.0, 0.4, 0.1, (greatest if side > 0 else least) + side * off])
-    found = posture(at_arm_angles(angles), ArmAngleRange(least, greatest), arm_angle_free=True)
-    return Told(found, "arm angle range", "elbow", off, ARM_ANGLE, 1.5)
 
 
 @CASES.one
@@ -438,16 +414,6 @@ def back_on_the_way(share: float, turn: float) -> Told:
         pose[row] = BEGIN + at * (pose[8] - BEGIN)
     found = check_sequence(order, rows_of(order, pose))
     return Told(found, "backward", "P0 -> P1", share * limit, limit, 6 * PERIOD)
-
-
-@CASES.with_each(["first pose", "last pose"])
-def beside_an_end(share: float, check: str) -> Told:
-    order, pose = evenly()
-    row = 0 if check == "first pose" else 8
-    value = 1.01 * EXACT if share > 1 else 0.99 * EXACT
-    pose[row, 2] += value
-    found = check_sequence(order, rows_of(order, pose))
-    return Told(found, check, "P0" if row == 0 else "P1", value, EXACT, row * PERIOD)
 
 
 @CASES.with_each([True, False])
