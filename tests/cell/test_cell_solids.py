@@ -139,8 +139,7 @@ def test_a_robot_without_shapes_says_so(tmp_path: Path) -> None:
     (tmp_path / "irb140.urdf").write_text((robots / "irb140.urdf").read_text())
     text = ARM.replace("irb140", f"'{tmp_path / 'bare.yaml'}'") + "obstacles: {table: {box: {size: [1, 1, 1]}}}\n"
     assert build_plant(parse_cell(text, "cell.yaml")).unchecked == (
-        "obstacles not checked: robot irb140 has no collision shapes",
-        "self-collision not checked: robot irb140 has no collision shapes",
+        "collisions not checked: robot irb140 has no bodies",
     )
 
 
@@ -152,7 +151,9 @@ def test_links_without_a_shape_are_named(tmp_path: Path) -> None:
     (tmp_path / "irb140.urdf").write_text((robots / "irb140.urdf").read_text())
     text = ARM.replace("irb140", f"'{tmp_path / 'part.yaml'}'") + "obstacles: {table: {box: {size: [1, 1, 1]}}}\n"
     cell = parse_cell(text, "cell.yaml")
-    (notice,) = unwatched(cell, build_plant(cell).robot)
+    plant = build_plant(cell)
+    (notice,) = unwatched(cell, plant.robot)
+    assert plant.unchecked == ("collisions of link_3 not checked: robot irb140 has no bodies for them",)
     assert "link_3 of irb140 has no collision shape and may touch anything unseen" in str(notice)
     assert unwatched(parse_cell(text.replace(str(tmp_path / "part.yaml"), "irb140"), "c"), load_robot("irb140")) == ()
 

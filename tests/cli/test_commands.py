@@ -542,6 +542,14 @@ def test_obstacles_that_nothing_is_held_against_are_told_first(
         assert told.count("collisions of the robot are not checked") == 1
     assert run(["verify", "out", "--quiet"]) == 0
     assert capsys.readouterr().err.startswith("WARNING: ")
+    for command in (["optimize", str(program), "--output", "out"], ["check", str(program)]):
+        assert run([*command, "--quiet"]) == 0
+        out, err = capsys.readouterr()
+        assert out.count("\n") == 1
+        assert (
+            "; collisions not checked: robot irb140 has no bodies; WARNING: tiny.yaml: collisions of the robot" in out
+        )
+        assert err == ""
 
 
 def test_a_mesh_travels_with_the_results(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:

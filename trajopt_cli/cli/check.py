@@ -27,6 +27,7 @@ def check(
     from dataclasses import asdict
 
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
+    from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.study.check import check
     from trajopt_cli.table import Bad, Good, tabulate
@@ -35,7 +36,14 @@ def check(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     answer = check(job)
     took = "" if answer.cycle is None else f", {answer.cycle:.3f} s"
-    line = "; ".join([f"{job.title}: {'OK' if answer.ok else 'NO'}{took}", answer.worst, *job.plant.unchecked])
+    line = "; ".join(
+        [
+            f"{job.title}: {'OK' if answer.ok else 'NO'}{took}",
+            answer.worst,
+            *job.plant.unchecked,
+            *told_first(job.program.warnings)[0],
+        ]
+    )
     if as_json:
         print_json({"ok": answer.ok, "program": str(job.program_path), "cycle_time_s": answer.cycle,
                     "worst": answer.worst, "checks": [asdict(one) for one in answer.lights]})  # fmt: skip

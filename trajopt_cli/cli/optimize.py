@@ -119,7 +119,7 @@ def optimize(
     if as_json:
         print_json({**optimized_record(answer, patience.interrupted), "exported": exported})
     elif quiet:
-        result(f"{saving_line(answer)}; {answer.summary.verdict}")
+        result("; ".join([saving_line(answer), answer.summary.verdict, *told_first(answer.job.program.warnings)[0]]))
     else:
         console = stdout()
         tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict, ""])

@@ -101,6 +101,8 @@ class Plant:
         out += self.angle_unchecked
         if not (self.robot.capsules or self.attached):
             return (*out, f"collisions not checked: robot {self.robot.name} has no bodies")
+        if bare := [name for name in self.robot.link_names if name not in self.robot.capsules]:
+            out.append(f"collisions of {', '.join(bare)} not checked: robot {self.robot.name} has no bodies for them")
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
         if not self.robot.self_pairs:
