@@ -136,6 +136,11 @@ class ConfData:
     cf6: int
     cfx: int
 
+    @property
+    def numbers(self) -> tuple[int, int, int, int]:
+        """All four, as RAPID writes them."""
+        return self.cf1, self.cf4, self.cf6, self.cfx
+
 
 # External axes eax_a..eax_f as RAPID states them, in mm or degrees (only the cell knows which); None for 9E9.
 ExternalAxes = tuple[float | None, float | None, float | None, float | None, float | None, float | None]

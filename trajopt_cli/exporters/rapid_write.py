@@ -174,7 +174,7 @@ class _Attempt:
         if not isinstance(move, PoseMove) or not (confdata_counts(move) or wish.monitored):
             return True
         assert says.conf is not None
-        return confdata_admits(self._plant.robot, says.conf, np.asarray(planned.q_1[self._plant.layout.arm]))
+        return bool(confdata_admits(self._plant.robot, says.conf, np.asarray(planned.q_1[self._plant.layout.arm])))
 
     def refused(self, index: int) -> InputError:
         """Why a motion cannot become what is wished."""

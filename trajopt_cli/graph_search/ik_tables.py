@@ -18,9 +18,9 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.graph_search.singular_start import SingularStart, usable
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveJ, MoveL, motion_name
+from trajopt_cli.motion import MoveL, motion_name
 from trajopt_cli.path.line import Line
-from trajopt_cli.problem.configurations import check_configurations, reachable_with, shown
+from trajopt_cli.problem.configurations import Misfit, check_configurations, listed, reachable_confdata, shown
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plannable import with_exact_orientation
@@ -347,8 +347,8 @@ def _admissible(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -
     if stop.rail[0] == stop.rail[1]:
         ok &= np.abs(d - stop.rail[0]) < 1e-12
     if stop.conf is not None:
-        for label, j in np.argwhere(ok & (np.abs(d - stop.written) < 1e-12)):
-            ok[label, j] = axes.robot.admits(stop.conf, q[label, j])
+        at = np.abs(d - stop.written) < 1e-12
+        ok[:, at] &= axes.robot.admits(stop.conf, q[:, at])
     if stop.q is not None:
         ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
     return np.asarray(ok)
@@ -511,7 +511,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
         near = stop.rail[0]
     reason = _why_unreachable(axes, problem, stop.X_WF, float(near))
     if not reason and (told := _configuration(problem, k)):
-        text = told + _remedy(axes, problem, k)
+        text = told + _remedy(problem, k)
     else:
         reason = reason or _confdata_or_singular(problem, stop, float(near))
         text = f"{motion_name(motion)} cannot be reached{_at_rail(axes, float(near))}: {reason}"
@@ -543,35 +543,24 @@ def _confdata_or_singular(problem: Problem, stop: Waypoint, rail: float) -> str:
     """Why a waypoint is not to be had though its pose is in reach."""
     if stop.conf is None:
         return "too near a singularity"
-    return f"not with confdata {shown(stop.conf)}; {reachable_with(problem.plant, stop.X_WF, rail, stop.conf)}"
+    return (
+        f"not with confdata {shown(stop.conf)}; {listed(reachable_confdata(problem.plant, stop.X_WF, rail, stop.conf))}"
+    )
 
 
-def _remedy(axes: Axes, problem: Problem, k: int) -> str:
+def _remedy(problem: Problem, k: int) -> str:
     """What to do about confdata that cannot be had at waypoint k, and the places behind it where it is the same."""
     motion = problem.motion(problem.waypoints[k].motion)
-    word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
-    text = f"; correct the confdata, or set {word} \\Off before it"
-    places = dict.fromkeys(
-        str(problem.motion(stop.motion).source)
-        for stop in problem.waypoints[k + 1 :]
-        if _wrong_confdata(axes, problem, stop)
-    )
+    text = f"; correct the confdata, or set {'ConfL' if isinstance(motion, MoveL) else 'ConfJ'} \\Off before it"
+    kept = {point.motion for point in problem.waypoints[k + 1 :] if point.conf is not None}
+    found = check_configurations(problem.program, problem.plant)
+    places = dict.fromkeys(str(one.source) for one in found if one.misfit is Misfit.CONFDATA and one.index in kept)
     places.pop(str(motion.source), None)
     if not places:
         return text
     named = [*places][: _PLACES - 1]
     more = f" and {len(places) - len(named)} more" if len(places) > len(named) else ""
     return f"{text}; likewise {', '.join(named)}{more}"
-
-
-def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
-    """Whether a move ends where the pose can be had, but not as its confdata says, which counts; the rail is given."""
-    if stop.conf is None or stop.q is not None or stop.rail[0] != stop.rail[1]:
-        return False
-    if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
-        return False
-    found = axes.robot.solutions(stop.X_WF, stop.written, problem.plant.limits)
-    return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
 
 
 def _rail_abreast(axes: Axes, X_WF: Array) -> float:

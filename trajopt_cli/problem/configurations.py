@@ -10,15 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from itertools import product
-from math import floor, pi
+from math import pi
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
     Move,
@@ -35,24 +34,21 @@ from trajopt_cli.motion import (
     turned_under,
 )
 from trajopt_cli.path.of_motion import segment_of
-from trajopt_cli.problem.nearest import is_nearest, is_sure, nearest
+from trajopt_cli.problem.nearest import is_nearest, is_sure, nearest, postures
 from trajopt_cli.problem.path_ik import ArmPath, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration, with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import (
-    branch_margins,
     confdata,
     confdata_admits,
-    folded,
+    confdata_numbers,
     inverse,
     representatives,
     why_unreachable,
 )
-from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.turns import ON_LIMIT
 
-_DOUBT = 1e-6  # rad or m, as in confdata_admits: where rounding decides, the neighbour is right too
 _SAME = 1e-5  # rad between two ways to the same joints
 _CHUNK = 4000  # poses at once: 60 MB of work arrays
 _LISTED = 6  # confdata in a message; the finding has them all
@@ -92,30 +88,21 @@ class ConfigurationFinding:
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """A programmed pose. rails [m]: where the rail stands before the move and at the pose."""
+    """A programmed pose. rails [m]: where the rail stands before the move and at the pose. demanded: its confdata
+    counts; off: it is switched off. reachable: there is any solution. q (6,): that in the programmed configuration."""
 
     index: int
     motion: PoseMove
     X_WF: Array
     rails: tuple[float, float]
-    demanded: bool  # its confdata counts
-    off: bool  # it is switched off
+    demanded: bool
+    off: bool
+    reachable: bool = False
+    q: Array | None = None
 
     @property
     def rail(self) -> float:
         return self.rails[1]
-
-
-@dataclass(frozen=True, eq=False)
-class _Poses:
-    """Of poses (n,): whether there is any solution; joints (n, 6) in the programmed configuration, NaN for none.
-
-    others: what there would be instead, by row, where the programmed configuration counts and is not to be had.
-    """
-
-    reachable: BoolArray
-    joints: Array
-    others: Mapping[int, tuple[ConfData, ...]]
 
 
 def check_configurations(program: Program, plant: Plant) -> tuple[ConfigurationFinding, ...]:
@@ -124,17 +111,16 @@ def check_configurations(program: Program, plant: Plant) -> tuple[ConfigurationF
     Under ConfJ or ConfL \Off: unreachable poses, and lines that cannot be run from the nearest configuration.
     """
     points = _points(program, plant)
-    poses = _reached(points, plant)
-    lines, _ = _walked(program, plant, points, poses)
+    lines, _ = _walked(program, plant, points)
     found: list[ConfigurationFinding | None] = []
     for k, point in enumerate(points):
         start, along = lines.get(point.index, (None, None))
-        if not poses.reachable[k]:
+        if not point.reachable:
             found.append(_unreachable(point, plant))
-        elif point.demanded and np.isnan(poses.joints[k, 0]):
-            found.append(_not_as_written(point, plant, poses.others[k], along))
+        elif point.demanded and point.q is None:
+            found.append(_not_as_written(point, plant, along))
         elif start is not None and along is not None:
-            one = _misled(point, plant, poses.joints[k] if point.demanded else along.end, along)
+            one = _misled(point, plant, along)
             if one is not None and k and points[k - 1].off and isinstance(points[k - 1].motion, MoveJ):
                 begun = (
                     f"; confdata is off: it begins in the nearest configuration, {shown(confdata(plant.robot, start))}"
@@ -147,29 +133,23 @@ def check_configurations(program: Program, plant: Plant) -> tuple[ConfigurationF
 def arms_as_written(program: Program, plant: Plant) -> Mapping[int, Array | None]:
     """The arm's joints (6,) after every motion as a controller takes them, by index; None where nobody knows them, as
     at confdata that cannot be had and behind lines that cannot be run."""
-    points = _points(program, plant)
-    return _walked(program, plant, points, _reached(points, plant))[1]
+    return _walked(program, plant, _points(program, plant))[1]
 
 
 def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> Iterator[str]:
     r"""A line where joint moves under ConfJ \Off, as written or as planned, end in the nearest configuration by one
     measure and not by another."""
     off = {i: motion for i, motion in enumerate(program.motions) if isinstance(motion, MoveJ) and _is_off(motion)}
-    if not off:
-        return
-    doubtful: list[MoveJ] = []
-    if plan is None:
-        arms = arms_as_written(program, plant)
-        for point in (one for one in _points(program, plant) if one.index in off):
-            now = arms.get(point.index - 1, plant.start[plant.layout.arm])
-            if now is not None and arms[point.index] is not None and not is_sure(plant, point.X_WF, point.rail, now):
-                doubtful.append(off[point.index])
-    else:
-        for one in (one for one in plan.motions if one.index in off and not one.dropped and is_nearest(plant, one)):
-            q_0, q_1 = np.asarray(one.q_0), np.asarray(one.q_1)
-            rail = float(plant.layout.place(q_1))
-            if not is_sure(plant, plant.robot.forward(q_1), rail, q_0[plant.layout.arm]):
-                doubtful.append(off[one.index])
+    ends: list[tuple[int, Array, float, Array | None]] = []
+    arm, place = plant.layout.arm, plant.layout.place
+    if plan is not None:
+        planned = [one for one in plan.motions if one.index in off and not one.dropped and is_nearest(plant, one)]
+        ends = [(p.index, plant.robot.forward(p.q_1), float(place(p.q_1)), p.q_0[arm]) for p in planned]
+    elif off:
+        points, arms = _points(program, plant), {-1: plant.start[arm], **arms_as_written(program, plant)}
+        known = [p for p in points if p.index in off and arms[p.index] is not None]
+        ends = [(p.index, p.X_WF, p.rail, arms[p.index - 1]) for p in known]
+    doubtful = (off[i] for i, X_WF, rail, q in ends if q is not None and not is_sure(plant, X_WF, rail, q))
     if places := [*dict.fromkeys(str(motion.source) for motion in doubtful)]:
         more = f" and {len(places) - 1} more" if len(places) > 1 else ""
         yield (
@@ -190,7 +170,7 @@ def _points(program: Program, plant: Plant) -> list[_Point]:
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
             demanded, off = demands_configuration(motion, plant.robot), _is_off(motion)
             points.append(_Point(index, motion, X_WF, (before, rail), demanded, off))
-    return points
+    return [*_reached(points, plant)]
 
 
 def _is_off(motion: PoseMove) -> bool:
@@ -215,31 +195,32 @@ def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[
 # ------------------------------------------------------------------------------------------------------- the points
 
 
-def _turned(plant: Plant, q: Array) -> tuple[Array, BoolArray]:
-    """All turns (..., 6, K) of joints q (..., 6) and which of them are within the limits."""
-    low, high = plant.limits.lower[-6:, None], plant.limits.upper[-6:, None]
-    most = int(np.ceil(max(np.abs(low).max(), np.abs(high).max()) / (2 * np.pi)))
-    turned = q[..., None] + 2 * np.pi * np.arange(-most, most + 1)
-    with np.errstate(invalid="ignore"):
-        return turned, (turned >= low - ON_LIMIT) & (turned <= high + ON_LIMIT)
-
-
-def _reached(points: Sequence[_Point], plant: Plant) -> _Poses:
-    reachable, joints = np.zeros(len(points), dtype=bool), np.full((len(points), plant.layout.joints), np.nan)
-    others = {}
+def _reached(points: Sequence[_Point], plant: Plant) -> Iterator[_Point]:
+    """The points with what reaches them: in their own configuration, else only whether anything does."""
+    low, high = plant.limits.lower[plant.layout.arm], plant.limits.upper[plant.layout.arm]
     for start in range(0, len(points), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        some = points[part]
-        rail = np.array([point.rail for point in some])
-        q = _branches(plant, np.array([point.X_WF for point in some]), rail)
-        turned, inside = _turned(plant, q)
-        reachable[part] = inside.any(axis=-1).all(axis=-1).any(axis=-1)
-        conf = np.array([astuple(point.motion.conf) for point in some], dtype=np.intp)
-        joints[part] = _as_programmed(plant, q, turned, inside, conf)
-        for k in np.flatnonzero(np.isnan(joints[part, 0]) & reachable[part]).tolist():
-            if some[k].demanded:
-                others[start + k] = _alternatives(plant.robot, q[k], turned[k], inside[k], some[k].motion.conf)
-    return _Poses(reachable, joints, others)
+        some = points[start : start + _CHUNK]
+        branches = _branches(plant, np.array([one.X_WF for one in some]), np.array([one.rail for one in some]))
+        conf = np.array([one.motion.conf.numbers for one in some])[:, None]
+        middle = np.broadcast_to((low + high) / 2, branches.shape).copy()
+        found = _turned_to(middle, branches)
+        with np.errstate(invalid="ignore"):
+            reachable = np.all((found >= low - ON_LIMIT) & (found <= high + ON_LIMIT), axis=-1)
+            middle[..., [0, 3, 5]] = (conf[..., :3] + 0.5) * (pi / 2)
+            found = _turned_to(middle, branches)
+            ok = np.all((found >= low - ON_LIMIT) & (found <= high + ON_LIMIT), axis=-1)
+        ok &= confdata_admits(plant.robot, conf, found)
+        # where two branches meet, the one that is named
+        own = np.equal(np.arange(branches.shape[1]) % 8, conf[..., 3])
+        branch = np.argmax(ok.astype(np.intp) + (ok & own), axis=1)
+        for k, one in enumerate(some):
+            q = found[k, branch[k]] if ok[k].any() else None
+            yield replace(one, reachable=bool(reachable[k].any()), q=q)
+
+
+def _turned_to(middle: Array, q: Array) -> Array:
+    """Joints by whole turns as near as can be to others."""
+    return np.asarray(q + 2 * np.pi * np.round((middle - q) / (2 * np.pi)))
 
 
 def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
@@ -259,62 +240,16 @@ def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
     return q
 
 
-def _as_programmed(plant: Plant, q: Array, turned: Array, inside: BoolArray, conf: IndexArray) -> Array:
-    """Joints (n, 6) in configuration conf (n, 4) out of branches q (n, 8, 6), NaN where there are none.
-
-    confdata_admits for all of them at once.
-    """
-    admitted = inside.copy()
-    with np.errstate(invalid="ignore"):
-        for column, joint in ((0, 0), (1, 3), (2, 5)):
-            low = conf[:, column, None, None] * (np.pi / 2)
-            angle = turned[:, :, joint]
-            admitted[:, :, joint] &= (angle >= low - _DOUBT) & (angle < low + np.pi / 2 + _DOUBT)
-        margins = branch_margins(plant.robot.arm, q)
-        ok: BoolArray = np.asarray(admitted.any(axis=-1).all(axis=-1))
-        if plant.robot.linkage:
-            ok = ok & ~folded(plant.robot.arm, q)
-        for bit, margin in zip(() if plant.robot.linkage else (4, 2, 1), margins, strict=False):
-            named = (conf[:, 3, None] & bit) > 0
-            ok = np.asarray(ok & ((np.abs(margin) <= _DOUBT) | (named == (margin < 0))))
-    # where two branches meet, the one that is named
-    own = np.equal(np.arange(q.shape[1]) % 8, conf[:, 3, None])
-    branch = np.argmax(ok.astype(np.intp) + (ok & own), axis=1)
-    n = np.arange(len(q))
-    turn = np.argmax(admitted[n, branch], axis=-1)
-    joints = np.take_along_axis(turned[n, branch], turn[..., None], axis=-1)[..., 0]
-    return np.where(np.any(ok, axis=1)[:, None], joints, np.nan)
+def reachable_confdata(plant: Plant, X_WF: Array, rail: float, asked: ConfData) -> tuple[ConfData, ...]:
+    """Every confdata to be had at a pose, the nearest to what is asked first."""
+    found = np.unique(confdata_numbers(plant.robot, postures(plant, X_WF, rail)), axis=0)
+    apart = np.abs(found - asked.numbers)
+    order = np.lexsort((*found.T[::-1], apart.sum(axis=1), np.count_nonzero(apart, axis=1)))
+    return tuple(ConfData(*conf) for conf in found[order].tolist())
 
 
-def _alternatives(
-    robot: RobotModel, q: Array, turned: Array, inside: BoolArray, asked: ConfData
-) -> tuple[ConfData, ...]:
-    """Every confdata to be had at a pose, from its branches (8, 6), also turned (8, 6, K), the nearest to what is asked
-    first."""
-    found, ok = set[tuple[int, ...]](), inside.any(axis=-1).all(axis=-1)
-    if robot.linkage:
-        ok &= ~folded(robot.arm, q)
-    for branch in np.flatnonzero(ok).tolist():
-        quadrants = [
-            {floor((angle + ON_LIMIT) / (pi / 2)) for angle in turned[branch, joint][inside[branch, joint]].tolist()}
-            for joint in (0, 3, 5, *([1] if robot.linkage else []))
-        ]
-        found |= {(*conf, branch)[:4] for conf in product(*quadrants)}
-
-    def away(conf: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
-        apart = [abs(a - b) for a, b in zip(conf, astuple(asked), strict=True)]
-        return sum(map(bool, apart)), sum(apart), conf
-
-    return tuple(ConfData(*conf) for conf in sorted(found, key=away))
-
-
-def reachable_with(plant: Plant, X_WF: Array, rail: float, asked: ConfData) -> str:
-    """Which confdata there is at a pose instead of what is asked, in words."""
-    q = _branches(plant, X_WF[None], np.array([rail]))[0]
-    return _listed(_alternatives(plant.robot, q, *_turned(plant, q), asked))
-
-
-def _listed(confs: Sequence[ConfData]) -> str:
+def listed(confs: Sequence[ConfData]) -> str:
+    """What can be reached, in words."""
     more = f" and {len(confs) - _LISTED} more" if len(confs) > _LISTED else ""
     return f"reachable with {', '.join(map(shown, confs[:_LISTED]))}{more}"
 
@@ -323,7 +258,7 @@ def _listed(confs: Sequence[ConfData]) -> str:
 
 
 def _walked(
-    program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses
+    program: Program, plant: Plant, points: Sequence[_Point]
 ) -> tuple[dict[int, tuple[Array, Followed | None]], dict[int, Array | None]]:
     r"""The lines and arcs whose start joints are known, with these, followed, by index of the motion; and the arm's
     joints after every motion, None for unknown.
@@ -333,7 +268,7 @@ def _walked(
     """
     known: dict[int, tuple[Array, Followed | None]] = {}
     while True:
-        ends, lines = _walk(program, plant, points, poses, known)
+        ends, lines = _walk(program, plant, points, known)
         new = {i: line for i, line in lines.items() if i not in known or np.abs(known[i][0] - line.q).max() > _SAME}
         if not new:
             return {i: known[i] for i in lines}, ends
@@ -345,12 +280,11 @@ def _walk(
     program: Program,
     plant: Plant,
     points: Sequence[_Point],
-    poses: _Poses,
     known: Mapping[int, tuple[Array, Followed | None]],
 ) -> tuple[dict[int, Array | None], dict[int, ArmPath]]:
     """The arm's joints after every motion, and the lines and arcs from known joints. known: lines that were followed,
     and from where."""
-    robot, at = plant.robot, {point.index: k for k, point in enumerate(points)}
+    at = {point.index: point for point in points}
     ends: dict[int, Array | None] = {}
     lines: dict[int, ArmPath] = {}
     now: Array | None = plant.start[plant.layout.arm]
@@ -362,17 +296,16 @@ def _walk(
         elif isinstance(motion, MoveExtJ):  # the arm holds
             X_WF = None
         elif isinstance(motion, PoseMove):
-            k = at[index]
-            point, along = points[k], None
-            if isinstance(motion, PathMove) and _can_follow(point) and now is not None and poses.reachable[k]:
+            point, along = at[index], None
+            if isinstance(motion, PathMove) and _can_follow(point) and now is not None:
                 if X_WF is None:
-                    X_WF = robot.forward(plant.layout.join(rail, now))
+                    X_WF = plant.robot.forward(plant.layout.join(rail, now))
                 with suppress(InputError):  # no circle: a refusal of its own
                     path = segment_of(motion, X_WF @ motion.tool.X_FT)
                     lines[index] = ArmPath(path, motion.tool.X_FT, point.rails, now)
                     start, found = known.get(index, (now, None))
                     along = found if np.abs(start - now).max() <= _SAME else None
-            now, X_WF = _after(point, plant, poses.joints[k], now, along), point.X_WF
+            now, X_WF = _after(point, plant, now, along), point.X_WF
         if isinstance(motion, Move):
             given = plant.rail_value(motion.extax)
             rail = rail if given is None else given
@@ -381,15 +314,15 @@ def _walk(
 
 
 def _can_follow(point: _Point) -> bool:
-    """Whether a path lies still, and its configuration does not stay open."""
+    """Whether a path lies still and leads into reach, and its configuration does not stay open."""
     motion = point.motion
-    return (point.demanded or point.off) and not (motion.tool.stationary or turned_under(motion))
+    return point.reachable and (point.demanded or point.off) and not (motion.tool.stationary or turned_under(motion))
 
 
-def _after(point: _Point, plant: Plant, joints: Array, now: Array | None, along: Followed | None) -> Array | None:
+def _after(point: _Point, plant: Plant, now: Array | None, along: Followed | None) -> Array | None:
     """Arm joints after a move: as programmed, where its line leads, or the nearest; None for unknown."""
     if point.demanded:
-        return None if np.isnan(joints[0]) else joints
+        return point.q
     if now is None or not point.off or (along is not None and not along.whole):
         return None
     if along is not None:
@@ -412,7 +345,7 @@ def _finding(
 
 def shown(conf: ConfData) -> str:
     """confdata as RAPID writes it."""
-    return f"[{','.join(map(str, astuple(conf)))}]"
+    return f"[{','.join(map(str, conf.numbers))}]"
 
 
 def _where(point: _Point, plant: Plant) -> str:
@@ -425,10 +358,9 @@ def _unreachable(point: _Point, plant: Plant) -> ConfigurationFinding:
     return _finding(point, plant, Misfit.POSE, f"cannot be reached{_where(point, plant)}: {why}")
 
 
-def _not_as_written(
-    point: _Point, plant: Plant, others: tuple[ConfData, ...], along: Followed | None
-) -> ConfigurationFinding:
-    text = f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; {_listed(others)}"
+def _not_as_written(point: _Point, plant: Plant, along: Followed | None) -> ConfigurationFinding:
+    others = reachable_confdata(plant, point.X_WF, point.rail, point.motion.conf)
+    text = f"cannot be reached in confdata {shown(point.motion.conf)}{_where(point, plant)}; {listed(others)}"
     if along is not None and along.whole:
         leads = confdata(plant.robot, along.end)
         others = (leads, *(conf for conf in others if conf != leads))
@@ -436,8 +368,8 @@ def _not_as_written(
     return _finding(point, plant, Misfit.CONFDATA, text, others)
 
 
-def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> ConfigurationFinding | None:
-    """What is wrong with a line to a point that can be reached in joints as programmed; None for nothing."""
+def _misled(point: _Point, plant: Plant, along: Followed) -> ConfigurationFinding | None:
+    """What is wrong with a line to a point that can be reached as programmed; None for nothing."""
     names = plant.limits.names[plant.layout.arm]
     if along.lost is not None:
         return _finding(point, plant, Misfit.REACH, f"cannot run as a line: {along.at(along.lost)} it is out of reach")
@@ -452,12 +384,13 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
             " start the line with that axis turned back (confdata of the point before)"
         )
         return _finding(point, plant, Misfit.LIMIT, text)
-    if np.abs(along.end - joints).max() <= _SAME or confdata_admits(plant.robot, point.motion.conf, along.end):
+    q = point.q if point.demanded else None
+    if q is None or np.abs(along.end - q).max() <= _SAME or confdata_admits(plant.robot, point.motion.conf, along.end):
         return None
     leads = confdata(plant.robot, along.end)
     turns = ", ".join(
         f"{axis} by {np.degrees(value):+.0f}°"
-        for axis, value in zip(names, joints - along.end, strict=True)
+        for axis, value in zip(names, q - along.end, strict=True)
         if abs(value) > _FAR
     )
     other = 0 if plant.robot.linkage else leads.cfx ^ point.motion.conf.cfx  # of a linkage it names no branch

@@ -27,9 +27,9 @@ def nearest(plant: Plant, X_WF: Array, rail: float | None, arm: Array, conf: Con
     rail [m]: where it stands then, None without one. conf: the confdata they must have, None for any. Of two that are
     equally near the less turned one.
     """
-    found = _postures(plant, X_WF, rail)
+    found = postures(plant, X_WF, rail)
     if conf is not None:
-        found = found[[confdata_admits(plant.robot, conf, q) for q in found]]
+        found = found[confdata_admits(plant.robot, conf, found)]
     if not len(found):
         return found
     away = np.sum((found - arm[:, None]) ** 2, axis=-1)
@@ -49,7 +49,7 @@ def is_nearest(plant: Plant, planned: PlannedMotion, motion: Motion | None = Non
 
 def is_sure(plant: Plant, X_WF: Array, rail: float | None, arm: Array) -> bool:
     """Whether one configuration alone is the nearest to joints arm (6,), however near is measured."""
-    found = _postures(plant, X_WF, rail)
+    found = postures(plant, X_WF, rail)
     turns = np.abs(found - arm)
     measures = np.stack([np.sum(turns**2, axis=1), np.max(turns, axis=1), np.sum(turns, axis=1)], axis=1)
     return bool(np.all(measures <= measures.min(axis=0) + _ALIKE, axis=1).any()) and (
@@ -62,8 +62,8 @@ def _ends(plant: Plant, planned: PlannedMotion) -> tuple[Array, Array, float | N
     return q_0, q_1, float(plant.layout.place(planned.q_1)) if plant.robot.has_rail else None
 
 
-def _postures(plant: Plant, X_WF: Array, rail: float | None) -> Array:
-    """All joints (m, 6) of a flange pose within the limits, the least turned first."""
+def postures(plant: Plant, X_WF: Array, rail: float | None) -> Array:
+    """All joints (m, 6) of a flange pose within the limits that a controller may take, the least turned first."""
     found = np.array([q for _, q in solutions(plant.robot, X_WF, rail, plant.limits)]).reshape(-1, 6)
     if plant.robot.linkage:
         found = found[~folded(plant.robot.arm, found)]

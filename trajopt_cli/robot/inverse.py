@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import offset_wrist, parallel_arm
@@ -259,18 +259,23 @@ def confdata(robot: RobotModel, q: Array) -> ConfData:
     Of an arm with a parallel linkage, which is no serial link robot, cfx is the quadrant of axis 2 (RAPID reference
     manual, confdata).
     """
-    cf1, cf2, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 1, 3, 5))
-    return ConfData(cf1, cf4, cf6, cf2 if robot.arm.coupled else branch_of(robot.arm, q))
+    (numbers,) = confdata_numbers(robot, q[None]).tolist()
+    return ConfData(*numbers)
+
+
+def confdata_numbers(robot: RobotModel, q: Array) -> IndexArray:
+    """The same of many joints (n, 6): cf1, cf4, cf6 and cfx (n, 4)."""
+    out = np.floor((q[:, [0, 3, 5, 1]] + _ON_QUADRANT) / (pi / 2)).astype(np.intp)
+    if not robot.arm.coupled:
+        wrist, lower_arm, axis_5 = branch_margins(robot.arm, q)
+        out[:, 3] = 4 * (wrist < 0) + 2 * (lower_arm < 0) + (axis_5 < 0)
+    return out
 
 
 def branch_of(arm: Arm, q: Array) -> int:
     """The number in 0..7 of the branch that joints q (6,) [rad] are on: cfx of a serial arm."""
     wrist, lower_arm, axis_5 = branch_margins(arm, q)
     return int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0))
-
-
-def _quadrant(angle: float, shift: float) -> int:
-    return floor((angle + shift) / (pi / 2))
 
 
 def branch_margins(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
@@ -285,8 +290,9 @@ def folded(arm: Arm, q: Array) -> BoolArray:
     return np.asarray(np.cos(arm.angles(q)[..., 2]) < -_QUADRANT_DOUBT)
 
 
-def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
-    """Whether a target with this confdata may be reached with arm joints q (6,) [rad].
+def confdata_admits(robot: RobotModel, conf: ConfData | Array, q: Array) -> BoolArray:
+    """Whether a target with this confdata (its four numbers may be an array (..., 4)) may be reached with arm joints q
+    (..., 6) [rad].
 
     Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
     branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
@@ -294,17 +300,17 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
     parallel linkage cfx is not looked at: axis 4 points before the lower arm, as a parallelogram has it.
     """
     if robot.confdata_rule == NO_CONFDATA:
-        return True
-    for cf, i in ((conf.cf1, 0), (conf.cf4, 3), (conf.cf6, 5)):
-        if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
-            return False
-    margins = branch_margins(robot.arm, q)
-    if robot.arm.coupled:
-        return not folded(robot.arm, q)
-    return all(
-        abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
-        for bit, margin in zip((4, 2, 1), margins, strict=True)
-    )
+        return np.ones(q.shape[:-1], dtype=bool)
+    named = np.asarray(conf.numbers if isinstance(conf, ConfData) else conf)
+    angle, low = q[..., [0, 3, 5]], named[..., :3] * (pi / 2)
+    with np.errstate(invalid="ignore"):
+        ok = np.all((angle >= low - _QUADRANT_DOUBT) & (angle < low + pi / 2 + _QUADRANT_DOUBT), axis=-1)
+        if robot.arm.coupled:
+            return np.asarray(ok & ~folded(robot.arm, q))
+        for bit, margin in zip((4, 2, 1), branch_margins(robot.arm, q), strict=True):
+            behind = (named[..., 3].astype(np.intp) & bit) > 0
+            ok = ok & ((np.abs(margin) <= _QUADRANT_DOUBT) | (behind == (margin < 0)))
+    return np.asarray(ok)
 
 
 def why_unreachable(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointLimits) -> str:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, of_kind
-from trajopt_cli.geometry import Array, inverse_pose, readonly
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
@@ -165,8 +165,8 @@ class RobotModel:
         """The number of the branch that joints (6,) are on."""
         return closed_form.branch_of(self.arm, arm)
 
-    def admits(self, conf: ConfData, arm: Array) -> bool:
-        """Whether a target with this confdata may be reached with joints (6,)."""
+    def admits(self, conf: ConfData, arm: Array) -> BoolArray:
+        """Whether a target with this confdata may be reached with joints (..., 6)."""
         return closed_form.confdata_admits(self, conf, arm)
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.differential import Differential
@@ -96,8 +96,8 @@ class Robot(Protocol):
     def branch_of(self, arm: Array) -> int:
         """The number of the branch that joints (m,) are on."""
 
-    def admits(self, conf: ConfData, arm: Array) -> bool:
-        """Whether a target with this confdata may be reached with joints (m,)."""
+    def admits(self, conf: ConfData, arm: Array) -> BoolArray:
+        """Whether a target with this confdata may be reached with joints (..., m)."""
 
     # ---- the same as CasADi expressions
     @property
