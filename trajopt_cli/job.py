@@ -154,6 +154,7 @@ def read_job(
     start = perf_counter()
     from trajopt_cli.cell.model import minimal_cell
     from trajopt_cli.problem.collision_objects import bodies_on, never
+    from trajopt_cli.problem.configurations import at_cycle
     from trajopt_cli.problem.controller import differences
     from trajopt_cli.problem.plannable import check_plannable, target_doubts
     from trajopt_cli.problem.plant import build_plant, unwatched
@@ -178,6 +179,7 @@ def read_job(
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
     flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
+    plant = at_cycle(flat, plant)
     if not any(isinstance(motion, Move) for motion in flat.motions):
         from trajopt_cli.rapid.startable import moves_nothing
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from math import inf
 from typing import ClassVar, NamedTuple
@@ -494,7 +494,9 @@ class Refusal(NamedTuple):
 class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
-    entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
+    passes: of a loop that never ends in the motions, 0 without one. before: what runs before that loop's steady cycle,
+    which the motions are then: they begin at rest where the last move of them ends. None: they begin where the cell
+    says. entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
     uncalled: the routines that never ran, with their kind: "PROC Reset". refusals: what no motion stands for.
     """
 
@@ -506,6 +508,20 @@ class Program:
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
     refusals: tuple[Refusal, ...] = ()
+    before: tuple[Motion, ...] | None = None
+    passes: int = 0
+
+    @property
+    def entrance(self) -> Move | None:
+        """The move at whose end a steady cycle begins: its own last one; None for a program that runs once."""
+        if self.before is None:
+            return None
+        return next(motion for motion in reversed(self.motions) if isinstance(motion, Move))
+
+    @property
+    def from_start(self) -> Program:
+        """The program from where the cell says, with what runs before its steady cycle."""
+        return replace(self, motions=(*(self.before or ()), *self.motions), before=None)
 
     @property
     def without_effect(self) -> tuple[str, ...]:

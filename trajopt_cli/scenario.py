@@ -103,17 +103,17 @@ class Scenario:
     where it has none. data: the same for data that the program does not declare, or that somebody outside writes.
     waits: least duration [s] per signal or condition as written (see condition_key), or None for one that never comes
     true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or None for never, by
-    signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs before the program
-    is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many statements, passes,
-    calls and changes of large data in all, before the reader gives up. assume_identity: tools, work objects and
-    mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
-    taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
-    the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
-    the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant. rail: None
-    where there is none. rail_at: where it stands for targets that leave it open, by RailPlace.name as condition_key has
-    it. active_units: the mechanical units that are active when the program starts, names in lower
-    case; None for all that share no axis. partner: what the
-    other robots take [s] for the moves that they make together with this one (MultiMove), by \ID.
+    signal or by the name of its SearchPoint. endless_passes: of a loop that cannot end in its cycle, None for the
+    fewest that end where they begin. pass_limit: how often any other loop may run, and statement_limit how many
+    statements, passes, calls and changes of large data in all, before the reader gives up. assume_identity: tools, work
+    objects and mechanical units that are taken as the identity where the program does not declare them. stubs:
+    procedures that are taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
+    constant_speed: where the tool should keep its programmed speed. positioners: mechanical units that carry work
+    objects, their axes from the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as
+    in its plant. rail: None where there is none. rail_at: where it stands for targets that leave it open, by
+    RailPlace.name as condition_key has it. active_units: the mechanical units that are active when the program starts,
+    names in lower case; None for all that share no axis. partner: what the other robots take [s] for the moves that
+    they make together with this one (MultiMove), by \ID.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -147,8 +147,8 @@ _SHOWN = 200  # characters of a value in a message; a template has all of it
 class Missing:
     """Something the scenario must say, once per name.
 
-    section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "endless_passes",
-    "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
+    section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "assume_identity",
+    "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
     in words. value: a value to begin with, as YAML. excerpt: the line of the source with a caret, to be shown.
     declared: whether the program declares it, so that no other file can. close: the known name that may be meant.
     """
@@ -165,8 +165,6 @@ class Missing:
     @property
     def line(self) -> str:
         """The line to add to the cell file; a long value is shown by its beginning."""
-        if self.section == "endless_passes":
-            return f"endless_passes: {self.value}"
         if self.section in NAME_LISTS:
             return f"{self.section}: [{yaml_name(self.name)}]"
         value = self.value if len(self.value) <= _SHOWN else f"{self.value[:_SHOWN]}..."

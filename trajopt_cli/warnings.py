@@ -25,7 +25,7 @@ class WarningKind(Enum):
     ASSUMED = "assumed"  # the program leaves it open, and something is taken
     NO_EFFECT = "no effect"  # on motion
     UNUSED = "unused"  # a name or a mark that nothing asks for
-    ENDLESS = "endless loop"  # was ended after endless_passes
+    ENDLESS = "endless loop"  # of which some passes in steady state are planned
     NOT_READ = "not read"  # a file beside those that were
     NOT_CHECKED = "not checked"  # what the user would expect to be; told before all else
     DOUBTFUL = "doubtful"  # the cell does not suit the program

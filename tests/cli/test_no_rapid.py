@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from fake_planner import CELL, Planner
+from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
@@ -105,20 +105,3 @@ def test_a_new_module_is_called_by_its_place(
     place = "results/tiny/program/main_flat.mod"
     assert f"note: {place}: a new module; load it with the program\n" in capsys.readouterr().out
     assert Path(place).read_text() == flat.text
-
-
-@pytest.mark.parametrize(("passes", "edit", "said"), [(1, True, True), (1, False, False), (2, True, False)])
-def test_the_way_back_of_a_loop_that_ran_once_is_not_planned(
-    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, passes: int, edit: bool, said: bool
-) -> None:
-    text = (
-        program.read_text().replace("PROC main()", "PROC main()\nWHILE TRUE DO").replace("ENDPROC", "ENDWHILE ENDPROC")
-    )
-    program.write_text(text)
-    Path("tiny.yaml").write_text(f"{CELL}endless_passes: {passes}\n")
-    export = RapidExport({"tiny.mod": text.replace("[[20,", "[[21,") if edit else text})
-    monkeypatch.setattr("trajopt_cli.exporters.rapid.export_rapid", lambda *_: export)
-    assert run(["optimize", str(program)]) == 0
-    warnings = json.loads(Path("results/tiny/summary.json").read_text())["warnings"]
-    back = "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
-    assert (back in warnings) == said

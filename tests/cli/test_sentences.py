@@ -30,7 +30,6 @@ BODIES = {
     "no_end": "IF TRUE THEN",
     "signal": "IF di1 = 1 THEN MoveJ p, v100, fine, tool0; ENDIF",
     "routine": "Glue;",
-    "endless": "WHILE TRUE DO MoveJ p, v100, fine, tool0; ENDWHILE",
     "division": "VAR num n; n := 1 / 0;",
     "out_of_reach": f"MoveJ {FAR}, v100, fine, tool0;",
     "confdata": f"MoveJ {POINT.format('500,100,400', '1,1,1,0')}, v100, fine, tool0;",

@@ -7,13 +7,12 @@ from itertools import pairwise, product
 
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, problem_of, rapid
+from small_cells import plant_with_rail, rapid
 from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.shared_states import Ties, best_tied
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.subproblems import pieces
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.settings import DEFAULT
@@ -141,14 +140,3 @@ def test_beyond_three_neighbours_candidates_are_tried_one_by_one() -> None:
         assert cost <= guess
         worse += cost < guess
     assert worse
-
-
-def test_a_problem_is_cut_at_fixed_joints_but_not_between_tied_waypoints() -> None:
-    body = "FOR i FROM 1 TO 2 DO\nMoveJ p_up, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;\nENDFOR"
-    body += "\nMoveJ p_down, v500, fine, tool0;"
-    program, plant = rapid(body, data=NEAR), plant_with_rail()
-    found = []
-    for ties in ((), ((0, 2),)):
-        problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(5)), ties))
-        found.append([last - first for first, last in pieces(problem)])
-    assert found == [[2, 2, 1], [4, 1]]

@@ -273,8 +273,6 @@ def test_a_template_has_every_section_once_in_one_order() -> None:
     lacks = [
         lack("assume_identity", "tGrip", 9, "tGrip", "not declared"),
         lack("searches", "p_found", 8, "0.5", "two\nlines \x07"),
-        lack("endless_passes", "endless_passes", 7, "1"),
-        lack("endless_passes", "endless_passes", 8, "1"),
         lack("signals", "true", 6, "0"),
         lack("assume_identity", "w{1}", 10, "w{1}"),
     ]
@@ -282,12 +280,11 @@ def test_a_template_has_every_section_once_in_one_order() -> None:
     assert text == (
         'signals:\n  "true": 0  # a # b.mod:6:2, asks\n'
         "searches:\n  p_found: 0.5  # a # b.mod:8:2, two lines ?\n"
-        "endless_passes: 1  # a # b.mod:7:2, asks\n"
         'assume_identity:\n  - tGrip  # a # b.mod:9:2, not declared\n  - "w{1}"  # a # b.mod:10:2, asks\n'
     )
     scenario = parse_cell(ARM + text, "cell.yaml").scenario
     assert (scenario.signals, scenario.searches) == ({"true": 0.0}, {"p_found": 0.5})
-    assert (scenario.endless_passes, scenario.assume_identity) == (1, frozenset({"tgrip", "w{1}"}))
+    assert scenario.assume_identity == frozenset({"tgrip", "w{1}"})
     assert template([]) == ""
 
 

@@ -517,7 +517,7 @@ def _data(value: Any) -> Any:
     return value if isinstance(value, dict) else {"value": value}
 
 
-MAX_ENDLESS_PASSES = 10_000  # an endless loop adds its motions once per pass
+MAX_ENDLESS_PASSES = 10_000  # a cycle has its motions once per pass
 
 
 class CellDocument(_Section):

@@ -79,6 +79,11 @@ def parse(
         return
     if missing:
         raise _with_template(with_hints(missing_error(missing), [*flat.files.values()], entry or MAIN), program)
+    if plant is not None:
+        from trajopt_cli.problem.configurations import at_cycle
+
+        plant = at_cycle(flat, plant)
+        kinematics = PlantKinematics(plant)
     listing = describe(flat, kinematics)
     found = None
     if plant is not None:

@@ -58,7 +58,7 @@ def read_again(
     files = [replace(file, text=texts[path]) for path, file in program.files.items()]
     # Lines that the scenario names are those of the text as it was.
     world = replace(scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())
-    return run_program([*files, *(new or {}).values()], world, program.entry, PlantKinematics(plant))
+    return run_program([*files, *(new or {}).values()], world, program.entry, PlantKinematics(plant.at_home))
 
 
 def mismatches(

@@ -22,7 +22,7 @@ from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shorte
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
 from trajopt_cli.trajectories.limits import limits_of
-from trajopt_cli.trajectories.route import Route
+from trajopt_cli.trajectories.route import IkBranch, Route
 
 _WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long.
 _SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time.
@@ -431,9 +431,19 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
     """The best chain found, or None when no chain of waypoints is connected on the grid. avoid: what must not be
     touched; then joint moves of the chain lead around it by the points that avoid knows.
 
-    Long programs are searched in windows, each from where the one before it is certain enough.
+    Long programs are searched in windows, each from where the one before it is certain enough; a long cycle begins and
+    ends where the best chain around that passes it.
     """
-    settings = axes.settings
+    settings, final = axes.settings, len(problem.legs)
+    if problem.ties == ((0, final),) and final > settings.searched_legs:
+        if (found := _seam(axes, problem, avoid)) is None:
+            return None
+        q, label = found
+        rail = float(problem.plant.layout.place(q))
+        seam = [replace(problem.waypoints[k], q=q, rail=(rail, rail)) for k in (0, final)]
+        held = replace(problem, waypoints=(seam[0], *problem.waypoints[1:-1], seam[1]), ties=())
+        route = search(axes, held, avoid)
+        return route and replace(route, labels=(label, *route.labels[1:-1], label))
     ties = np.zeros(len(problem.waypoints) + 1, dtype=np.intp)  # how many of them begin or end
     for group in problem.ties:
         ties[group[0] + 1] += 1
@@ -441,7 +451,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
     within = np.cumsum(ties)
     ends = [last for _, last in problem.stations if not within[last]]
     parts: list[Route] = []
-    begin, final = 0, len(problem.waypoints) - 1
+    begin = 0
     while True:
         end = next((k for k in ends if k - begin >= settings.searched_legs), final)
         sure = (
@@ -456,6 +466,22 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
         if sure == final:
             return _joined(parts)
         begin = sure
+
+
+def _seam(axes: Axes, problem: Problem, avoid: EdgeChecks | None) -> tuple[Array, IkBranch] | None:
+    """Where a cycle begins and ends on the best chain from some legs before that to as many behind it."""
+    n, some = len(problem.legs), 2 * axes.settings.overlapping_legs
+    last = next(k for _, k in problem.stations if k >= some)
+    first = max((k for _, k in problem.stations if k <= n - some), default=last)
+    stations = [(max(a, first) - first, b - first) for a, b in problem.stations if b >= first]
+    stations += [(a + n - first, b + n - first) for a, b in problem.stations if b <= last]
+    middle = next(i for i, (_, b) in enumerate(stations) if b == n - first)
+    stations[middle : middle + 2] = [(stations[middle][0], stations[middle + 1][1])]
+    waypoints = (*problem.waypoints[first:], *problem.waypoints[1 : last + 1])
+    legs = (replace(leg, start=k) for k, leg in enumerate((*problem.legs[first:], *problem.legs[:last])))
+    around = replace(problem, waypoints=waypoints, legs=tuple(legs), stations=tuple(stations), ties=())
+    chain = _search(axes, around, avoid)
+    return None if chain is None else (chain.q[n - first], chain.labels[n - first])
 
 
 def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem:

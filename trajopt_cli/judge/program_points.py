@@ -113,7 +113,8 @@ def points_of(
     """
     points = [_start_point(program, plant)]
     alone = set[int]()  # points beside external axes that move alone
-    rail, holds = points[0].rail, list[list[tuple[int, Wait]]]([[]])
+    rail: float | None = float(plant.start[0]) if mechanism_of(plant).has_rail else None
+    holds = list[list[tuple[int, Wait]]]([[]])
     for i, motion in enumerate(program.motions):
         if isinstance(motion, SignalEvent) or i in dropped:
             continue
@@ -128,7 +129,7 @@ def points_of(
                     time = max(motion.duration or 0.0, motion.least)
                     holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=time)))
                 continue
-        points.append(_end_of_move(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
+        points.append(end_of_move(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
     points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
     return _with_zones(plant, points, alone, rail)
@@ -139,12 +140,18 @@ def _start_point(program: Program, plant: Machine) -> ProgramPoint:
     X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
     mechanism = mechanism_of(plant)
     rail = float(plant.start[0]) if mechanism.has_rail else None
+    if program.before is not None:  # the cycle of a loop begins where it ends
+        last = next(m for m in reversed(program.motions) if not isinstance(m, Wait | SignalEvent))
+        end = end_of_move(plant, -1, last, X_FT, optional=False)
+        if end.arm is not None:
+            end = replace(end, X_WF=_at_joints(plant, end.arm, rail), rail=rail)
+        return replace(end, move=None, source=None, name="start", X_FT=X_FT)
     return ProgramPoint(
         -1, None, None, "start", mechanism.flange_pose(plant.start), X_FT, plant.start[-6:], rail, False
     )
 
 
-def _end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> ProgramPoint:
+def end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> ProgramPoint:
     """A move's end; X_FT: the tool before it, which a MoveExtJ keeps."""
     name, wanted = f"{type(motion).__name__} {motion.target}", _programmed_rail(plant, motion.extax)
     if isinstance(motion, MoveExtJ):

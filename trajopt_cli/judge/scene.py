@@ -17,6 +17,8 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.geometry import inverse_pose
 from trajopt_cli.judge.machine import Machine
+from trajopt_cli.judge.mechanism import mechanism_of
+from trajopt_cli.judge.program_points import end_of_move
 from trajopt_cli.judge.timeline import Visit
 from trajopt_cli.motion import Happens, Motion, Move, MoveExtJ, Program, SignalEvent, Tool, Wait
 from trajopt_cli.proximity.pair import Pair
@@ -40,7 +42,7 @@ class BodyInterval:
 
 def legs_of(program: Program, plant: Machine, visits: Sequence[Visit], last: int) -> list[BodyInterval]:
     """The legs of a file with rows 0 to last, in order. visits: the start, and the points as they came out."""
-    scene, tools = _Scene(plant), _tools(program)
+    scene, tools = _Scene.of(program, plant), _tools(program)
     out: list[BodyInterval] = []
     first, leaving = 0, set[tuple[str, str]]()
     indices = [visit.point.index for visit in visits[1:]] + [len(program.motions)]
@@ -60,7 +62,7 @@ def legs_of(program: Program, plant: Machine, visits: Sequence[Visit], last: int
 
 def standing_still(program: Program, plant: Machine, last: int) -> list[BodyInterval]:
     """One leg of rows 0 to last with the bodies as they are at the start."""
-    scene = _Scene(plant)
+    scene = _Scene.of(program, plant)
     return [BodyInterval(0, last, scene.carried(_tools(program)[0]), scene.standing())]
 
 
@@ -81,6 +83,18 @@ class _Scene:
         self._held: dict[str, Solid] = {}
         self._taken: dict[Grip, Solid] = {}  # where it was taken first: there the next one stands
         self._capsules: dict[bytes, tuple[Solid, ...]] = {}
+
+    @classmethod
+    def of(cls, program: Program, plant: Machine) -> _Scene:
+        """When the program begins, or the cycle of its loop: then what ran before has taken and released parts."""
+        scene, X_WF = cls(plant), mechanism_of(plant).flange_pose(plant.start)
+        for motion in program.before or ():
+            if not isinstance(motion, Wait | SignalEvent):
+                end = end_of_move(plant, -1, motion, np.eye(4), optional=False).X_WF
+                X_WF = X_WF if end is None else end
+            for _ in scene.happens(motion, X_WF):
+                pass
+        return scene
 
     def carried(self, tool: Tool | None) -> tuple[Solid, ...]:
         """In the flange frame: what is attached, the tool's capsule, and the parts."""

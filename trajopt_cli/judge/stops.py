@@ -31,11 +31,12 @@ from trajopt_cli.motion import MoveExtJ, Source
 
 
 def check_stops(
-    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool
+    line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool, start: Array | None = None
 ) -> Iterator[tuple[int, list[Finding]]]:
-    """All findings about points in program order with their rows, the start's first and the end's last."""
+    """All findings about points in program order with their rows, the start's first and the end's last. start (k,):
+    where the motion must begin if not where the plant does: of a loop's cycle where it ends."""
     rows = line.rows
-    yield 0, _ends(rows, 0, "start", rows.plant.start, None)
+    yield 0, _ends(rows, 0, "start", rows.plant.start if start is None else start, None)
     for i, visit in enumerate(line.visits):
         yield visit.depart, [*_findings_of_visit(line, frames[np.asarray(visit.point.X_FT).tobytes()], i, rapid)]
     last = line.visits[-1]

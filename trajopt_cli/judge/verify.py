@@ -74,7 +74,7 @@ def verify(
     line = build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid)
     line = replace(line, turned=turned_frames(program, frames, line))
     stops, shapes, caps, demands = in_step(
-        check_stops(line, frames, rapid),
+        check_stops(line, frames, rapid, None if program.before is None else trajectory.q[-1]),
         check_shapes(line, frames, rapid),
         check_caps(line, frames, rapid),
         check_demands(line, frames),

@@ -118,7 +118,7 @@ def optimize_job(
 
     check_replaceable(folder)
     start = f"{job.cell.file}: the start pose"
-    if hits := collisions(check_start(job.program, job.plant, start)):
+    if hits := collisions(check_start(job.program.from_start, job.plant.at_home, start)):
         return Collides("", hits)
     clock, started = Clock({"read": job.read_seconds}), datetime.now(UTC)
     listen("program", Progress("reach"))
@@ -149,7 +149,7 @@ def optimize_job(
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
-        notices = (*_notices(job, judged), *held, *agreed.notices, *_one_way(job, export), *evaluation_notices())
+        notices = (*_notices(job, judged), *held, *agreed.notices, *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged))
@@ -282,15 +282,6 @@ def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list
         ("libraries", versions),
         ("when, and how long it took", "in run.json beside this page, so that the same input gives the same page"),
     ]
-
-
-def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
-    """A word on an endless loop that was run once, where the plan changes the program."""
-    ended = any(warning.kind is WarningKind.ENDLESS for warning in job.program.warnings)
-    once = ended and job.scenario.endless_passes == 1
-    changed = export is None or any(text != job.program.files[path].text for path, text in export.texts.items())
-    if once and changed:
-        yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
 
 
 def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Iterator[str]:

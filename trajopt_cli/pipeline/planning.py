@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, TextIO
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Motion, Program
+from trajopt_cli.pipeline.lead_in import kept_for, lead_in, led_in
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Changes, Loops, everything
@@ -147,6 +148,16 @@ def plan_all(
             job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, kept[rapid], memory,
             objective=asked[rapid],
         )  # fmt: skip
+        if isinstance(found, Judged) and job.program.before is not None:
+
+            def again(less: Changes) -> Answer:
+                return solve(
+                    job, rapid, less, lambda _, progress: tell(progress), own, patience, kept[rapid],
+                    objective=asked[rapid],
+                )  # fmt: skip
+
+            with own.phase("rapid: way into the loop"):
+                found = _led_in(job, found, changes[rapid], again)
         tell(Progress("as written", *((found.plan.duration,) if isinstance(found, Judged) else ())))
         known = found if isinstance(found, Judged) else None
         written = as_written(job, changes[rapid], own, memory, kept_written, patience, known)
@@ -183,6 +194,31 @@ def plan_all(
     if (wrong := out_of_order(plans)) is not None:
         return {stream: NoPlan(stream.value, wrong)}, written, estimate
     return {stream: first, rapid: answer}, written, estimate
+
+
+def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes], Answer]) -> Answer:
+    """A plan of a loop's cycle to whose targets what runs before can be driven as well: the one found, or one that
+    again makes of less that may change."""
+
+    def why_not(motions: tuple[Motion, ...]) -> str | None:
+        program, plant = replace(job.program, motions=motions, before=None), job.plant.at_home
+        alone = replace(job, program=program, plant=plant)
+        answer = as_written(alone, everything(program, plant), Clock(), PlanCache())
+        return answer if isinstance(answer, str) else None
+
+    from trajopt_cli.plan import PlanCache
+
+    def noted(one: Judged, note: str) -> Judged:
+        return replace(one, plan=replace(one.plan, notes=(*one.plan.notes, note)))
+
+    if (why := why_not(led_in(job, found.plan))) is None:
+        return found
+    if why_not(lead_in(job)) is not None:
+        return noted(found, f"what runs before the loop cannot be driven, as written neither: {why}")
+    less = again(kept_for(job, changes))
+    if isinstance(less, Judged) and why_not(led_in(job, less.plan)) is None:
+        return noted(less, f"targets on the way into the loop stay as programmed; else it cannot be driven: {why}")
+    return NoPlan(Target.RAPID, f"what runs before the loop cannot be driven to its targets: {why}")
 
 
 def _slow_plan(job: Job, target: Target, changes: Changes, clock: Clock, why: str) -> Plan | None:

@@ -35,14 +35,11 @@ def fallback_motion(axes: Axes, problem: Problem) -> Iterate | None:
     if axes.jerk is not None:
         return None
     problem = replace(problem, waypoints=tuple(replace(point, fly_by=None) for point in problem.waypoints))
-    start = problem.waypoints[0].q
-    if start is None:
-        return None
-    states: list[State] = [(start, -1)]
+    states: list[State] = []
     legs: list[LegMotion] = []
-    open_: list[Iterator[State]] = [_candidate_states(axes, problem, states, 1)]
+    open_: list[Iterator[State]] = [_candidate_states(axes, problem, states, 0)]
     for _ in range(_MOST):
-        if len(legs) == len(problem.legs):
+        if len(states) == len(problem.waypoints):
             break
         state = next(open_[-1], None)
         if state is None:
@@ -50,12 +47,13 @@ def fallback_motion(axes: Axes, problem: Problem) -> Iterate | None:
             if not open_:
                 return None
             states.pop()
-            legs.pop()
+            del legs[len(states) - 1 :]
             continue
-        motion = _leg_motion(axes, problem, len(legs), states[-1], state)
+        motion = _leg_motion(axes, problem, len(legs), states[-1], state) if states else None
         if motion is not None:
-            states.append(state)
             legs.append(motion)
+        if motion is not None or not states:
+            states.append(state)
             open_.append(_candidate_states(axes, problem, states, len(states)))
     if len(legs) < len(problem.legs):
         return None
@@ -68,16 +66,18 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
     """Axes and branches that waypoint k may have, the nearest to those before first."""
     if k >= len(problem.waypoints):
         return
-    point, leg, (q_0, cfx_0), layout = problem.waypoints[k], problem.legs[k - 1], states[-1], axes.layout
+    point, layout = problem.waypoints[k], axes.layout
+    q_0, cfx_0 = states[-1] if states else (problem.plant.start, -1)
+    joint, moves = (True, True) if k == 0 else ((leg := problem.legs[k - 1]).kind is LegKind.JOINT, leg.rail_moves)
     tied = [states[one] for group in problem.ties if k in group for one in group if one < k]
     if point.q is not None:
         yield point.q, -1
         return
     low, high = point.rail
     now = float(q_0[layout.rail][0]) if axes.layout.has_rail else 0.0
-    wanted = [point.written, now, (low + high) / 2, low, high] if leg.rail_moves else [now]
+    wanted = [point.written, now, (low + high) / 2, low, high] if moves else [now]
     rails = [*dict.fromkeys(float(np.clip(one, low, high)) for one in wanted)]
-    if not leg.rail_moves and abs(rails[0] - now) > _SAME:
+    if not moves and abs(rails[0] - now) > _SAME:
         return
     for rail in rails if axes.layout.has_rail else [None]:
         at_rail = np.zeros(0) if rail is None else np.array([rail])
@@ -86,8 +86,8 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
                                 if point.conf is None or axes.robot.admits(point.conf, arm)]  # fmt: skip
         options.sort(key=lambda one: float(np.max(np.abs(one[0] - q_0) / axes.velocity)))
         for q, cfx in options:
-            along = leg.kind is LegKind.JOINT or cfx_0 in (-1, cfx)
-            led = problem.leads(k - 1, q_0[None], q[None])
+            along = joint or cfx_0 in (-1, cfx)
+            led = problem.leads(k - 1, q_0[None], q[None]) if k else None
             if along and (led is None or led.all()) and all(np.abs(q - own).max() < 1e-6 for own, _ in tied):
                 yield q, cfx
 

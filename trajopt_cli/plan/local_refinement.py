@@ -24,7 +24,7 @@ from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged,
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
-from trajopt_cli.plan.subproblems import Span, Window, red_black
+from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
@@ -122,6 +122,11 @@ def _tell_best(tell: Report, known: float, now: float) -> None:
     tell(Progress("solve", min(known, now)))
 
 
+def _tell_whole(tell: Tell, rest: float, part: float) -> None:
+    """Tell the cycle time [s] of a part and of the rest."""
+    tell(rest + part)
+
+
 def _with_stops(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
     """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
     for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
@@ -189,9 +194,28 @@ class WindowSweeps:
         self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, chain: Route | None = None
     ) -> Iterate:
         """The legal motion base, faster where a window found something. tell: is told the cycle time [s] after every
-        window. chain: another start."""
+        window. chain: another start. Both ends of a steady cycle are held in turns with what lies opposite of them."""
         if not self._axes.robot.closed_form:
             return base
+        if not problem.steady:
+            return self._swept(problem, base, report, tell, chain)
+        draft, now = base, np.inf
+        for _ in range(_SWEEPS):
+            draft = self._swept(ends_held(problem, draft), draft, report, tell, chain)
+            before, now = now, cost(self._axes, problem, draft.legs)
+            if report.stopped or now > before * (1 - problem.plant.settings.sweep_gain):
+                break
+            if (seam := Seam.of(problem, draft)) is None:
+                break
+            own, rest = SweepReport(), duration(draft) - duration(seam.draft)
+            found = self._swept(seam.problem, seam.draft, own, partial(_tell_whole, tell, rest))
+            draft, report.stopped = seam.put(found, draft), own.stopped
+        return draft
+
+    def _swept(
+        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, chain: Route | None = None
+    ) -> Iterate:
+        """The same with both ends of the problem as free as they are in it."""
         draft, (red, black) = base, red_black(problem)
         gained = dict.fromkeys((*red, *black), np.inf)  # over each window's borders since it was solved, as a share
         for _ in range(_SWEEPS):

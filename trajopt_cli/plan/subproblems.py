@@ -16,7 +16,7 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.problem.objective import LeastEffort
+from trajopt_cli.problem.objective import LeastEffort, Objective
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.trajectories.iterate import Iterate
 
@@ -42,15 +42,9 @@ class Window:
             if 0 < i < len(problem.waypoints) - 1:
                 points[k] = _held(problem, draft, i)
         legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
-        inside = [group for group in problem.ties if first <= group[0] and group[-1] <= last]
-        ties = tuple(tuple(k - first for k in group) for group in inside)
-        at = slice(first, last + 1)
-        qdd = None if draft.qdd is None else draft.qdd[at]
-        mine = Iterate(draft.q[at], draft.qd[at], draft.cfx[at], draft.legs[first:last], qdd)
-        asked = problem.objective
-        if isinstance(asked, LeastEffort):  # its own time, and its share of what the whole has to spare
-            asked = LeastEffort(duration(mine) * asked.seconds / duration(draft))
-        own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=ties, objective=asked)
+        mine = draft.part(range(first, last + 1), range(first, last))
+        asked = _share(problem.objective, mine, draft)
+        own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=(), objective=asked)
         return cls(first, last, own, mine)
 
     @property
@@ -60,15 +54,7 @@ class Window:
 
     def put(self, found: Iterate, draft: Iterate) -> Iterate:
         """The whole motion with the window's part as found."""
-        at = slice(self.first, self.last + 1)
-        q, qd, cfx, legs = draft.q.copy(), draft.qd.copy(), list(draft.cfx), list(draft.legs)
-        q[at], qd[at], cfx[at] = found.q, found.qd, found.cfx
-        legs[self.first : self.last] = found.legs
-        qdd = draft.qdd
-        if found.qdd is not None:
-            qdd = np.zeros_like(q) if qdd is None else qdd.copy()
-            qdd[at] = found.qdd
-        return Iterate(q, qd, tuple(cfx), tuple(legs), qdd)
+        return draft.put(range(self.first, self.last + 1), range(self.first, self.last), found)
 
     def key(self) -> bytes:
         """Equal for windows that ask for the same and have the same motion at hand."""
@@ -79,9 +65,61 @@ class Window:
         scene = collision_scene_of(problem)
         bodies = None if scene is None else [scene.scene(leg.motion) for leg in problem.legs]
         loads = [leg.load and leg.load.numbers for leg in problem.legs]
-        asked = draft.cfx, problem.ties, [leg.units for leg in problem.legs], loads, bodies
+        asked = draft.cfx, [leg.units for leg in problem.legs], loads, bodies
         parts = [(np.round(one, 12) + 0.0).tobytes() for one in numbers]  # -0 is 0
         return b"|".join([*parts, repr(asked).encode(), problem.key(0, len(problem.legs))])
+
+
+def ends_held(problem: Problem, draft: Iterate) -> Problem:
+    """The problem with its first and its last waypoint where the motion at hand has them."""
+    inner = problem.waypoints[1:-1]
+    ends = (_held(problem, draft, k) for k in (0, len(problem.legs)))
+    return replace(problem, waypoints=(next(ends), *inner, next(ends)), ties=())
+
+
+@dataclass(frozen=True, eq=False)
+class Seam:
+    """The legs around where a steady cycle ends and begins: those from waypoint last on, then those to waypoint first,
+    as a problem of their own with held ends, and their motion at hand."""
+
+    first: int
+    last: int
+    problem: Problem
+    draft: Iterate
+
+    @classmethod
+    def of(cls, problem: Problem, draft: Iterate) -> Seam | None:
+        """About as many as one window has; None where no waypoint may be an end."""
+        n, half = len(problem.legs), problem.plant.settings.window_legs // 2
+        first = _border_near(problem, 0, n, min(half, n // 2))
+        if first is None:
+            return None
+        last = max((k for k in _possible_borders(problem, first - 1, n) if k <= max(n - half, first)), default=first)
+        points = [*problem.waypoints[last:], *problem.waypoints[1 : first + 1]]
+        points[n - last] = replace(points[n - last], motion=problem.waypoints[0].motion)
+        legs = [replace(leg, start=k) for k, leg in enumerate((*problem.legs[last:], *problem.legs[:first]))]
+        mine = draft.part(*_around(n, first, last))
+        asked = _share(problem.objective, mine, draft)
+        own = replace(problem, waypoints=tuple(points), legs=tuple(legs), stations=(), ties=(), objective=asked)
+        return cls(first, last, ends_held(own, mine), mine)
+
+    def put(self, found: Iterate, draft: Iterate) -> Iterate:
+        """The whole motion with these legs as found."""
+        n = len(draft.legs)
+        out = draft.put(*_around(n, self.first, self.last), found)
+        return out.put([0], [], out.part([n], []))
+
+
+def _around(n: int, first: int, last: int) -> tuple[list[int], list[int]]:
+    """Waypoints and legs around where a cycle of n legs ends and begins."""
+    return [*range(last, n + 1), *range(1, first + 1)], [*range(last, n), *range(first)]
+
+
+def _share(asked: Objective, part: Iterate, whole: Iterate) -> Objective:
+    """What is asked of a part: its own time, and its share of what the whole has to spare."""
+    if not isinstance(asked, LeastEffort):
+        return asked
+    return LeastEffort(duration(part) * asked.seconds / duration(whole))
 
 
 def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
@@ -92,7 +130,7 @@ def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
 
 def pieces(problem: Problem) -> list[Span]:
     """The parts between waypoints where nothing is left to choose, in order."""
-    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k) and _untied(problem, k)]
+    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k)]
     return list(pairwise(sorted({0, *marks, len(problem.waypoints) - 1})))
 
 
@@ -101,11 +139,6 @@ def _pinned(problem: Problem, k: int) -> bool:
     if problem.passes(k):
         return False
     return stop.q is not None or (stop.rail[0] == stop.rail[1] and problem.rests(k))
-
-
-def _untied(problem: Problem, k: int) -> bool:
-    """Whether no tie leads over waypoint k."""
-    return not any(group[0] < k < group[-1] for group in problem.ties)
 
 
 def red_black(problem: Problem) -> tuple[list[Span], list[Span]]:
@@ -165,4 +198,4 @@ def _border_near(problem: Problem, a: int, b: int, wanted: float) -> int | None:
 
 def _possible_borders(problem: Problem, a: int, b: int) -> list[int]:
     """The waypoints between a and b, both left out, that may be borders."""
-    return [k for k in range(a + 1, b) if not problem.passes(k) and _untied(problem, k)]
+    return [k for k in range(a + 1, b) if not problem.passes(k)]

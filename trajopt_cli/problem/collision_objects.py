@@ -55,7 +55,11 @@ def bodies_on(plant: Plant, program: Program, index: int) -> Bodies:
 def never(plant: Plant, program: Program) -> tuple[tuple[int, Cue], ...]:
     """The cues that nothing in the program meets, with the index of their grip."""
     cues = [(i, cue) for i, grip in enumerate(plant.grips) for cue in (grip.at, grip.detach) if cue is not None]
-    return tuple((i, cue) for i, cue in cues if not any(fires(cue, motion) for motion in program.motions))
+    return tuple(
+        (i, cue)
+        for i, cue in cues
+        if not any(fires(cue, motion) for motion in (*(program.before or ()), *program.motions))
+    )
 
 
 def fires(cue: Cue, motion: Motion) -> bool:
@@ -105,7 +109,10 @@ class _Change:
 @lru_cache(maxsize=8)
 def _all(plant: Plant, program: Program) -> tuple[Bodies, ...]:
     parts, leg = _Parts(plant), 0
-    X_WF: Array | None = plant.robot.forward(plant.start)
+    X_WF: Array | None = plant.robot.forward(plant.at_home.start)
+    for motion in program.before or ():
+        X_WF = _ends(plant, motion, X_WF)
+        parts.after(motion, X_WF)
     states = [(leg, False, parts.held, parts.standing)]
     changes: dict[int, list[_Change]] = {}  # at the end of each leg: a move with all that follows up to the next move
     for motion in program.motions:

@@ -17,7 +17,7 @@ from math import pi
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, inverse_pose, readonly
 from trajopt_cli.motion import (
     ConfData,
     Move,
@@ -134,6 +134,20 @@ def arms_as_written(program: Program, plant: Plant) -> Mapping[int, Array | None
     """The arm's joints (6,) after every motion as a controller takes them, by index; None where nobody knows them, as
     at confdata that cannot be had and behind lines that cannot be run."""
     return _walked(program, plant, _points(program, plant))[1]
+
+
+def at_cycle(program: Program, plant: Plant) -> Plant:
+    """The plant with its start where the steady cycle of a program begins as written; where nobody knows the arm's
+    joints there, with those of its own start. plant: as the program finds it when it is started."""
+    if program.before is None:
+        return plant
+    whole = replace(program.from_start, motions=(*program.from_start.motions, *program.motions))
+    given = (plant.rail_value(motion.extax) for motion in reversed(whole.motions) if isinstance(motion, Move))
+    rail = next((one for one in given if one is not None), float(plant.layout.place(plant.start)))
+    last = max(i for i, motion in enumerate(whole.motions) if isinstance(motion, Move))
+    arm = arms_as_written(whole, plant)[last]
+    start = plant.layout.join(rail, np.asarray(plant.start[plant.layout.arm] if arm is None else arm))
+    return replace(plant, start=readonly(start), home=plant.start)
 
 
 def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> Iterator[str]:

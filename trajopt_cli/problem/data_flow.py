@@ -101,9 +101,9 @@ class Trace:
 
 
 class DataFlow:
-    """Every change of data in a program, and what values depend on."""
+    """Every change of data in a program, and what values depend on. endless: a loop in it never ends."""
 
-    def __init__(self, scopes: Scopes, scenario: Scenario, entry: str):
+    def __init__(self, scopes: Scopes, scenario: Scenario, entry: str, endless: bool):
         self.scopes = scopes
         self.order = [
             *(f"signal {name}" for name in scenario.signals),
@@ -121,7 +121,7 @@ class DataFlow:
                 ("search", scenario.searches),
             )
         }
-        self._endless = scenario.endless_passes is not None
+        self._endless = endless
         self.places: dict[tuple[str, int], Place] = {}  # of statements, by file and offset
         self.nodes: dict[tuple[str, int], Node] = {}
         self.before: dict[tuple[str, int], Node | None] = {}  # the statement before each in its block

@@ -329,8 +329,8 @@ class EditableText(ProgramText):
                 return f"run {runs} times with different values", remedy
         often = f"run {runs} times" if runs > 1 else ""
         if thing == "endless_passes" or (runs > 1 and thing is None):
-            why = f"{often} with different values" if often else "depend on endless_passes"
-            return why, "one statement per pass would free them, for an endless loop endless_passes: 1"
+            why = f"{often} with different values" if often else "change from pass to pass"
+            return why, "one statement per pass would free them"
         if thing is not None:
             both = " and ".join(part for part in (often, f"depend on {thing}") if part)
             return both, "one statement with a declared target per pass would free them"

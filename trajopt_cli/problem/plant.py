@@ -32,15 +32,15 @@ OVERHANG = 0.25
 class Plant:
     """robot: mounted, its rail (if any) placed in the world. limits: of all axes in robot.axis_names order.
 
-    start (k,): where the cycle begins, at rest. rail_eax: which eax_x drives the rail (0 for eax_a), None without
-    a rail. rail_fixed: robtargets keep their programmed rail value. free_speed: MoveJ and MoveAbsJ may ignore the
-    programmed speed. droppable: target names (lower case) the cell file lets the plan leave out. notes: how sure the
-    limits are, one line each. obstacles: in the world, attached: in the flange frame, all meshes loaded. may_touch:
-    pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
-    distance wanted between the robot and an obstacle [m]. tool_radius [m]: of the capsule from flange to TCP that
-    stands for the tool of each motion; 0 for none, as where something is attached. grips: which obstacles the flange
-    takes and leaves, and when. See problem.collision_objects. turning: external axes of positioners, 0 for eax_a.
-    settings: the planner's chosen numbers.
+    start (k,): where the cycle begins, at rest; home (k,): where the program does, None for the same. rail_eax: which
+    eax_x drives the rail (0 for eax_a), None without a rail. rail_fixed: robtargets keep their programmed rail value.
+    free_speed: MoveJ and MoveAbsJ may ignore the programmed speed. droppable: target names (lower case) the cell file
+    lets the plan leave out. notes: how sure the limits are, one line each. obstacles: in the world, attached: in the
+    flange frame, all meshes loaded. may_touch: pairs of links, or of a link and an attached body, that are not held
+    against each other. clearance: the least distance wanted between the robot and an obstacle [m]. tool_radius [m]: of
+    the capsule from flange to TCP that stands for the tool of each motion; 0 for none, as where something is attached.
+    grips: which obstacles the flange takes and leaves, and when. See problem.collision_objects. turning: external axes
+    of positioners, 0 for eax_a. settings: the planner's chosen numbers.
     """
 
     robot: RobotModel
@@ -60,6 +60,12 @@ class Plant:
     grips: tuple[Grip, ...] = ()
     turning: frozenset[int] = frozenset()
     settings: Settings = field(default_factory=lambda: defaults.DEFAULT)
+    home: Array | None = None
+
+    @property
+    def at_home(self) -> Plant:
+        """The plant as the program finds it when it is started."""
+        return self if self.home is None else replace(self, start=self.home, home=None)
 
     @property
     def layout(self) -> AxisLayout:

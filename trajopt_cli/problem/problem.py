@@ -188,7 +188,8 @@ class Problem:
     """Waypoints and legs in order, for one target; stations as (first waypoint, last); the motions left out.
 
     coupling: how the axes of a leg are bound to each other, which need not be as loose as the target allows. ties:
-    waypoints, in order, that must have one rail position and one configuration. objective: what makes a motion good.
+    waypoints, in order, that must have one rail position and one configuration: those of a steady cycle's ends among
+    them. objective: what makes a motion good.
     """
 
     plant: Plant
@@ -207,6 +208,11 @@ class Problem:
     def coordinated(self) -> bool:
         """Whether all axes of a leg share one way and rest at every stop."""
         return self.coupling is Coupling.COORDINATED
+
+    @property
+    def steady(self) -> bool:
+        """Whether it ends where it begins, wherever that is."""
+        return any(group[0] == 0 and len(self.legs) in group for group in self.ties)
 
     def passes(self, k: int) -> bool:
         """Whether waypoint k is a fly-by."""
@@ -278,6 +284,8 @@ def build_problem(
     changes = changes or everything(program, plant)
     build = _Build(program, plant, freedom, changes, target, corners_of(program, plant, dropped).passed)
     try:
+        if (entrance := program.entrance) is not None:
+            build.enter(program.motions.index(entrance), entrance)
         for index, motion in enumerate(program.motions):
             if index not in dropped:
                 build.add(index, motion)
@@ -285,7 +293,9 @@ def build_problem(
         motion = program.motions[out.index]
         return Infeasible(out.index, motion.source, f"{motion_name(motion)} {out}")
     waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
-    ties = _ties(changes, waypoints)
+    if (start := waypoints[0]).q is not None and program.entrance is not None:
+        waypoints[-1] = replace(waypoints[-1], q=start.q, rail=start.rail, conf=None)
+    ties = _ties(changes, waypoints, program.entrance is not None)
     for group in ties:
         pinned = [waypoints[k].rail for k in group if waypoints[k].rail[0] == waypoints[k].rail[1]]
         for k in group if pinned else ():
@@ -324,14 +334,19 @@ def _timed(leg: Leg, waypoints: Sequence[Waypoint]) -> Leg:
     return replace(leg, duration=None, v_tcp=min(leg.v_tcp, way / leg.duration))
 
 
-def _ties(changes: Changes, waypoints: Sequence[Waypoint]) -> tuple[tuple[int, ...], ...]:
-    """The waypoints of tied motions; those that joints fix, or that a plan may not change, are what they are."""
+def _ties(changes: Changes, waypoints: Sequence[Waypoint], steady: bool) -> tuple[tuple[int, ...], ...]:
+    """The waypoints of tied motions, and both ends of a steady cycle; those that joints fix, or that a plan may not
+    change, are what they are."""
     ends = {
         waypoint.motion: k
         for k, waypoint in enumerate(waypoints)
         if waypoint.q is None and (waypoint.rail[0] < waypoint.rail[1] or waypoint.conf is None)
     }
-    groups = (tuple(ends[index] for index in group if index in ends) for group in changes.ties)
+    groups = [tuple(ends[index] for index in group if index in ends) for group in changes.ties]
+    if steady and waypoints[0].q is None:
+        last = len(waypoints) - 1
+        with_last = next((group for group in groups if last in group), (last,))
+        groups = [(0, *with_last), *(group for group in groups if last not in group)]
     return tuple(group for group in groups if len(group) > 1)
 
 
@@ -392,6 +407,18 @@ class _Build:
         self._written = float(plant.layout.place(plant.start))
         self.waypoints = [self._at_joints(-1, plant.start)]
         self.legs: list[Leg] = []
+
+    def enter(self, index: int, move: Move) -> None:
+        """Begin at rest where a steady cycle ends: at the end of its last move."""
+        match move:
+            case MoveAbsJ():
+                self._take_rail(index, move)
+                start = self._at_joints(-1, self._axes(move.q))
+            case PoseMove():
+                start = replace(self._at_pose(index, move), motion=-1, rest=True, nearest=False)
+            case _:
+                return
+        self.waypoints = [start]
 
     def add(self, index: int, motion: Motion) -> None:
         """The next motion. Raises _Impossible for what the program itself asks for and cannot be."""
@@ -482,7 +509,8 @@ class _Build:
             self._arms = arms_as_written(self._program, self._plant)
         plant, rail, arm = self._plant, waypoint.written, self._arms.get(waypoint.motion)
         if arm is None:
-            near = next(point.q for point in reversed(self.waypoints) if point.q is not None)[plant.layout.arm]
+            given = (point.q for point in reversed(self.waypoints) if point.q is not None)
+            near = next(given, plant.start)[plant.layout.arm]
             arm = next(iter(nearest(plant, waypoint.X_WF, rail, near[None], waypoint.conf)), None)
         if arm is None:
             raise InputError(

@@ -51,7 +51,7 @@ class ProgramText:
     def __init__(self, program: Program, scenario: Scenario):
         self.program = program
         self.scopes = Scopes(program.files)
-        self.flow = DataFlow(self.scopes, scenario, program.entry)
+        self.flow = DataFlow(self.scopes, scenario, program.entry, program.passes > 0)
         self.runs = Counter(motion.written.statement for motion in program.motions)
         self.single = {i for i, motion in enumerate(program.motions) if self.runs[motion.written.statement] == 1}
         self._traces: dict[tuple[Span, bool], Trace] = {}

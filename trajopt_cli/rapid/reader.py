@@ -129,6 +129,11 @@ def try_program(
         ),
     )
     program = laid_beside(program, run.scenario, kinematics)
+    if run.cycle is not None:
+        program = replace(program, passes=run.cycle.passes)
+        if run.cycle.closed:
+            before, motions = program.motions[: run.cycle.first], program.motions[run.cycle.first :]
+            program = replace(program, motions=motions, before=before)
     run.external.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from trajopt_cli.scenario import NAME_LISTS, Missing, yaml_name
 
-_SECTIONS = ("signals", "answers", "data", "searches", "endless_passes", *NAME_LISTS)
+_SECTIONS = ("signals", "answers", "data", "searches", *NAME_LISTS)
 
 
 def template(missing: Sequence[Missing]) -> str:
@@ -19,9 +19,6 @@ def template(missing: Sequence[Missing]) -> str:
     for section in _SECTIONS:
         found = [one for one in missing if one.section == section]
         if not found:
-            continue
-        if section == "endless_passes":  # one number for all loops
-            lines.append(f"endless_passes: {found[0].value}{_comment(found[0])}")
             continue
         lines.append(f"{section}:")
         for one in found:

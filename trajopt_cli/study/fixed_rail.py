@@ -165,7 +165,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     program = replace(there, motions=tuple(there.motions[motion.index] for motion in kept))
     problem = build_problem(program, plant, FIXED_RAIL, Target.STREAM, everything(program, plant))
     assert isinstance(problem, Problem)  # there is a plan for it
-    q = [plant.start]
+    q = [kept[0].q_0]
     for leg in problem.legs:
         planned = kept[leg.motion]
         q.append(planned.q_1 if planned.t_1 > planned.t_0 else q[-1])  # a leg without a way takes no time

@@ -168,8 +168,8 @@ class Site:
     def _read(self, job: Job, texts: Mapping[str, str]) -> Job:
         """A job with its program read again, some texts being others."""
         files = {path: replace(one, text=texts.get(path, one.text)) for path, one in job.program.files.items()}
-        found = run_program([*files.values()], job.scenario, job.program.entry, PlantKinematics(job.plant))
-        program = replace(job.program, motions=found.motions, files=files)
+        found = run_program([*files.values()], job.scenario, job.program.entry, PlantKinematics(job.plant.at_home))
+        program = replace(job.program, motions=found.motions, before=found.before, files=files)
         with of_kind(ErrorKind.UNPLANNABLE):
             check_plannable(program, job.plant)
         return replace(job, program=program)

@@ -64,7 +64,8 @@ def with_detours(program: Program, plant: Plant) -> Program:
     """The program in which the rail moves only while the arm is folded; lines and arcs that carry it along stay."""
     out: list[Motion] = []
     layout = plant.robot.layout
-    home, rail, folded = plant.start[layout.arm], float(layout.place(plant.start)), True
+    home, rail = plant.at_home.start[layout.arm], float(layout.place(plant.start))
+    folded = bool(np.abs(plant.start[layout.arm] - home).max() <= _SAME)
     for motion in program.motions:
         if isinstance(motion, Move):
             given = plant.rail_value(motion.extax)
@@ -86,7 +87,7 @@ def _fold(before: Move, plant: Plant, rail: float) -> MoveAbsJ:
     """The arm to its home pose, the rail staying at rail."""
     return MoveAbsJ(
         source=before.source, written=Written(before.written.statement), target="home", speed=before.speed, zone=_STOP,
-        extax=_extax(before.extax, plant, rail), q=plant.start[plant.robot.layout.arm],
+        extax=_extax(before.extax, plant, rail), q=plant.at_home.start[plant.robot.layout.arm],
         tool=getattr(before, "tool", _FLANGE),
     )  # fmt: skip
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +23,23 @@ class Iterate:
     cfx: tuple[int, ...]
     legs: tuple[LegMotion | None, ...]
     qdd: Array | None = None
+
+    def part(self, points: Sequence[int], legs: Sequence[int]) -> Iterate:
+        """Of some waypoints and legs, by their numbers."""
+        qdd = None if self.qdd is None else self.qdd[[*points]]
+        cfx, own = tuple(self.cfx[k] for k in points), tuple(self.legs[k] for k in legs)
+        return Iterate(self.q[[*points]], self.qd[[*points]], cfx, own, qdd)
+
+    def put(self, points: Sequence[int], legs: Sequence[int], found: Iterate) -> Iterate:
+        """The same with a part as found."""
+        q, qd, qdd = self.q.copy(), self.qd.copy(), self.qdd
+        q[[*points]], qd[[*points]] = found.q, found.qd
+        cfx = dict(enumerate(self.cfx)) | dict(zip(points, found.cfx, strict=True))
+        own = dict(enumerate(self.legs)) | dict(zip(legs, found.legs, strict=True))
+        if found.qdd is not None:
+            qdd = np.zeros_like(q) if qdd is None else qdd.copy()
+            qdd[[*points]] = found.qdd
+        return Iterate(q, qd, tuple(cfx.values()), tuple(own.values()), qdd)
 
 
 @dataclass

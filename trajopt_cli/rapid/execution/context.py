@@ -22,6 +22,7 @@ from trajopt_cli.rapid.data.errors import Fault, Mismatch, Undeclared
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, CallFrame, Datum, Head, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.external import External
+from trajopt_cli.rapid.execution.passes import Cycle, Passes
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.execution.units import Units
@@ -94,6 +95,8 @@ class Context(ABC):
         self.named: dict[int, tuple[frozenset[str], Counter[str]]] = {}  # see loops.named_in, by the routine's id
         self.budget = scenario.statement_limit
         self.counts: dict[int, int] = {}  # how often a statement ran, by its id
+        self.endless: dict[int, Passes] = {}  # of loops without a condition, by the node's id
+        self.cycle: Cycle | None = None  # of the loop that never ends, once the run is over
         self.link: Link | None = None  # the statement that runs now, and those around it
         self.links: list[Link | None] = []  # of each motion
         self.waited: dict[int, frozenset[str]] = {}  # what the cell file calls a wait, by its index; see condition_key

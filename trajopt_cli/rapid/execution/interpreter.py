@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.rapid.data.datatypes import Array, Value, convertible, is_opaque
 from trajopt_cli.rapid.data.errors import Exit
@@ -15,6 +16,7 @@ from trajopt_cli.rapid.data.scope import CallFrame, ModuleScope, Part, Place
 from trajopt_cli.rapid.execution import calls, statements
 from trajopt_cli.rapid.execution import evaluate as expressions
 from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.endless import cycle_of
 from trajopt_cli.rapid.execution.instructions.settings import publish
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.recursion_limit import room
@@ -49,13 +51,25 @@ class Execution(Context):
         if any(not parameter.optional for parameter in routine.parameters):
             message = f"PROC {routine.name} needs arguments, so the program cannot start with it"
             raise scope.places.error(routine.start, message)
-        with self.inside(CallFrame(scope)), room(), suppress(Exit):
-            calls.enter(self, routine, scope, (), routine)
+        wanted, failure = self.scenario.endless_passes or 1, None
+        try:
+            with self.inside(CallFrame(scope)), room(), suppress(Exit):
+                calls.enter(self, routine, scope, (), routine)
+        except InputError as error:
+            if not any(passes.count > wanted and not passes.leaves for passes in self.endless.values()):
+                raise
+            failure = error
+        self.position.place()
+        endless = (one for one in reversed(self.endless.values()) if one.count >= wanted and not one.leaves)
+        if (passes := next(endless, None)) is not None:
+            self.cycle = cycle_of(self, passes, failure)
         if not self.external.missing:
             for sentence in self.external.unused():
                 self.warn(WarningKind.UNUSED, sentence)
-        fill_once(self.motions, self.links, self.counts)
-        self.position.place()
+        if self.cycle is not None:
+            del self.motions[self.cycle.last :], self.links[self.cycle.last :]
+        begin = self.cycle.first if self.cycle else 0
+        fill_once(self.motions[begin:], self.links[begin:], self.counts)
 
     def store(self, place: Place, target: Expression, value: Value) -> None:
         """As assign, for data that is located already; target is where errors are placed."""

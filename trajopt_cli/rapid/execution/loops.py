@@ -10,6 +10,8 @@ from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is
 from trajopt_cli.rapid.data.errors import Exit
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.endless import add_pass
+from trajopt_cli.rapid.execution.passes import Passes
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -153,29 +155,23 @@ def _reads(run: Context, node: Expression, signals: dict[str, None], values: dic
 def count_endless(
     run: Context, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int
 ) -> int:
-    """Count a pass of a loop without a condition, and end the program with the last one that the scenario wants.
+    """Count a pass of a loop without a condition, and end the program where enough of them ran.
 
     A loop that has a way out (RETURN, EXIT ...) may be a search through data: only its passes that move count, and
     without a number in the scenario it runs until it takes its way out. motions: how many there were before the pass.
     Returns how many passes counted so far. Raises Exit.
     """
-    wanted = run.scenario.endless_passes
-    if exits and (wanted is None or len(run.motions) == motions):
+    if exits and len(run.motions) == motions:
         count_pass(run, node, passes)
         return counted
-    counted += 1
-    if wanted is None:
-        run.missing("endless_passes", "endless_passes", node, f"{loop} never ends by itself", "1")
+    if not counted:
+        leaves = exits and run.scenario.endless_passes is None
+        run.endless[id(node)] = Passes(loop, run.source(node), [motions], leaves)
+    known = run.endless[id(node)]
+    if add_pass(run, known):
+        known.leaves = False
         raise Exit
-    if counted >= wanted:
-        run.warn(
-            WarningKind.ENDLESS,
-            f"{loop} never ends by itself; the program is taken to be over after {counted} "
-            f"pass{'es' if counted > 1 else ''} (endless_passes)",
-            run.source(node),
-        )
-        raise Exit
-    return counted
+    return counted + 1
 
 
 def always(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:

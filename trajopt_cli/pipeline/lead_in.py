@@ -1,0 +1,66 @@
+"""The way into a loop that never ends: driven once, to the targets that its plan for the RAPID controller leaves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.job import Job
+from trajopt_cli.motion import Motion, Move, PoseMove, Span, Wait
+from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.robot.inverse import confdata
+from trajopt_cli.units import MM
+
+
+def lead_in(job: Job) -> tuple[Motion, ...]:
+    """What runs from the program's start to the first stop in the loop; none where the program is no such loop."""
+    before, cycle = job.program.before or (), job.program.motions
+    alike = 0
+    while alike < min(len(before), len(cycle)) and _text(before[-1 - alike]) == _text(cycle[-1 - alike]):
+        alike += 1
+    for k in range(len(before) - alike, len(before)):
+        motion, behind = before[k], before[k + 1 : k + 2]
+        if isinstance(motion, Move) and (motion.zone.stop or any(isinstance(one, Wait) for one in behind)):
+            return before[: k + 1]
+    return before
+
+
+def led_in(job: Job, plan: Plan) -> tuple[Motion, ...]:
+    """The lead-in to the targets of a plan: each has one rail position and configuration, wherever it is gone to."""
+    ends: dict[Span | None, Array] = {}
+    for planned in reversed(plan.motions):
+        motion = job.program.motions[planned.index]
+        ends |= {key: planned.q_1 for key in (_literal(motion), _text(motion)) if key is not None}
+    out: list[Motion] = []
+    for motion in lead_in(job):
+        q = ends.get(_text(motion), ends.get(_literal(motion)))
+        if q is not None and isinstance(motion, PoseMove):
+            extax = list(motion.extax)
+            if (eax := job.plant.rail_eax) is not None:
+                extax[eax] = float(job.plant.layout.place(q)) / MM
+            a, b, c, d, e, f = extax
+            motion = replace(motion, extax=(a, b, c, d, e, f), conf=confdata(job.plant.robot, q[job.plant.layout.arm]))
+        out.append(motion)
+    return tuple(out)
+
+
+def kept_for(job: Job, changes: Changes) -> Changes:
+    """What a plan may change that leaves all targets of the lead-in as programmed."""
+    texts = {key for motion in lead_in(job) for key in (_text(motion), _literal(motion))} - {None}
+    shared = frozenset(i for i, one in enumerate(job.program.motions) if {_text(one), _literal(one)} & texts)
+    ties = (tuple(i for i in group if i not in shared) for group in changes.ties)
+    return replace(
+        changes,
+        values=changes.values - shared,
+        ties=tuple(group for group in ties if len(group) > 1),
+        droppable=changes.droppable - shared,
+    )
+
+
+def _text(motion: Motion) -> Span | None:
+    return motion.written.statement
+
+
+def _literal(motion: Motion) -> Span | None:
+    return motion.written.aggregate
