@@ -102,7 +102,7 @@ def test_where_nothing_stands_a_program_has_no_rows_of_distances() -> None:
     """The links are always near one another."""
     problem = problem_of(PROGRAM, ROOMY)
     start = on_grid(AXES, problem, legal().draft, LONG.rough)
-    margins = [Margins.full(AXES.limits, motion.N, isinstance(motion, PathLeg)) for motion in start.legs]
+    margins = [Margins.full(AXES, motion.N, isinstance(motion, PathLeg)) for motion in start.legs]
     assert ROOMY.self_pairs
     assert Clearances(AXES, problem, collision_scene_of(problem)).tangents(start, margins) == {}
 
@@ -201,7 +201,7 @@ def test_nodes_keep_farther_off_where_a_motion_dips_between_them() -> None:
     ends, middle = distances(pair, q), distances(pair, q.mean(axis=0)[None])[0]
     assert middle < 0 < ends.min()
     swing = JointNodes(1.0, np.array([0.0, 1.0]), q, np.zeros_like(q), np.zeros_like(q[:1]))
-    draft, margins = replace(legal().draft, legs=(None, swing, None, None)), Margins.full(AXES.limits, 1, on_path=False)
+    draft, margins = replace(legal().draft, legs=(None, swing, None, None)), Margins.full(AXES, 1, on_path=False)
     problem = problem_of(PROGRAM, plant)
     clearances = Clearances(AXES, problem, collision_scene_of(problem))
     assert clearances.make_room(draft, [None, margins, None, None])

@@ -116,7 +116,7 @@ MISTAKES = [
     (changed("[0.5, 0.1, 300 mm, 0, 10 deg, 0]", "[0.5, 0.1]"), "t.yaml:4: poses.1.at: needs 6 values, not 2"),
     (
         changed("10 deg", "10 mm"),
-        "t.yaml:4: poses.1.at: unit 'mm' of \"10 mm\" is not one of rad, deg, °",
+        "t.yaml:4: poses.1.at: unit 'mm' of \"10 mm\" is not one of deg, rad, °",
     ),
     (changed("  - start\n", "  - home\n"), "needs [x, y, z, alpha, beta, gamma] or 'start', not \"home\""),
     (changed("  - start\n", "  - {by: [0, 0, 0, 0, 0, 0]}\n"), "t.yaml:3: poses.0: 'by' adds to the pose before"),

@@ -225,7 +225,8 @@ def _tiles(run: Simulated) -> Iterator[Tile]:
     yield Tile("duration", f"{run.t[-1]:.3f} s", f"the last pose held for {run.settle:.3g} s", BEFORE)
     broken = run.broken
     kept = "joints keep position, speed and acceleration limits" if run.loop is None else "no limit stops the loop"
-    yield Tile("the arm", "cannot" if broken else "follows", "; ".join(broken) or kept, "" if broken else "bound")
+    name = "joint limits" if run.loop is None else "limits of the loop"
+    yield Tile(name, "broken" if broken else "kept", "; ".join(broken) or kept, "")
 
 
 def _feed_tiles(job: ScheduledJob) -> Iterator[Tile]:
