@@ -33,8 +33,8 @@ class Written:
     statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement; of a
     wait in a function both statement and target are the call.
     aggregate: the literal `[...]` that gives the target's value, in the statement or in a declaration. declaration: the
-    whole data declaration that holds it. None where the value is computed or given elsewhere. once: the innermost
-    statement around it, itself included, that ran exactly once, in whichever routine; None where nothing did.
+    whole data declaration that holds it. None where the value is computed or given elsewhere. counters: the values of
+    the FOR loops around the statement in its routine, the outermost first.
     """
 
     statement: Span
@@ -42,7 +42,7 @@ class Written:
     speed: Span | None = None
     aggregate: Span | None = None
     declaration: Span | None = None
-    once: Span | None = None
+    counters: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)

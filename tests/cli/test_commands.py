@@ -156,11 +156,12 @@ def test_an_infeasible_program_is_told_and_nothing_is_written(
 def test_what_only_the_written_program_cannot_do_is_told_before_any_solving(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A statement that runs again by GOTO keeps its confdata in the RAPID plan; the stream could choose another."""
-    point = "[[500,100,400],[0,0,1,0],[1,1,1,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    loop = f"again: MoveJ Offs({point},0,0,n), v1000, fine, tool0; n:=n+1; IF n<2 GOTO again;"
+    """A statement that runs again with another confdata keeps both in the RAPID plan; the stream could choose."""
+    point = "[[500,100,400],[0,0,1,0],[{},0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    points = f"CONST robtarget ps{{2}}:=[{point.format('1,1,1')},{point.format('0,0,0')}];"
+    loop = "again: MoveJ Offs(ps{n},0,0,n), v1000, fine, tool0; n:=n+1; IF n<3 GOTO again;"
     text = program.read_text().replace("WaitTime 0.5;", loop)
-    program.write_text(text.replace("    PROC", "    VAR num n:=0;\n    PROC"))
+    program.write_text(text.replace("    PROC", f"    VAR num n:=1; {points}\n    PROC"))
     assert run(["optimize", str(program)]) == 1
     last = capsys.readouterr().err.splitlines()[-1]
     assert last.startswith("tiny.mod:8:16: MoveJ Offs(")

@@ -65,7 +65,8 @@ def rapid_alone(job: Job, target: Target, *more: Any, **options: Any) -> Judged 
 def test_loops_stay_unless_they_are_unrolled(
     body: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The pick is best served from the left when it comes from there and goes there, and from the right likewise."""
+    """The pick is best served from the left when it comes from there and goes there, and from the right likewise: a
+    FOR loop takes both from an array, a routine needs a copy."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda *_, **__: 1.0)
     monkeypatch.setattr(planning, "solve", rapid_alone)
@@ -78,35 +79,28 @@ def test_loops_stay_unless_they_are_unrolled(
         assert run(["optimize", "work.mod", "--loops", loops, "--output", loops, "--jobs", "1"]) == 0
         times[loops] = json.loads(Path(loops, "summary.json").read_text())["plans"]["rapid"]["cycle_time_s"]
         assert json.loads(Path(loops, "run.json").read_text())["options"]["loops"] == loops
-    assert times["unroll"] < times["keep"] - 0.1
     said = " ".join(capsys.readouterr().out.split())
-    (estimate,) = re.findall(r"--loops unroll would save about (\d\.\d\d) s \(.*?\) more, by an estimate", said)
-    assert float(estimate) == pytest.approx(times["keep"] - times["unroll"], abs=0.1)
-
-    assert Path("unroll/program/main_flat.mod").exists()
-    assert not Path("keep/program").exists()
-    given, kept = (DATA + body).splitlines(), Path("keep/program.mod").read_text(encoding="utf-8").splitlines()
+    found = re.findall(r"--loops unroll would save about (\d\.\d\d) s \(.*?\) more, by an estimate", said)
+    unroll, keep = (Path(name, "program.mod").read_text(encoding="utf-8") for name in ("unroll", "keep"))
+    if body is LOOP:
+        assert (times["unroll"], unroll, found) == (times["keep"], keep, [])
+        assert keep.count("FOR i FROM 1 TO 2 DO") == 1
+        assert "MoveJ RailAt(p_pick,rail_pick{i}" in keep
+        return
+    assert times["unroll"] < times["keep"] - 0.1
+    assert float(found[0]) == pytest.approx(times["keep"] - times["unroll"], abs=0.1)
+    assert "        serve p_left;\n        serve_2 p_right;\n" in unroll
+    given, kept = (DATA + body).splitlines(), keep.splitlines()
     changed = [i for i, (one, other) in enumerate(zip(given, kept, strict=True)) if one != other]
     assert changed
     assert max(changed) < len(DATA.splitlines())
     assert [NUMBER.sub("#", line) for line in given] == [NUMBER.sub("#", line) for line in kept]
 
 
-OFF = """    PROC main()
-        FOR i FROM 1 TO 2 DO
-            MoveJ Offs(p_place{i},0,0,100), v2500, fine, tool0;
-            MoveL p_place{i}, v500, fine, tool0;
-        ENDFOR
-        MoveAbsJ j_home, v2500, fine, tool0;
-    ENDPROC
-ENDMODULE
-"""
-
-
-def test_loops_that_cannot_be_driven_as_they_are_are_written_out_and_that_is_said(tmp_path: Path) -> None:
-    """The approach is computed from i, so a kept loop leaves its confdata as programmed, and that is out of reach."""
+def test_routines_that_cannot_be_driven_as_they_are_get_copies_and_that_is_said(tmp_path: Path) -> None:
+    """The routine serves two rail positions, so it leaves its confdata as programmed, and one is out of reach."""
     wrong = DATA.replace("[[500,0,400],[0,0,1,0],[0,0,0,0]", "[[500,0,400],[0,0,1,0],[1,0,1,0]")
-    (tmp_path / "work.mod").write_text(wrong + OFF, encoding="utf-8")
+    (tmp_path / "work.mod").write_text(wrong + ROUTINE, encoding="utf-8")
     (tmp_path / "work.yaml").write_text(CELL, encoding="utf-8")
     job = read_job(tmp_path / "work.mod")
     agreed = may_change(job, Loops.KEEP)
@@ -114,12 +108,10 @@ def test_loops_that_cannot_be_driven_as_they_are_are_written_out_and_that_is_sai
     assert agreed.loops is Loops.UNROLL
     assert agreed.changes[Target.RAPID] == changes_of(job, Target.RAPID, Loops.UNROLL)
     (notice,) = agreed.notices
-    assert notice.startswith(
-        "loops and routines are written out as with --loops unroll, as none of their plans could be"
-    )
-    assert "work.mod:11:13: MoveJ Offs(p_place{i},0,0,100) cannot be reached" in notice
-    assert "not with confdata [1,0,1,0]" in notice
+    assert notice.startswith("routines have copies as with --loops unroll, as without them no plan could be driven: ")
+    assert "work.mod:15:9: MoveJ p cannot be reached" in notice
+    assert "confdata [1,0,1,0]" in notice
 
-    (tmp_path / "work.mod").write_text(DATA + OFF, encoding="utf-8")
+    (tmp_path / "work.mod").write_text(DATA + ROUTINE, encoding="utf-8")
     kept = may_change(read_job(tmp_path / "work.mod"), Loops.KEEP)
     assert (kept.loops, kept.notices, kept.infeasible) == (Loops.KEEP, (), None)

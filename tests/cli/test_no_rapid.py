@@ -10,9 +10,6 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_write import RapidExport
-from trajopt_cli.motion import TextFile
-from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 REASON = "tiny.mod:6:9: cannot carry it"
 
@@ -92,16 +89,3 @@ def test_moves_kept_as_programmed_are_told_by_a_diff_without_changes(
     capsys.readouterr()
     assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
     assert capsys.readouterr() == ("", f"no change: {kept}\n")
-
-
-def test_a_new_module_is_called_by_its_place(
-    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    flat = TextFile("main_flat.mod", "MODULE main_flat\nENDMODULE\n", "utf-8")
-    notes = (ProgramWarning(WarningKind.NEW_MODULE, "a new module; load it with the program", "main_flat.mod"),)
-    export = RapidExport({"tiny.mod": program.read_text()}, notes, {flat.path: flat})
-    monkeypatch.setattr("trajopt_cli.exporters.rapid.export_rapid", lambda *_: export)
-    assert run(["optimize", str(program)]) == 0
-    place = "results/tiny/program/main_flat.mod"
-    assert f"note: {place}: a new module; load it with the program\n" in capsys.readouterr().out
-    assert Path(place).read_text() == flat.text

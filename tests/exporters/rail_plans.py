@@ -65,14 +65,14 @@ def plan_for(
 
 
 def read_back(program: Program, export: RapidExport, scenario: Scenario | None = None) -> Program:
-    """The edited program, new modules included, as a controller would load it."""
+    """The edited program, as a controller would load it."""
     files = [replace(f, text=export.texts[path]) for path, f in program.files.items()]
-    return run_program([*files, *export.new.values()], scenario)
+    return run_program(files, scenario)
 
 
 def unified_diff(program: Program, export: RapidExport) -> str:
     """What an export changes."""
-    return rapid_diff.unified_diff(program.files, export.texts, export.new)
+    return rapid_diff.unified_diff(program.files, export.texts, {})
 
 
 def changed_lines(program: Program, export: RapidExport) -> list[str]:

@@ -12,6 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.exporters.rapid_check import mismatches, read_again
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, TextFile, Wait
+from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.editable_text import EditableText
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plan import Plan, Target
@@ -33,8 +34,9 @@ def test_named_arguments_keep_their_names_where_a_target_is_exchanged(plant: Pla
     program = made(body)
     export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.3}), plant)
     text = export.texts["m.mod"]
-    assert "MoveJ ToPoint:=p1,Speed:=v100,Zone:=fine,Tool:=tool0;" in text
-    assert "MoveL ToPoint:=p1_2,Speed:=v100,fine,Tool:=tool0;" in text
+    assert "MoveJ ToPoint:=RailAt(p1,250\\conf:=[-1,0,-1,0]),Speed:=v100,Zone:=fine,Tool:=tool0;" in text
+    moved = "RailAt(Offs(Point:=p1,XOffset:=0,YOffset:=0,ZOffset:=50),300\\conf:=[-1,0,-1,0])"
+    assert f"MoveL ToPoint:={moved},Speed:=v100,fine,Tool:=tool0;" in text
     again = read_back(program, export)
     assert [plant.rail_value(move.extax) for move in again.motions] == pytest.approx([0.25, 0.3])
     assert [*names_in("MoveL ToPoint:=p, Zone := fine, t{n}\\WObj:=w;")] == ["MoveL", "p", "fine", "t", "n", "w"]
@@ -81,6 +83,16 @@ def test_every_motion_of_the_hinge_cell_reads_back_as_planned(plant: Plant) -> N
     assert [wait.duration for wait in waits if isinstance(wait, MoveL)] == [0.3, 0.8, 0.8]
 
 
+RAIL_AT = (
+    "    ! p with the rail at rail, and where it is given in configuration conf",
+    "    LOCAL FUNC robtarget RailAt(robtarget p,num rail\\confdata conf)",
+    "        p.extax.eax_a:=rail;",
+    "        IF Present(conf) p.robconf:=conf;",
+    "        RETURN p;",
+    "    ENDFUNC",
+)
+
+
 def test_only_the_edits_that_are_promised_are_made(plant: Plant) -> None:
     program = read_program(PROGRAMS / "hinge_cell.mod")
     export = export_rapid(program, plan_for(program, plant, HINGE_RAILS), plant)
@@ -88,8 +100,9 @@ def test_only_the_edits_that_are_promised_are_made(plant: Plant) -> None:
     assert len([line for line in changes if line[0] == "-"]) == 9 + 3  # nine robtargets, three waits
     assert "+    CONST robtarget p_n1_in:=[[500,200,450],[0,0,1,0],[-1,0,-1,0],[250,9E9,9E9,9E9,9E9,9E9]];" in changes
     assert any(",[123.457,9E9,9E9,9E9,9E9,9E9]];" in line for line in changes)
-    assert "+        MoveL p_n1_b, v500 \\T:=0.3, fine, tool0 \\WObj:=wobj0; ! the gripper closes" in changes
-    assert any(line.startswith("+    CONST robtarget p_n1_b:=[[500,200,330],[0,0,1,0],") for line in changes)
+    moved = "RailAt(p_n1,300\\conf:=[-1,0,-1,0])"
+    assert f"+        MoveL {moved},v500\\T:=0.3,fine,tool0\\WObj:=wobj0; ! the gripper closes" in changes
+    assert changes[-7:] == [f"+{line}" for line in ("", *RAIL_AT)]
 
 
 def test_a_plan_that_is_the_program_changes_no_byte(plant: Plant) -> None:
@@ -112,13 +125,13 @@ def test_encoding_line_ends_and_everything_else_survive(plant: Plant, tmp_path: 
     old, new = (data.split(end.encode()) for data in (file.read_bytes(), export.texts[str(file)].encode(encoding)))
     assert b"\n" not in b"".join(new)
     assert b"\r" not in b"".join(new)
-    assert len(new) == len(old) + 3
-    kept = [line for line in new if b"_b:=" not in line]
+    added = [b"", *(line.encode() for line in RAIL_AT)]
+    assert new[-9:] == [*added, b"ENDMODULE", b""]
+    kept = [*new[:-9], *new[-2:]]
     different = [(a, b) for a, b in zip(old, kept, strict=True) if a != b]
     assert len(different) == 9 + 3
     assert all(b"robtarget" in a or b"WaitTime" in a for a, _ in different)
     assert all(b.startswith(a[: len(a) - len(a.lstrip())]) for a, b in different)
-    assert all(line.startswith(b"\tCONST") for line in new if b"_b:=" in line)
 
 
 def test_a_six_axis_cell_that_is_planned_as_written_changes_no_byte() -> None:
@@ -185,7 +198,7 @@ def test_a_home_that_leaves_the_rail_open_gets_the_planned_position(plant: Plant
     ]
 
 
-def test_external_axes_given_as_data_are_replaced_as_a_whole(plant: Plant) -> None:
+def test_external_axes_given_as_data_stay_and_the_target_is_wrapped(plant: Plant) -> None:
     data = (
         "    CONST extjoint e:=[200,9E9,9E9,9E9,9E9,9E9];\n"
         "    CONST confdata c:=[0,0,0,0];\n"
@@ -193,51 +206,65 @@ def test_external_axes_given_as_data_are_replaced_as_a_whole(plant: Plant) -> No
     )
     program = made("        MoveJ p3,v100,fine,tool0;\n", data)
     export = export_rapid(program, plan_for(program, plant, {0: 0.25}), plant)
-    assert "p3:=[[500,200,450],[0,0,1,0],[-1,0,-1,0],[250,9E9,9E9,9E9,9E9,9E9]];\n" in export.texts["m.mod"]
+    assert "p3:=[[500,200,450],[0,0,1,0],c,e];\n" in export.texts["m.mod"]
+    assert "MoveJ RailAt(p3,250\\conf:=[-1,0,-1,0]),v100" in export.texts["m.mod"]
 
 
-# ------------------------------------------------------------------------------------------- targets declared anew
+# ------------------------------------------------------------------------------------------------ around the target
 
 
-def test_a_target_wanted_twice_gets_a_second_declaration(plant: Plant) -> None:
+def test_a_target_that_two_moves_want_otherwise_stays_and_each_says_its_own(plant: Plant) -> None:
     program = made(J1 + J2 + "        MoveL p1,v100,fine,tool0;\n")
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 1.35, 2: 0.3}), plant)
     changes = changed_lines(program, export)
-    assert "CONST robtarget p1:=" not in "".join(changes)
-    assert any(line.startswith("+    CONST robtarget p1_2:=[[500,200,450],[0,0,1,0],") for line in changes)
-    assert "+        MoveL p1_2,v100,fine,tool0;" in changes
-    assert tuple(map(str, export.notes)) == ("m.mod:8:9: p1 needs another rail position and configuration here: p1_2",)
+    assert not [line for line in changes if "p1:=" in line]
+    assert "+        MoveL RailAt(p1,300\\conf:=[-1,0,-1,0]),v100,fine,tool0;" in changes
+    assert J1 in export.texts["m.mod"]  # says what is planned
+    assert [str(note) for note in export.notes] == [
+        "m.mod:8:9: another rail position or configuration is said around the target's expression"
+    ]
 
 
-def test_a_new_name_is_nobodys_and_at_most_32_characters(plant: Plant) -> None:
-    long = "a_name_of_exactly_thirty_two_chr"
-    assert len(long) == 32
-    literal = "[[500,200,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]]"
-    data = f"    LOCAL VAR robtarget {long}:={literal};\n    VAR num {long[:30]}_B;\n"
-    program = made(f"        MoveJ {long},v100,fine,tool0;\n        WaitTime 1;\n", data)
-    text = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant).texts["m.mod"]
-    assert f"MoveL {long[:29]}_b2, v100 \\T:=1, fine, tool0;" in text
-    assert f"    LOCAL VAR robtarget {long[:29]}_b2:=" in text
-
-
-def test_elements_of_an_array_are_edited_each_in_its_place(plant: Plant) -> None:
-    data = (
-        "    CONST robtarget ps{2}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]],\n"
-        "        [[500,300,450],[0,0,1,0],[0,0,0,0],[300,9E9,9E9,9E9,9E9,9E9]]];\n"
-    )
-    program = made("        FOR i FROM 1 TO 2 DO\n            MoveJ ps{i},v100,fine,tool0;\n        ENDFOR\n", data)
+def test_a_new_name_is_nobodys(plant: Plant) -> None:
+    data = "    VAR num railAT;\n    VAR num rail_ps;\n" + ARRAY
+    body = "        FOR i FROM 1 TO 2 DO\n            MoveJ ps{i},v100,fine,tool0;\n        ENDFOR\n"
+    program = made(body, data)
     text = export_rapid(program, plan_for(program, plant, {0: 0.21, 1: 0.31}), plant).texts["m.mod"]
-    assert ",[210,9E9,9E9,9E9,9E9,9E9]],\n" in text
-    assert ",[310,9E9,9E9,9E9,9E9,9E9]]];\n" in text
+    assert "MoveJ RailAt_2(ps{i},rail_ps_2{i}\\conf:=[-1,0,-1,0]),v100,fine,tool0;" in text
+    assert "    LOCAL CONST num rail_ps_2{2}:=[210,310];\n" in text
+
+
+ARRAY = (
+    "    CONST robtarget ps{2}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]],\n"
+    "        [[500,300,450],[0,0,1,0],[0,0,0,0],[300,9E9,9E9,9E9,9E9,9E9]]];\n"
+)
 
 
 def test_a_literal_in_the_statement_is_edited_there(plant: Plant) -> None:
     literal = "[[500,200,450],[0,0,1,0],[0,0,0,0],[150,9E9,9E9,9E9,9E9,9E9]]"
     program = made(f"        MoveJ {literal},v100,fine,tool0;\n        WaitTime 1;\n")
     text = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant).texts["m.mod"]
-    assert text.startswith("MODULE m\n    CONST robtarget p_b:=[[500,200,450],[0,0,1,0],")
     assert f"        MoveJ {literal.replace('150', '200')},v100,fine,tool0;\n" in text
-    assert "        MoveL p_b, v100 \\T:=1, fine, tool0;\n" in text
+    assert f"        MoveL RailAt({literal},300\\conf:=[-1,0,-1,0]),v100\\T:=1,fine,tool0;\n" in text
+
+
+def test_joints_that_leave_the_rail_open_twice_are_wrapped_by_a_function_of_their_own(plant: Plant) -> None:
+    data = "    CONST jointtarget free:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+    program = made(f"{J1}        MoveAbsJ free,v100,fine,tool0;\n" * 2, data)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3, 2: 0.2, 3: 0.4}), plant)
+    text = export.texts["m.mod"]
+    assert "MoveAbsJ RailAtJ(free,300),v100" in text
+    assert "MoveAbsJ RailAtJ(free,400),v100" in text
+    assert "LOCAL FUNC jointtarget RailAtJ(jointtarget p,num rail)" in text
+
+
+def test_what_was_exported_once_is_wrapped_once(plant: Plant) -> None:
+    program = made(J1 + "        MoveL p1,v100,fine,tool0;\n")
+    once = read_back(program, export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant))
+    text = export_rapid(once, plan_for(once, plant, {0: 0.25, 1: 0.35}), plant).texts["m.mod"]
+    assert text.count("LOCAL FUNC") == 1
+    assert "MoveL RailAt(p1,350\\conf:=" in text
+    assert "MoveJ RailAt(p1,250\\conf:=" in text
 
 
 # ------------------------------------------------------------------------------------------------------------ waits
@@ -246,8 +273,9 @@ def test_a_literal_in_the_statement_is_edited_there(plant: Plant) -> None:
 def test_a_wait_after_joints_becomes_a_line_to_where_they_are(plant: Plant) -> None:
     program = made("        MoveAbsJ home\\NoEOffs,v300,fine,tool0;\n        WaitTime\\InPos,0.5;\n" + J1)
     export = export_rapid(program, plan_for(program, plant, {0: 0.0, 1: 0.15, 2: 0.2}), plant)
-    assert "        MoveL home_b, v300 \\T:=0.5, fine, tool0;\n" in export.texts["m.mod"]
-    home_b = read_back(program, export).motions[1]
+    line = "        MoveL RailAt(CRobT(\\Tool:=tool0),150\\conf:=[-1,0,-1,0]),v300\\T:=0.5,fine,tool0;\n"
+    assert line in export.texts["m.mod"]
+    home_b = read_again(program, plant, Scenario(), export.texts).motions[1]
     assert isinstance(home_b, MoveL)
     # 506.292, 0, 679.5 is the controller's own answer for axis 5 at 30 degrees.
     np.testing.assert_allclose(home_b.X_WT[:3, 3], [0.506291651, 0.0, 0.6795], rtol=0, atol=5.5e-7)
@@ -258,7 +286,7 @@ def test_the_tool_at_joints_is_the_tool_of_the_move(plant: Plant) -> None:
     data = "    PERS tooldata t:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];\n"
     program = made("        MoveAbsJ home,v300,fine,t;\n        WaitTime 0.5;\n", data)
     export = export_rapid(program, plan_for(program, plant, {0: 0.0, 1: 0.15}), plant)
-    home_b = read_back(program, export).motions[1]
+    home_b = read_again(program, plant, Scenario(), export.texts).motions[1]
     assert isinstance(home_b, MoveL)
     assert home_b.tool.name == "t"
     # The tip is 100 mm further along the flange's z, 30 degrees below the horizontal.
@@ -271,7 +299,8 @@ def test_a_wait_for_a_signal_stays_behind_a_line_of_its_least_duration(plant: Pl
     text = made(J1 + "        WaitDI di_ready,1; ! hand over\n").files["m.mod"]
     program = run_program([text], scenario)
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, scenario=scenario)
-    lines = "        MoveL p1_b, v100 \\T:=0.6, fine, tool0;\n        WaitDI di_ready,1; ! hand over\n"
+    line = "        MoveL RailAt(p1,300\\conf:=[-1,0,-1,0]),v100\\T:=0.6,fine,tool0;\n"
+    lines = line + "        WaitDI di_ready,1; ! hand over\n"
     assert lines in export.texts["m.mod"]
 
 
@@ -298,7 +327,7 @@ def test_the_frame_and_speed_of_the_move_before_go_along(plant: Plant) -> None:
     data = '    PERS wobjdata w:=[FALSE,TRUE,"",[[0,100,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n'
     program = made("        MoveJ p1,v50,fine,tool0\\WObj:=w;\n        WaitTime reg1+0.5;\n", data)
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
-    assert "MoveL p1_b, v50 \\T:=reg1+0.5, fine, tool0 \\WObj:=w;" in export.texts["m.mod"]
+    assert "),v50\\T:=reg1+0.5,fine,tool0\\WObj:=w;" in export.texts["m.mod"]
 
 
 # ---------------------------------------------------------------------------------------------------- dropped, fast
@@ -360,12 +389,8 @@ def test_faster_than_programmed_becomes_vmax(plant: Plant) -> None:
         ("[[500,200,450]", "[[500.001,200,450]", "6:9: the plan wants the tool in the programmed place"),
         ("[-1,0,-1,0],[250", "[-1,0,-1,1],[250", "6:9: the plan wants another configuration than"),
         ("T:=0.5", "T:=0.6", "7:9: the plan wants the tool to rest for the time of the wait"),
-        (
-            "[[500,200,450],[0,0,1,0],[-1,0,-1,0],[300",
-            "[[500,201,450],[0,0,1,0],[-1,0,-1,0],[300",
-            "7:9: the plan wants",
-        ),
-        ("MoveL p1_b, v100", "MoveJ p1_b, v100", "7:9: the plan wants a MoveL there"),
+        ("RailAt(p1,300)", "RailAt(Offs(p1,0,1,0),300)", "7:9: the plan wants the tool to rest"),
+        ("MoveL RailAt", "MoveJ RailAt", "7:9: the plan wants a MoveL there"),
         ("Set do1;", "Set do2;", "8:9: the plan wants what the program says there"),
         ("Set do1;", "", "8:9: the plan wants what the program says there"),
         ("30,0],[0,", "31,0],[0,", "9:9: the plan wants the programmed joints"),
@@ -400,9 +425,11 @@ def test_a_computed_target_that_goes_along_with_its_base_is_fine(plant: Plant) -
     assert [m.extax[0] for m in again.motions if isinstance(m, MOVES)] == [300.0, 300.0]
 
 
-def test_a_statement_that_runs_twice_and_has_to_differ_is_written_out_where_it_is_called(plant: Plant) -> None:
+def test_a_statement_that_runs_twice_and_has_to_differ_needs_loops_unrolled(plant: Plant) -> None:
     program = made("        go;\n        go;\n", rest=f"    PROC go()\n{J1}    ENDPROC\n")
-    again = read_back(program, export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant))
+    plan = plan_for(program, plant, {0: 0.2, 1: 0.3})
+    assert error(program, plan, plant).startswith("m.mod:10:9: ")
+    again = read_back(program, export_rapid(program, plan, plant, loops=Loops.UNROLL))
     assert [m.extax[0] for m in again.motions if isinstance(m, MOVES)] == [200.0, 300.0]
     export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.3}), plant)
 
@@ -417,9 +444,7 @@ def test_a_move_under_a_compact_if_cannot_be_dropped(plant: Plant) -> None:
 def test_a_rail_move_before_the_first_move_has_no_place(plant: Plant) -> None:
     program = made("        WaitTime 1;\n" + J1)
     plan = plan_for(program, plant, {0: 0.1, 1: 0.2})
-    assert error(program, plan, plant) == (
-        "m.mod:6:9: the plan moves the rail in a wait before the first move; begin with MoveAbsJ home"
-    )
+    assert error(program, plan, plant).startswith("m.mod:6:9: ")
 
 
 def test_a_plan_that_leaves_a_motion_out_is_refused(plant: Plant) -> None:
@@ -448,7 +473,7 @@ def test_values_of_a_rail_whose_unit_is_not_active_stay_as_written(plant: Plant)
     assert {0, 2, 3, 5} <= free
     again = made(f"        FOR i FROM 1 TO 2 DO\n{body}        ENDFOR\n", data)
     again = run_program([*again.files.values()], scenario)
-    assert (3, 9) in EditableText(again, plant, scenario).changes.ties
+    assert {2, 3, 8, 9} <= EditableText(again, plant, scenario).changes.values
     plan = plan_for(program, plant, {0: 0.21, 5: 0.23}, cfx={3: 1, 5: 1})
     export = export_rapid(program, plan, plant, scenario=scenario)
     texts = "".join(export.texts.values())

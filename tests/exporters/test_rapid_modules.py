@@ -12,7 +12,6 @@ from rail_plans import J1, J2, changed_lines, made, plan_for, read_back
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL, Program, TextFile
-from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import read_program, run_program
 from trajopt_cli.robot.inverse import confdata
@@ -70,55 +69,57 @@ def test_each_module_is_edited_in_its_own_encoding_and_line_ends(
     main, other = (str(tmp_path / name) for name in ("main.mod", "targets.mod"))
     assert program.files[other].encoding == encoding
     assert export.texts[main] == MAIN
-    # By hand: the global target moves to 210; the second use of the local one gets a second, local, on a line of its
-    # own with the line end of the file and the indentation of the line above; all else stays.
+    # By hand: the global target moves to 210; the two uses of the local one say their own, by a function that the
+    # module has at its end, with the line end of the file; all else stays.
     end = "\r\n" if "\r\n" in targets else "\n"
-    assert "LOCAL CONST robtarget pHere_2:=[[500,250,450]," in export.texts[other]
-    assert "MoveL pHere_2,v50,fine,tool0;" in export.texts[other]
+    assert "MoveL RailAt(pHere,270\\conf:=[-1,0,-1,0]),v50,fine,tool0;" in export.texts[other]
+    assert f"{end}\tLOCAL FUNC robtarget RailAt(robtarget p,num rail\\confdata conf){end}" in export.texts[other]
     # What is left after taking the edits out again is the file, byte for byte.
-    back = re.sub(r"(\r\n|\r|\n)\tLOCAL CONST robtarget pHere_2:=.*?;", "", export.texts[other])
-    back = back.replace("MoveL pHere_2", "MoveL pHere")
+    back = re.sub(r"(\r\n|\r|\n)\t! p with.*ENDFUNC(\r\n|\r|\n)", "", export.texts[other], flags=re.DOTALL)
+    back = re.sub(r"RailAt\(pHere,\d+(\\conf:=\[.*?\])?\)", "pHere", back)
     back = re.sub(r"(pTür:=\[\[500,200,450\],\[0,0,1,0\],)\[[^\]]*\],\[210,", r"\1[0,0,0,0],[200,", back)
     assert back.encode(encoding) == targets.encode(encoding)
-    assert f"{end}\tLOCAL CONST robtarget pHere_2:=" in export.texts[other]
     assert [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ | MoveL)] == [210, 250, 270]
 
 
-def test_a_new_name_is_unique_over_all_modules(plant: Plant) -> None:
-    other = TextFile("b.mod", "MODULE b\n    LOCAL VAR num P1_2;\n    PROC p1_3()\n    ENDPROC\nENDMODULE\n", "utf-8")
-    program = made(J1 + "        MoveL p1,v100,fine,tool0;\n", more={"b.mod": other})
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
-    assert "MoveL p1_4,v100" in export.texts["m.mod"]
-    assert export.texts["b.mod"] == other.text
+def test_each_module_has_its_own_function_under_a_name_that_nobody_has(plant: Plant) -> None:
+    rest = "    LOCAL VAR num RAILAT;\n    PROC go()\n        MoveL p1,v50,fine,tool0;\n    ENDPROC\n"
+    other = TextFile("b.mod", f"MODULE b\n{rest}ENDMODULE\n", "utf-8")
+    program = made(J1 + "        go;\n", more={"b.mod": other})
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.3}), plant)
+    for path in ("m.mod", "b.mod"):
+        assert "RailAt_2(p1," in export.texts[path]
+        assert export.texts[path].count("LOCAL FUNC robtarget RailAt_2(") == 1
 
 
-def test_a_local_target_passed_on_gets_its_second_where_the_statement_can_see_it(plant: Plant) -> None:
+def test_a_parameter_is_wrapped_where_the_statement_names_it(plant: Plant) -> None:
     body = (
         f"        CONST robtarget near:=[[500,200,450],[0,0,1,0],[0,0,0,0],[200,{OPEN}]];\n"
         "        MoveJ near,v100,fine,tool0;\n        go near;\n"
     )
     program = made(body, rest="    PROC go(robtarget p)\n        MoveL p,v100,fine,tool0;\n    ENDPROC\n")
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
     changes = changed_lines(program, export)
-    assert len(changes) == 3
-    assert changes[0].startswith("+    CONST robtarget p_2:=[[500,200,450],[0,0,1,0],")
-    assert changes[2] == "+        MoveL p_2,v100,fine,tool0;"
+    assert changes[:2] == [
+        "-        MoveL p,v100,fine,tool0;",
+        "+        MoveL RailAt(p,300\\conf:=[-1,0,-1,0]),v100,fine,tool0;",
+    ]
+    assert len(changes) == 9
 
 
-def test_a_new_target_stands_behind_records_and_never_inside_a_line(plant: Plant) -> None:
+def test_an_array_stands_behind_records_and_never_inside_a_line(plant: Plant) -> None:
     rail = f"[200,{OPEN}]"
     head = "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget p1:=\n"
     text = (
-        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nVAR robtarget q;\n"
-        "MoveJ p1,v100,fine,tool0;\nq:=p1;\nMoveL Offs(q,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nFOR i FROM 1 TO 2 DO\n"
+        "MoveJ p1,v100,fine,tool0;\nENDFOR\nENDPROC ENDMODULE"
     )
     program = run_program([TextFile("m.mod", text, "utf-8")])
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
-    first = export.texts["m.mod"].splitlines()[0]
-    assert first.startswith(
-        "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget q_2:=[[500,200,400],"
-    )
+    text = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant).texts["m.mod"]
+    first = text.splitlines()[0]
+    assert first.startswith("MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD LOCAL CONST ")
     assert first.endswith("; CONST robtarget p1:=")
+    assert text.endswith("\nENDFUNC\nENDMODULE")
 
 
 BLANKS = st.sampled_from(["", " ", "\t", "  ", "\u00a0"])
@@ -152,7 +153,7 @@ def test_a_plan_that_wishes_nothing_changes_no_character(plant: Plant, text: str
     program = run_program([TextFile("m.mod", text, "utf-8")])
     export = export_rapid(program, plan_for(program, plant, {0: 0.25}), plant)
     assert export.texts == {"m.mod": text}
-    assert (export.new, tuple(map(str, export.notes))) == ({}, ())
+    assert tuple(map(str, export.notes)) == ()
 
 
 # ------------------------------------------------------------------------------------ modal state, other instructions
@@ -169,15 +170,15 @@ def test_what_eoffs_adds_is_taken_out_of_the_literal(plant: Plant) -> None:
     assert f"[200,{OPEN}]]; ! first" in unchanged.texts["m.mod"]
 
 
-def test_a_computed_target_is_written_in_the_displaced_frame_of_its_move(plant: Plant) -> None:
+def test_a_computed_target_stays_in_the_displaced_frame_of_its_move(plant: Plant) -> None:
     data = '    PERS wobjdata w:=[FALSE,TRUE,"",[[0,100,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n'
     body = (
         "        PDispSet [[0,0,20],[1,0,0,0]];\n" + "        MoveJ p1,v100,fine,tool0\\WObj:=w;\n"
         "        MoveL Offs(p1,0,-10,-50),v100,fine,tool0\\WObj:=w;\n"
     )
     program = made(body, data)
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
-    assert "CONST robtarget p1_2:=[[500,190,400],[0,0,1,0]," in export.texts["m.mod"]
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
+    assert "MoveL RailAt(Offs(p1,0,-10,-50),300\\conf:=" in export.texts["m.mod"]
     again = read_back(program, export).motions[1]
     assert isinstance(again, MoveL)
     np.testing.assert_allclose(again.X_WT[:3, 3], [0.5, 0.29, 0.42], atol=1e-12)
@@ -208,8 +209,9 @@ def test_target_speed_and_tool_are_found_in_every_form_of_move(plant: Plant, bef
     last = len(program.motions) - 1
     plan = plan_for(program, plant, {0: 0.2, 1: 0.2, last - 1: 0.3, last: 0.31})
     export = export_rapid(program, plan, plant, scenario=scenario)
-    assert f"        {line.replace(' p1,', ' p1_2,')}\n" in export.texts["m.mod"]
-    assert "        MoveL p1_b, v100 \\T:=0.5, fine, tool0;\n" in export.texts["m.mod"]
+    moved = "RailAt(p1,300\\conf:=[-1,0,-1,0])"
+    assert f"        {line.replace(' p1,', f' {moved},')}\n" in export.texts["m.mod"]
+    assert f"        MoveL {moved.replace('300', '310')},v100\\T:=0.5,fine,tool0;\n" in export.texts["m.mod"]
 
 
 # ------------------------------------------------------------------------------------------- confdata switched off
@@ -255,19 +257,17 @@ def test_a_literal_stays_where_something_that_must_stay_is_computed_from_it(plan
     export = export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.2, 2: 0.2}), plant)
     rails = [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ | MoveL)]
     assert rails == [300, 200, 200]
-    assert export.new == {}
-    assert "MoveJ p1_2,v100" in export.texts["m.mod"]
+    assert "MoveJ RailAt(p1,300\\conf:=[-1,0,-1,0]),v100" in export.texts["m.mod"]
 
 
 def test_a_literal_stays_where_the_program_asks_for_its_rail(plant: Plant) -> None:
     program = made(J1 + "        IF p1.extax.eax_a>250 THEN\n            Set do1;\n        ENDIF\n")
     export = export_rapid(program, plan_for(program, plant, {0: 0.3}), plant)
-    assert "MoveJ p1_2,v100" in export.texts["m.mod"]
+    assert "MoveJ RailAt(p1,300\\conf:=[-1,0,-1,0]),v100" in export.texts["m.mod"]
     assert f"[200,{OPEN}]]; ! first" in export.texts["m.mod"]
 
 
-def test_a_literal_belongs_to_the_statement_that_cannot_name_another(plant: Plant) -> None:
-    """The loop reads both elements; the move before it can refer to a second target, the loop cannot."""
+def test_elements_of_an_array_are_said_where_they_are_used(plant: Plant) -> None:
     data = (
         f"    CONST robtarget ps{{2}}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,{OPEN}]],"
         f"[[500,300,450],[0,0,1,0],[0,0,0,0],[300,{OPEN}]]];\n"
@@ -275,8 +275,10 @@ def test_a_literal_belongs_to_the_statement_that_cannot_name_another(plant: Plan
     loop = "        FOR i FROM 1 TO 2 DO\n            MoveJ ps{i},v100,fine,tool0;\n        ENDFOR\n"
     program = made("        MoveJ ps{1},v100,fine,tool0;\n" + loop, data)
     export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.21, 2: 0.31}), plant)
-    assert export.new == {}
-    assert "        MoveJ ps_2,v100,fine,tool0;\n" + loop in export.texts["m.mod"]
+    text = export.texts["m.mod"]
+    assert "        MoveJ RailAt(ps{1},250\\conf:=[-1,0,-1,0]),v100,fine,tool0;\n" in text
+    assert "            MoveJ RailAt(ps{i},rail_ps{i}\\conf:=[-1,0,-1,0]),v100,fine,tool0;\n" in text
+    assert "    LOCAL CONST num rail_ps{2}:=[210,310];\n" in text
 
 
 def test_a_target_that_two_modules_declare_stays_in_both(plant: Plant) -> None:
@@ -287,10 +289,7 @@ def test_a_target_that_two_modules_declare_stays_in_both(plant: Plant) -> None:
     export = export_rapid(program, plan_for(program, plant, {0: 0.2}), plant)
     assert export.texts["b.mod"] == other.text
     assert declared in export.texts["m.mod"]
-    assert "MoveJ g_2,v100,fine,tool0;" in export.texts["m.mod"]
-    assert tuple(map(str, export.notes)) == (
-        "m.mod:4:9: g needs another rail position here: g_2, which does not follow g if it changes",
-    )
+    assert "MoveJ RailAt(g,200),v100,fine,tool0;" in export.texts["m.mod"]
     assert [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [200]
     alone = run_program([TextFile("m.mod", main, "utf-8")])
     assert "MoveJ g,v100" in export_rapid(alone, plan_for(alone, plant, {0: 0.2}), plant).texts["m.mod"]

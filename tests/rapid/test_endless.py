@@ -65,7 +65,6 @@ def warning(program: Program) -> str:
 def test_the_cycle_is_a_pass_that_ends_where_it_begins(body: str, rest: str, before: str, cycle: str) -> None:
     program = run(body, rest, signals={"di1": 0.0})
     assert (told(program.before), told(program.motions), program.passes) == (before, cycle, 1)
-    assert all(one.written.once == one.written.statement for one in program.motions)
     assert "never ends by itself: its pass in steady state is planned" in warning(program)
 
 

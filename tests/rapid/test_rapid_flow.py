@@ -422,36 +422,24 @@ def test_a_large_array_counts_by_its_size() -> None:
     assert trace(body, "VAR num a{100};", scenario=Scenario(statement_limit=10_000)) == []
 
 
-# ------------------------------------------------------------------------------------------------- what ran once
-
-
-def once(body: str, rest: str = "", data: str = "") -> list[str | None]:
-    program = run(body, data, rest)
-    text = program.files["m.mod"].text
-    spans = [motion.written.once for motion in program.motions]
-    return [None if span is None else " ".join(text[span.start : span.end].split()) for span in spans]
+# ----------------------------------------------------------------------------------------------- counters of loops
 
 
 GO = "PROC go()\nWaitTime 1;\nENDPROC"
 
 
 @pytest.mark.parametrize(
-    ("body", "rest", "statements"),
+    ("body", "rest", "counters"),
     [
-        ("WaitTime 1;", "", ["WaitTime 1;"]),
-        ("go;", GO, ["WaitTime 1;"]),
-        ("go; go ;", GO, ["go;", "go ;"]),
-        ("FOR i FROM 1 TO 2 DO go; ENDFOR", GO, ["FOR i FROM 1 TO 2 DO go; ENDFOR"] * 2),
-        ("FOR i FROM 1 TO 1 DO go; ENDFOR", GO, ["WaitTime 1;"]),
-        ("IF n=0 THEN FOR i FROM 1 TO 2 DO go; ENDFOR ENDIF", GO, ["FOR i FROM 1 TO 2 DO go; ENDFOR"] * 2),
-        ("n:=f()+f(); n:=f() ;", "FUNC num f()\nWaitTime 1;\nRETURN 1;\nENDFUNC", ["n:=f()+f();"] * 2 + ["n:=f() ;"]),
-        ("two; two ;", "PROC two()\ngo;\ngo;\nENDPROC\n" + GO, ["two;"] * 2 + ["two ;"] * 2),
-        ("x: Incr n; WaitTime 1; IF n<2 GOTO x;", "", [None, None]),
-        ("WaitTime 1/0; WaitTime 2/0; ERROR WaitTime 5; TRYNEXT;", "", [None, None]),
-        ("WaitTime f();", "FUNC num f()\nWaitTime 1;\nRETURN 1;\nENDFUNC", ["WaitTime 1;", "WaitTime f();"]),
-        ("FOR i FROM 1 TO 2 DO IF TRUE THEN go; go; ENDIF ENDFOR", GO,
-         ["FOR i FROM 1 TO 2 DO IF TRUE THEN go; go; ENDIF ENDFOR"] * 4),
+        ("WaitTime 1;", "", [()]),
+        ("FOR i FROM 1 TO 2 DO WaitTime i; ENDFOR WaitTime 1;", "", [(1,), (2,), ()]),
+        ("FOR i FROM 1 TO 2 DO FOR j FROM 3 TO 2 DO WaitTime 1; ENDFOR ENDFOR", "", [(1, 3), (1, 2), (2, 3), (2, 2)]),
+        ("FOR i FROM 1 TO 2 DO go; ENDFOR", GO, [(), ()]),  # another routine's
+        ("FOR i FROM 1 TO 2 DO WaitTime 1/(2-i); ENDFOR ERROR WaitTime 5; TRYNEXT;", "", [(1,), (2,)]),
+        ("FOR i FROM 1 TO 2 DO GOTO out; ENDFOR out: WaitTime 1;", "", [()]),
     ],
-)  # fmt: skip
-def test_the_innermost_statement_that_ran_exactly_once(body: str, rest: str, statements: list[str | None]) -> None:
-    assert once(body, rest, "VAR num n;") == statements
+)
+def test_a_motion_knows_the_counters_of_the_loops_around_it(
+    body: str, rest: str, counters: list[tuple[float, ...]]
+) -> None:
+    assert [motion.written.counters for motion in run(body, "", rest).motions] == counters

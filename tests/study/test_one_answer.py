@@ -129,8 +129,8 @@ def test_both_commands_ask_for_the_same_problems(
 def test_the_programs_have_something_to_differ_in(jobs: dict[int, Job]) -> None:
     """Free, tied and kept targets, things to drop: else the test above would say nothing."""
     changes = [changes_of(job, Target.RAPID, Loops.KEEP) for job in jobs.values()]
-    assert sum(bool(one.kept) for one in changes) >= 10
-    assert sum(bool(one.ties) for one in changes) >= 10
+    assert sum(bool(one.kept) for one in changes) >= 3
+    assert sum(bool(one.ties) for one in changes) >= 5
     assert sum(bool(one.droppable) for one in changes) >= 3
     assert all(one.values for one in changes)
 

@@ -95,8 +95,8 @@ def robots(incomplete: str) -> list[str]:
 
 
 _LOOPS = (
-    "RAPID plan: keep loops and routines, with one rail position and configuration per target in all passes, or write "
-    "them out motion by motion where that is faster."
+    "RAPID plan: one rail position and configuration for every statement that moves (FOR loops take theirs from "
+    "arrays), or a copy of a routine for each of its calls where that is faster."
 )
 LoopsOption = Annotated[Literal["keep", "unroll"], typer.Option("--loops", help=_LOOPS)]
 LoopsOfProgram = Annotated[

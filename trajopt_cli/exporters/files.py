@@ -28,8 +28,8 @@ def export(
     """A plan's files, content by name, for a machine that follows a joint stream or for the RAPID controller.
 
     joint: joints.csv, rows at rate [Hz] and the exact end as last row. rapid: the modules of program, by the path they
-    were read from and in their own encoding, with the plan in them, and the modules that the plan adds; needs the
-    program and the plant that the plan was made for, and the scenario the program was read with.
+    were read from and in their own encoding, with the plan in them; needs the program and the plant that the plan was
+    made for, and the scenario the program was read with.
 
     Raises InputError for a rate outside (0, 1e5] Hz and for what cannot be written as RAPID, with its place; ValueError
     for a kind that there is not, a plan of the other target, or a missing program or plant.
@@ -42,5 +42,4 @@ def export(
         raise ValueError("the RAPID export needs program and plant, as the plan was made for them")
     faster = faster_than_programmed(program, plan, plant)
     written = export_rapid(program, plan, plant, faster, scenario, program.entry)
-    changed = {path: text.encode(program.files[path].encoding) for path, text in written.texts.items()}
-    return changed | {path: new.text.encode(new.encoding) for path, new in written.new.items()}
+    return {path: text.encode(program.files[path].encoding) for path, text in written.texts.items()}

@@ -1,23 +1,20 @@
 r"""A plan written back into its RAPID program: edits in place, every other character as it was.
 
-- Target literals get the planned rail position (eax) and configuration (confdata), in whichever module they stand, in
-  their declaration or in the statement, only in the numbers that change. A literal that two motions want with different
-  values stays with the first; a second target is declared beside it, and the later motion refers to that. What EOffs
-  adds is taken out again.
-- A computed target (`Offs(p1,0,0,50)`) that must say something else becomes a target of its own, declared with the
-  value it has, in the frame of the move.
-- A statement that runs several times keeps one answer for all its runs, so loops and routines stay what they are. A
-  plan with another answer for each run (--loops unroll) is written out flat: the innermost statement around it that
-  runs once becomes a comment and a call of a procedure in a new module, which holds its motions one after the other.
+- A target's expression stays as written; only its rail position (eax) and configuration (confdata) change. Where one
+  declaration, which nothing but moves refer to, serves one value, its numbers change in place.
+- Else the expression is wrapped where it stands, by a function that is added to the module:
+  `MoveL RailAt(Offs(pChuck,-40,0,0),812.5),v800,z5,tool0;`. Executions of one statement share one value, but those
+  that counters of FOR loops tell apart: they take theirs from an array, `RailAt(pPick,railPick{i})`. What EOffs adds
+  is taken out again. So whoever teaches a point anew moves all that is written by it.
+- With loops unrolled, routines that are called several times get a copy for each call, where the plan wants that.
 - A dropped motion becomes a comment, `! dropped by trajopt: MoveJ ...;`.
-- `WaitTime t;` in which the rail moves becomes `MoveL p_b, v500 \T:=t, fine, tool0;`: the tool stands still, the rail
-  takes the time of the wait. \T follows the speed without a comma of its own (RAPID allows one there, and rarely sees
-  it). A wait for a signal stays, with such a MoveL of its least duration before it.
+- `WaitTime t;` in which the rail moves becomes `MoveL RailAt(p,900),v500\T:=t,fine,tool0;`: the tool stands still, the
+  rail takes the time of the wait. A wait for a signal stays, with such a MoveL of its least duration before it.
 - A move with confdata switched off (ConfJ, ConfL \Off), which ends in the nearest configuration, gets
   `ConfJ \On;` before it and `ConfJ \Off;` behind it where the plan wants another.
 - A way around obstacles becomes a MoveJ (before a MoveAbsJ a MoveAbsJ) for each additional point, on a line of its own
-  before the move, `MoveJ pVia_10, v1000, z20, tool0 \WObj:=wobj0; ! trajopt: way around 'column'`, to a constant beside
-  the move's target.
+  before the move, `MoveJ pVia_10, v1000, z20, tool0 \WObj:=wobj0; ! trajopt: way around 'column'`, to a constant at the
+  head of the module.
 - With free_speed the speed of a motion planned faster than programmed becomes vmax.
 
 The edited text is read again and held against the plan, motion by motion, before anybody sees it.
@@ -25,21 +22,23 @@ The edited text is read again and held against the plan, motion by motion, befor
 
 from __future__ import annotations
 
-from collections import Counter
+import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid_check import mismatches, rail_moves, read_again
-from trajopt_cli.exporters.rapid_targets import Targets
-from trajopt_cli.exporters.rapid_text import Edits, Names
-from trajopt_cli.exporters.rapid_write import Intent, RapidExport, write
-from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program, Wait
+from trajopt_cli.exporters.rapid_targets import offsets
+from trajopt_cli.exporters.rapid_write import Disagreement, Intent, RapidExport, write
+from trajopt_cli.motion import Hold, Move, MoveAbsJ, MoveJ, PoseMove, Program, Wait
 from trajopt_cli.problem.detours import Numbering, unfolded, with_detours
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.editable_text import EditableText
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.editable_text import EditableText, confdata_counts
+from trajopt_cli.problem.nearest import is_nearest
+from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.units import MM
+
+_RAIL_STILL = 1e-9  # m
 
 
 def export_rapid(
@@ -54,30 +53,21 @@ def export_rapid(
     """The program's files with the rapid plan in them.
 
     faster: indices of MoveJ and MoveAbsJ that the plan moves faster than programmed; only with plant.free_speed.
-    scenario, entry: as the program was read with, for reading the result back. loops: as the plan was made for; KEEP
-    makes no number of what depends on a variable, unless nothing else carries the plan. Raises InputError, with the
-    place, for what cannot be written; EditableText knows before planning what that is.
+    scenario, entry: as the program was read with, for reading the result back. loops: as the plan was made for. Raises
+    InputError, with the place, for what cannot be written; EditableText knows before planning what that is.
     """
     if plan.target is not Target.RAPID:
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")
     if faster and not plant.free_speed:
         raise ValueError("motions faster than programmed need a plant with free_speed")
     scenario = scenario or Scenario()
-    intents = _intents(program, plan, plant, faster)
-    try:
-        export = write(EditableText(program, plant, scenario, loops), intents)
-    except InputError as error:
-        if loops is Loops.UNROLL:
-            raise
-        try:
-            export = write(EditableText(program, plant, scenario, Loops.UNROLL), intents)
-        except InputError:
-            raise error from None
+    intents = intents_of(program, plan, plant, faster)
+    export = written(program, plant, scenario, intents, loops)
     there, parts = with_detours(program, plant, plan.detours), unfolded(plan)
     numbering = Numbering(len(program.motions), plan.detours)
     faster = frozenset(k for k in range(numbering.with_points) if numbering.own(k) in faster)
     try:
-        read = read_again(program, plant, scenario, export.texts, export.new)
+        read = read_again(program, plant, scenario, export.texts)
     except InputError as error:
         raise InputError(f"the plan cannot be written into this program; edited, it reads: {error}") from error
     for mismatch in mismatches(there, parts, plant, read, faster):
@@ -85,27 +75,56 @@ def export_rapid(
     return export
 
 
-def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int]) -> dict[int, Intent]:
-    targets = Targets(program, plant, Edits(program.files), Names({}), Scopes({}))  # for its wishes only
+def written(
+    program: Program, plant: Plant, scenario: Scenario, intents: dict[int, Intent], loops: Loops
+) -> RapidExport:
+    """The program's files with what shall become of its motions; copies of routines only where executions of one
+    statement disagree. Raises InputError, with the place, for what cannot be written."""
+    routines: frozenset[str] = frozenset()
+    text = EditableText(program, plant, scenario)
+    while True:
+        try:
+            return write(text, intents)
+        except Disagreement as error:
+            if loops is Loops.KEEP or error.routines <= routines:
+                raise
+            routines |= error.routines
+            text = EditableText(program, plant, scenario, loops, routines)
+
+
+def intents_of(program: Program, plan: Plan, plant: Plant, faster: frozenset[int]) -> dict[int, Intent]:
+    """What a plan makes of each motion."""
     numbering = Numbering(len(program.motions), plan.detours)
     there = with_detours(program, plant, plan.detours)
     parts = {one.index: one for one in unfolded(plan).motions}
-    last = [parts[numbering.at(one.index)] for one in plan.motions]  # of each motion, from its last point on
-    runs = Counter(motion.written.statement for motion in program.motions)
-    texts = [(motion.written.statement, motion.written.aggregate) for motion in program.motions]
-    moving = {texts[numbering.own(one.index)] for one in last if rail_moves(one, plant)}  # in some pass
-    out = {}
-    for planned, part in zip(plan.motions, last, strict=True):
-        motion = program.motions[planned.index]
-        if isinstance(motion, Move):
-            if planned.dropped:
-                out[planned.index] = Intent(drop=True)
-            else:
-                text = texts[planned.index]
-                wish = targets.wish(motion, part, leave_open=runs[text[0]] > 1 and text not in moving)
-                before = there.motions[part.index - len(planned.via) : part.index]
-                points = tuple(one for one in before if isinstance(one, MoveJ | MoveAbsJ))
-                out[planned.index] = Intent(wish, part, fast=planned.index in faster, points=points)
+    out, before = dict[int, Intent](), None
+    for planned in plan.motions:
+        motion, part = program.motions[planned.index], parts[numbering.at(planned.index)]  # from its last point on
+        if planned.dropped:
+            out[planned.index] = Intent(drop=True)
+        elif isinstance(motion, Move):
+            before = motion
+            monitored = not isinstance(motion, PoseMove) or confdata_counts(motion)
+            points = there.motions[part.index - len(planned.via) : part.index]
+            out[planned.index] = Intent(
+                _rail(program, motion, plant, part),
+                abs(float(plant.layout.place(part.q_1 - part.q_0))) > _RAIL_STILL,
+                np.asarray(part.q_1[plant.layout.arm]) if isinstance(motion, PoseMove) else None,
+                monitored or is_nearest(plant, part, motion),
+                fast=planned.index in faster,
+                points=tuple(one for one in points if isinstance(one, MoveJ | MoveAbsJ)),
+            )
         elif isinstance(motion, Wait):
-            out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)
+            rail = None if before is None else _rail(program, before, plant, part)
+            moves = rail_moves(planned, plant)
+            out[planned.index] = Intent(rail, moves, np.asarray(part.q_1[plant.layout.arm]))
     return out
+
+
+def _rail(program: Program, move: Move, plant: Plant, planned: PlannedMotion) -> float | None:
+    """Where a target must say that the rail is [mm]."""
+    if plant.rail_eax is None or move.hold is Hold.UNIT:
+        return None
+    span = move.written.statement
+    taken = offsets(move, program.files[span.file].text[span.start : span.end])
+    return float(plant.layout.place(planned.q_1)) / MM - taken[plant.rail_eax]

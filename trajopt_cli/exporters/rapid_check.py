@@ -20,7 +20,6 @@ from trajopt_cli.motion import (
     PoseMove,
     Program,
     SignalEvent,
-    TextFile,
     Wait,
     motion_name,
 )
@@ -49,16 +48,12 @@ def read_again(
     plant: Plant,
     scenario: Scenario,
     texts: Mapping[str, str],
-    new: Mapping[str, TextFile] | None = None,
 ) -> Program:
-    """The program of edited texts, by path, and of new modules, read as the program was.
-
-    Raises InputError as reading does.
-    """
+    """The program of edited texts, by path, read as the program was. Raises InputError as reading does."""
     files = [replace(file, text=texts[path]) for path, file in program.files.items()]
     # Lines that the scenario names are those of the text as it was.
     world = replace(scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())
-    return run_program([*files, *(new or {}).values()], world, program.entry, PlantKinematics(plant.at_home))
+    return run_program(files, world, program.entry, PlantKinematics(plant.at_home))
 
 
 def mismatches(
@@ -67,13 +62,14 @@ def mismatches(
     """Why motions that were read are not as planned; the last one where reading has lost step with the program."""
     read = iter(read_program.motions)
     by_index = {planned.index: planned for planned in plan.motions}
+    lines = {program.motions[one.index].written.statement for one in plan.motions if rail_moves(one, plant)}
     before: Move | None = None
     for index, motion in enumerate(program.motions):
         planned = by_index.get(index)
         if planned is not None and planned.dropped:
             continue
         match motion:
-            case Wait() if planned is not None and rail_moves(planned, plant):
+            case Wait() if planned is not None and motion.written.statement in lines:
                 errors = _check_dwell(motion, before, planned, plant, next(read, None))
                 if motion.condition is not None:
                     errors = [*errors, *_check_same(motion, next(read, None))]
@@ -206,12 +202,8 @@ def _check_dwell(
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
-    if isinstance(before, PoseMove):
-        same = _near(before.X_WT, read.X_WT)
-    else:
-        X_WF = plant.robot.forward(planned.q_1)
-        same = _near(X_WF @ read.tool.X_FT, read.X_WT)
-    if not same or read.duration is None or abs(read.duration - wait.duration) > 1e-6:
+    X_WT = before.X_WT if isinstance(before, PoseMove) else plant.robot.forward(planned.q_1) @ read.tool.X_FT
+    if not _near(X_WT, read.X_WT) or read.duration is None or abs(read.duration - wait.duration) > 1e-6:
         return [_mismatch(wait, "the tool to rest for the time of the wait")]
     return []
 
@@ -226,12 +218,4 @@ def _check_same(motion: Wait | SignalEvent, read: Motion | None) -> list[InputEr
 
 
 def _mismatch(motion: Motion, difference: str) -> InputError:
-    hint = "this statement cannot carry the plan"
-    if isinstance(motion, Move) and motion.written.aggregate is None:
-        hint = f"{motion.target} is computed, so it cannot be edited: declare it as a {_kind(motion)} of its own"
-    message = f"the plan wants {difference}; {hint}"
-    return refusal(motion.source, message)
-
-
-def _kind(motion: Move) -> str:
-    return "robtarget" if isinstance(motion, PoseMove) else "jointtarget"
+    return refusal(motion.source, f"the plan wants {difference}; this statement cannot carry the plan")

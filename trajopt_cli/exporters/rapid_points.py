@@ -30,7 +30,7 @@ class Point:
     monitored: bool
 
 
-def point(motion: JointMove, own: JointMove, literal: str) -> Point:
+def point(motion: JointMove, own: JointMove, literal: str, around: tuple[str, ...]) -> Point:
     """A point of the program with the points, before its own motion."""
     pose = isinstance(motion, MoveJ)
     return Point(
@@ -38,7 +38,7 @@ def point(motion: JointMove, own: JointMove, literal: str) -> Point:
         "robtarget" if pose else "jointtarget",
         literal,
         motion.zone.name,
-        motion.detour,
+        around,
         own.hold is Hold.PROGRAM,
         pose and not own.settings.conf_j,
     )

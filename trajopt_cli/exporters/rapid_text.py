@@ -50,10 +50,6 @@ class Edits:
         assert end is not None  # \Z always matches
         return start, end.start()
 
-    def line_number(self, span: Span) -> int:
-        """The line that span begins on, from 1."""
-        return len(re.findall(r"\r\n|\r|\n", self._texts[span.file][: span.start])) + 1
-
     def before(self, span: Span) -> str:
         """What stands on span's first line before it."""
         return self._texts[span.file][self.line_of(span.file, span.start)[0] : span.start]
@@ -82,24 +78,15 @@ class Edits:
         gap = f"{self.line_end(span.file)}{self.indentation(span)}" if alone else " "
         self.insert(span.file, span.start, text + gap)
 
-    def comment_out(self, span: Span, beginning: str = DROPPED) -> None:
+    def comment_out(self, span: Span) -> None:
         """Make a statement a comment, line by line; code behind it on its last line moves to a line of its own."""
         for i, match in enumerate(re.finditer(r"(?m)^[ \t]*(?=\S)", self.text(span).replace("\r", "\n"))):
-            self.insert(span.file, span.start + match.end(), beginning if i == 0 else "! ")
+            self.insert(span.file, span.start + match.end(), DROPPED if i == 0 else "! ")
         behind = self.behind(span)
         if behind.strip() and not behind.strip().startswith("!"):
             gap = len(behind) - len(behind.lstrip())
             where = Span(span.file, span.end, span.end + gap)
             self.replace(where, self.line_end(span.file) + self.indentation(span))
-
-    def replace_by(self, span: Span, text: str, beginning: str) -> None:
-        """Make a statement a comment, and put another on a line of its own behind it."""
-        at = span.end
-        behind = self.behind(span)
-        if not behind.strip() or behind.strip().startswith("!"):
-            at = self.line_of(span.file, span.end)[1]
-        self.insert(span.file, at, f"{self.line_end(span.file)}{self.indentation(span)}{text}")
-        self.comment_out(span, beginning)
 
     def result(self) -> dict[str, str]:
         """All texts with the edits made."""
@@ -126,20 +113,22 @@ class Names:
                 text.lower() for kind, text in zip(tokens.kinds, tokens.texts, strict=True) if kind == "name"
             }
 
-    def take(self, name: str) -> None:
-        """Let nobody else have a name that is given to something."""
+    def take(self, name: str) -> bool:
+        """Let nobody else have a name that is given to something; whether nobody had it."""
+        new = name.lower() not in self._used
         self._used.add(name.lower())
+        return new
 
-    def new(self, base: str, suffix: str, first: int) -> str:
-        """base_suffix, numbered from first (0 for no number) until nobody uses it; at most 32 characters."""
-        number = first
+    def new(self, base: str) -> str:
+        """base, or base_2, base_3 and so on, whichever nobody uses; at most 32 characters."""
+        number = 1
         while True:
-            tail = f"_{suffix}{number or ''}"
+            tail = f"_{number}" if number > 1 else ""
             name = base[: NAME_LIMIT - len(tail)] + tail
             if name.lower() not in self._used:
                 self._used.add(name.lower())
                 return name
-            number = max(number + 1, 2)
+            number += 1
 
 
 def refusal(source: Source, message: str) -> InputError:

@@ -1,400 +1,540 @@
-"""A plan's wishes written into a program: edits in place, new targets, and a module of statements written out."""
+"""A plan's wishes written into a program: numbers in place where a declaration serves one value, else functions and
+arrays beside the code, so that every target's expression stays as written."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_check import rail_moves
-from trajopt_cli.exporters.rapid_flat import FlatModule, FlatMotion
-from trajopt_cli.exporters.rapid_points import Point, point_lines, put_above
-from trajopt_cli.exporters.rapid_points import point as made_point
-from trajopt_cli.exporters.rapid_targets import TargetEdit, Targets, same_rail
-from trajopt_cli.exporters.rapid_text import Edits, Names, plain, refusal
-from trajopt_cli.motion import (
-    Motion,
-    Move,
-    MoveAbsJ,
-    MoveExtJ,
-    MoveJ,
-    PoseMove,
-    Source,
-    Span,
-    TextFile,
-    Wait,
+from trajopt_cli.exporters.rapid_points import point, point_lines, put_above
+from trajopt_cli.exporters.rapid_targets import (
+    Wish,
+    common_conf,
+    offsets,
+    point_literal,
+    rail_text,
+    rewritten,
+    same_rail,
+    type_of,
+    written_conf,
 )
-from trajopt_cli.problem.data_flow import ROBOT, Key
+from trajopt_cli.exporters.rapid_text import Edits, Names, plain, refusal
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveJ, PoseMove, Source, Span, Wait
 from trajopt_cli.problem.detours import JointMove, quoted
-from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.editable_text import EditableText, confdata_counts
+from trajopt_cli.problem.editable_text import EditableText, Passes, confdata_counts
 from trajopt_cli.problem.move_call import MoveCall, last_argument, read_move
-from trajopt_cli.problem.plan import PlannedMotion
-from trajopt_cli.problem.single_runs import SingleRun, outermost
-from trajopt_cli.robot.inverse import confdata_admits
+from trajopt_cli.rapid.language.expressions import parse_expression
+from trajopt_cli.rapid.language.syntax import Call, Name
+from trajopt_cli.robot.inverse import confdata, confdata_admits
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
-# A target that has the external axes and the configuration of the one that it names.
-_MOVED_POINT = re.compile(
-    r"(\w+:=\s*)?((Offs|RelTool)\s*\(\s*)*\w+(\s*\{\s*\d+\s*\})?\s*([,)].*)?", re.IGNORECASE | re.DOTALL
-)
+_WIDTH = 100  # characters of a line of an array
+_ABOUT = {
+    "RailAt": "p with the rail at rail, and where it is given in configuration conf",
+    "RailAtJ": "p with the rail at rail",
+    "ConfAt": "p in configuration conf",
+}
 
 
 @dataclass(frozen=True)
 class RapidExport:
-    """texts: every file of the program by path, to be encoded as its TextFile says. notes: what users should know.
-
-    new: modules to be added, by the path beside the program's own that each is meant for.
-    """
+    """texts: every file of the program by path, to be encoded as its TextFile says. notes: what users should know."""
 
     texts: Mapping[str, str]
     notes: tuple[ProgramWarning, ...] = ()
-    new: Mapping[str, TextFile] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Intent:
-    """What shall become of one motion.
+    """What shall become of one motion, a move or a wait in which the rail moves.
 
-    wish: of a move's target; planned: how the move is planned. dwell: of a wait in which the rail moves, how it is
-    planned. points: additional joint moves before a joint move.
+    rail: where it is at the end as the target says it [mm], EOffs taken out; None where the target says nothing of it.
+    moves: it gets there meanwhile. arm (6,): the joints at the end [rad]; None: the configuration stays as written.
+    nearest: no others are nearer. drop: the move is left out. fast: at vmax. points: additional joint moves before it.
     """
 
-    wish: TargetEdit | None = None
-    planned: PlannedMotion | None = None
+    rail: float | None = None
+    moves: bool = False
+    arm: Array | None = None
+    nearest: bool = True
     drop: bool = False
     fast: bool = False
-    dwell: PlannedMotion | None = None
     points: tuple[JointMove, ...] = ()
 
 
-@dataclass(frozen=True)
-class _Action:
-    """What happens to one statement. point, dwell: names of targets it must refer to, or that stand in for a wait.
-    points: additional ones before it."""
+class Disagreement(InputError):
+    """Executions of one statement want what it cannot say. routines: where it stands, names in lower case."""
 
-    drop: bool = False
-    point: str | None = None
-    fast: bool = False
-    dwell: str | None = None
-    monitored: bool = False
-    points: tuple[Point, ...] = ()
+    routines: frozenset[str] = frozenset()
 
 
 def write(text: EditableText, intents: Mapping[int, Intent]) -> RapidExport:
-    """The edited program. Raises InputError, with the place, for a statement that cannot do what is wished."""
-    flat: list[SingleRun] = []
-    while True:
-        attempt = _Attempt(text, intents, flat)
-        conflicts = attempt.conflicts()
-        if not conflicts:
-            return attempt.result()
-        for index in conflicts:
-            run = next((one for one in text.flat if one.first <= index < one.last), None)
-            if run is None:
-                raise attempt.refused(index)
-            flat.append(run)
-        flat = outermost(flat)
+    """The edited program. Raises Disagreement, with the place, for a statement that cannot do what is wished."""
+    return _Writer(text, intents).result()
 
 
-class _Attempt:
-    """The program with some statements written out, and all others edited in place."""
-
-    def __init__(self, text: EditableText, intents: Mapping[int, Intent], flat: Sequence[SingleRun]):
+class _Writer:
+    def __init__(self, text: EditableText, intents: Mapping[int, Intent]):
         self._text, self._program, self._plant, self._scopes = text, text.program, text.plant, text.scopes
-        self._intents, self._flat = intents, flat
+        self._intents = intents
         self._edits, self._names = Edits(self._program.files), Names(self._program.files)
-        self._targets = Targets(self._program, self._plant, self._edits, self._names, self._scopes, text.pinned)
         self._notes: list[ProgramWarning] = []
         self._monitored: list[Source] = []
-        self._actions: dict[Span, list[tuple[int, _Action]]] = {}
-        covered = {index for run in flat for index in range(run.first, run.last)}
-        # Statements that cannot refer to a second target first, so the literal is theirs.
-        order = sorted((i for i in sorted(intents) if i not in covered), key=lambda i: not self._is_bound(i))
-        self._own, self._unsaid = self._computed(order)
-        for index in order:
-            span = self._program.motions[index].written.statement
-            self._actions.setdefault(span, []).append((index, self._action(index)))
-
-    def _computed(self, order: Sequence[int]) -> tuple[set[int], list[int]]:
-        """The computed targets that must say something else: those that get a declaration, and those that can have
-        none."""
-        trial = Targets(
-            self._program, self._plant, Edits(self._program.files), Names({}), self._scopes, self._text.pinned
-        )
-        edited: dict[tuple[Key, int | None], TargetEdit] = {}
-        moves = [(i, move) for i in order if isinstance(move := self._program.motions[i], Move)]
-        for i, move in moves:
-            wish = self._intents[i].wish
-            if wish is None or move.written.aggregate is None:
-                continue
-            named = trial.point(move, wish, self._is_bound(i))
-            if named is None and wish != trial.as_written(move) and (data := self._text.literal_data(move)) is not None:
-                edited[data] = wish
-        own, unsaid = set[int](), list[int]()
-        for i, move in moves:
-            intent = self._intents[i]
-            if intent.wish is None or move.written.aggregate is not None or intent.planned is None:
-                continue
-            says = self._says(i, move, edited, trial)
-            if says is None or not self._agree(move, intent.planned, intent.wish, says):
-                if i in self._text.own:
-                    own.add(i)
-                else:
-                    unsaid.append(i)
-        spans = {self._program.motions[i].written.statement for i in own}
-        return {i for i in self._text.own if self._program.motions[i].written.statement in spans}, unsaid
-
-    def _says(
-        self, index: int, move: Move, edited: Mapping[tuple[Key, int | None], TargetEdit], targets: Targets
-    ) -> TargetEdit | None:
-        """What a computed target will say with some literals edited; None where only a run of the program tells."""
-        reads = self._text.trace(move, target=True)
-        found = [edit for data, edit in edited.items() if reads.reads(*data)]
-        said = targets.as_written(move)
-        if ROBOT in reads.keys and index in self._text.own:
-            return None
-        if not found:
-            return said
-        if len(found) > 1 or not _MOVED_POINT.fullmatch(move.target):
-            return None
-        return TargetEdit(found[0].rail or said.rail, found[0].conf or said.conf)
-
-    def _agree(self, move: Move, planned: PlannedMotion, wish: TargetEdit, says: TargetEdit) -> bool:
-        """Whether a target that says this brings the robot where it is planned."""
-        if self._plant.rail_eax is not None and (wish.rail, says.rail) != (None, None):
-            if says.rail is None:
-                if rail_moves(planned, self._plant):
-                    return False
-            elif wish.rail is None or not same_rail(float(wish.rail), float(says.rail)):
-                return False
-        if not isinstance(move, PoseMove) or not (confdata_counts(move) or wish.monitored):
-            return True
-        assert says.conf is not None
-        return bool(confdata_admits(self._plant.robot, says.conf, np.asarray(planned.q_1[self._plant.layout.arm])))
-
-    def refused(self, index: int) -> InputError:
-        """Why a motion cannot become what is wished."""
-        motion, text = self._program.motions[index], self._text
-        if index in self._unsaid and isinstance(motion, Move):
-            hangs = text.depends_on_scenario(index)
-            variable = None if hangs else self._scopes.depends_on(motion)
-            why = f"depends on {variable}" if variable is not None else "hangs on what only the scenario says"
-            if variable is not None or hangs:
-                message = f"the plan wants other values for {motion.target}, which {why}; it cannot be written out"
-                return refusal(motion.source, message)
-        return refusal(
-            motion.source,
-            "this statement runs more than once, and the plan wants something else of it each time; "
-            "write it out once for each time it runs",
-        )
-
-    def _is_bound(self, index: int) -> bool:
-        """Whether a statement runs several times, or moves to whatever a variable names."""
-        if index not in self._text.single:
-            return True
-        return self._text.loops is not Loops.UNROLL and index in self._text.bound
-
-    def _action(self, index: int) -> _Action:
-        motion, intent = self._program.motions[index], self._intents[index]
-        if intent.drop:
-            return _Action(drop=True)
-        if isinstance(motion, Move) and intent.wish is not None:
-            wish, bound = intent.wish, self._is_bound(index)
-            own = index in self._own
-            point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, bound)
-            points = self._points_of(motion, intent)
-            return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored, points=points)
-        if isinstance(motion, Wait) and intent.dwell is not None:
-            name = self._dwell_target(index, intent.dwell, motion.written.statement)
-            return _Action(dwell=name)
-        return _Action()
-
-    def _points_of(self, motion: Move, intent: Intent) -> tuple[Point, ...]:
-        """The points before a move as its text has them; blanks in names of bodies, and what its file cannot hold, as a
-        comment can have them."""
-        out = []
-        encoding = self._program.files[motion.written.statement.file].encoding
-        for one in intent.points:
-            assert isinstance(motion, MoveJ | MoveAbsJ)
-            around = tuple(name.encode(encoding, "replace").decode(encoding) for name in one.detour)
-            out.append(made_point(replace(one, detour=around), motion, self._targets.literal(one, motion)))
-        return tuple(out)
-
-    def conflicts(self) -> list[int]:
-        """Motions whose statement would have to do one thing at one time and another at another, or say what it
-        cannot."""
-        several = (group for group in self._actions.values() if any(action != group[0][1] for _, action in group))
-        return [*self._unsaid, *(index for group in several for index, _ in group)]
+        self._functions: dict[tuple[str, int, str], str] = {}  # by module and kind
+        self._chosen: dict[str, str] = {}  # names of new ones, by kind
+        self._wrapped: list[Source] = []
+        self._wishes: dict[Span, dict[int, Wish]] = {}  # of the executions of each statement that moves
+        self._literals: dict[Span, Span | None] = {}  # of statements
+        self._in_place: dict[Span, Wish] = {}  # what literals say anew
 
     def result(self) -> RapidExport:
         """The texts with all edits made."""
-        for span, group in sorted(self._actions.items(), key=lambda item: item[1][0][0]):
-            index, action = group[0]
-            if action != _Action():
-                self._refuse_compact(span, index, action)
-                self._notes += self._apply(index, action)
-        flat = FlatModule(self._program, self._edits, self._names, self._scopes, self._targets)
-        for run in self._flat:
-            indices = [i for i in range(run.first, run.last) if not self._drops(i)]
-            self._notes.append(flat.add(run, indices, lambda i: self._flat_motion(i, flat)))
-        new = {}
-        if (module := flat.module(self._program.entry)) is not None:
-            path, file = module
-            new[path] = file
-            self._notes.append(ProgramWarning(WarningKind.NEW_MODULE, "a new module; load it with the program", path))
+        written = {
+            span: tuple(i for i in indices if i in self._intents) for span, indices in self._text.statements.items()
+        }
+        moving = {span: indices for span, indices in written.items() if indices and self._moves(span)}
+        self._check(moving)
+        self._wishes = {span: self._wishes_of(indices) for span, indices in moving.items() if not self._dropped(span)}
+        self._choose_literals()
+        for literal, wish in self._in_place.items():
+            new = rewritten(self._edits.text(literal), wish, self._plant.rail_eax)
+            assert new is not None  # or it would not have been chosen
+            if new != self._edits.text(literal):
+                self._edits.replace(literal, new)
+        for span, indices in written.items():
+            if not indices:
+                continue
+            if isinstance(self._program.motions[indices[0]], Wait):
+                self._wait(span, indices)
+            else:
+                self._move(span, indices)
+        if self._wrapped:
+            count = len(dict.fromkeys(self._wrapped))
+            what = "another rail position or configuration is said around the target's expression"
+            more = f" and {count - 1} more" if count > 1 else ""
+            self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{self._wrapped[0]}{more}"))
         if self._monitored:
             more = f" and {len(self._monitored) - 1} more" if len(self._monitored) > 1 else ""
             what = "ConfJ \\On added: the plan needs a configuration other than the nearest"
             self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{self._monitored[0]}{more}"))
-        notes = dict.fromkeys((*self._notes, *self._targets.notes))  # passes of one statement say the same
-        return RapidExport(self._edits.result(), (*notes,), new)
+        return RapidExport(self._edits.result(), (*dict.fromkeys(self._notes),))
 
-    # ------------------------------------------------------------------------------------------------ in their place
+    def _moves(self, span: Span) -> bool:
+        return isinstance(self._program.motions[self._text.statements[span][0]], Move)
 
-    def _refuse_compact(self, span: Span, index: int, action: _Action) -> None:
-        motion = self._program.motions[index]
-        doubled = action.dwell is not None and isinstance(motion, Wait) and motion.condition is not None
-        if span in self._scopes.compact and (action.drop or action.monitored or action.points or doubled):
-            raise refusal(motion.source, "this statement is part of an IF without THEN; write IF ... THEN ... ENDIF")
+    def _dropped(self, span: Span) -> bool:
+        return any(i in self._intents and self._intents[i].drop for i in self._text.statements[span])
 
-    def _apply(self, index: int, action: _Action) -> list[ProgramWarning]:
-        motion, edits = self._program.motions[index], self._edits
-        span = motion.written.statement
-        if action.drop:
+    # ------------------------------------------------------------------------------------------------ what it says
+
+    def _check(self, moving: Mapping[Span, Passes]) -> None:
+        """Whether all executions want the same but their rail and configuration, and groups that share one value the
+        same of these. Raises Disagreement."""
+        wrong = []
+        for indices in moving.values():
+            first = self._intents[indices[0]]
+            points = [[(one.target, one.zone) for one in self._intents[i].points] for i in indices]
+            same = all((self._intents[i].drop, self._intents[i].fast) == (first.drop, first.fast) for i in indices)
+            if not same or any(one != points[0] for one in points):
+                wrong.append(indices[0])
+        for group in self._groups(moving):
+            rails = {None if self._intents[i].rail is None else rail_text(self._intents[i].rail or 0.0) for i in group}
+            if len(rails) > 1 and self._needed(group):
+                wrong.append(group[0])
+        self._refuse(wrong)
+
+    def _refuse(
+        self,
+        wrong: Sequence[int],
+        why: str = "the plan wants something else each time this statement runs, which it cannot say",
+    ) -> None:
+        if wrong:
+            source = self._program.motions[wrong[0]].source
+            error = refusal(source, why)
+            found = Disagreement(error.message, file=source.file, line=source.line, column=source.column)
+            spans = [self._program.motions[i].written.statement for i in wrong]
+            routines = [self._scopes.routine(span.file, span.start) for span in spans]
+            found.routines = frozenset(one.name.lower() for one in routines if one is not None)
+            raise found
+
+    def _groups(self, moving: Mapping[Span, Passes]) -> Iterator[Passes]:
+        for key, group in self._text.groups.items():
+            own = tuple(i for i in group if i in self._intents)
+            if own and key[0] in moving and not self._dropped(key[0]):
+                yield own
+
+    def _wishes_of(self, indices: Passes) -> dict[int, Wish]:
+        """What the target of a statement must say in each of its executions."""
+        monitored = any(not self._intents[i].nearest for i in indices)
+        out = dict[int, Wish]()
+        groups: dict[object, list[int]] = defaultdict(list)
+        for i in indices:
+            groups[self._text.key(i)].append(i)
+        for group in groups.values():
+            rails = [self._intents[i].rail for i in group]
+            rail = None if rails[0] is None else rail_text(rails[0])
+            if len({None if one is None else rail_text(one) for one in rails}) > 1:
+                rail = None  # where none of them needs to say it
+            moves = [move for i in group if isinstance(move := self._program.motions[i], PoseMove)]
+            arms = [arm for i in group if (arm := self._intents[i].arm) is not None]
+            counts = bool(moves) and (monitored or confdata_counts(moves[0]))
+            conf = None
+            if counts and len(arms) == len(group):
+                conf = common_conf(self._plant, moves, arms)
+                as_written = all(
+                    confdata_admits(self._plant.robot, move.conf, arm) for move, arm in zip(moves, arms, strict=True)
+                )
+                if conf is None and not as_written:
+                    self._refuse(group)
+                if as_written and len({move.conf for move in moves}) > 1:
+                    conf = None
+            out |= dict.fromkeys(group, Wish(rail, conf, counts))
+        return out
+
+    def _needed(self, indices: Sequence[int]) -> bool:
+        """Whether the target of a move does not say in some execution what it must."""
+        return any(self._says_otherwise(i) for i in indices)
+
+    def _says_otherwise(self, index: int) -> bool:
+        move, intent, eax = self._program.motions[index], self._intents[index], self._plant.rail_eax
+        assert isinstance(move, Move)
+        if intent.rail is not None and eax is not None:
+            said = move.extax[eax]
+            taken = offsets(move, self._edits.text(move.written.statement))[eax]
+            if intent.moves if said is None else not same_rail(said - taken, intent.rail):
+                return True
+        wish = self._wishes.get(move.written.statement, {}).get(index)
+        return isinstance(move, PoseMove) and wish is not None and wish.conf not in (None, move.conf)
+
+    def _choose_literals(self) -> None:
+        """The literals that are edited in place: of one value for all moves that name them."""
+        users: dict[Span, list[Span]] = defaultdict(list)
+        for span in self._wishes:
+            if (literal := self._literal(span)) is not None:
+                users[literal].append(span)
+        for literal, spans in users.items():
+            indices = [i for span in spans for i in self._wishes[span]]
+            wishes = [self._wishes[span][i] for span in spans for i in self._wishes[span]]
+            if not self._needed(indices):
+                continue
+            rails = {one.rail for one in wishes}
+            confs = {one.conf for one in wishes if one.counts and one.conf is not None}
+            silent = any(one.counts and one.conf is None for one in wishes)
+            changed = confs and any(
+                isinstance(move := self._program.motions[i], PoseMove) and move.conf not in confs for i in indices
+            )
+            if len(rails) == 1 and len(confs) < 2 and not (silent and changed):
+                wish = Wish(next(iter(rails)), next(iter(confs), None))
+                if rewritten(self._edits.text(literal), wish, self._plant.rail_eax) is not None:
+                    self._in_place[literal] = wish
+
+    def _literal(self, span: Span) -> Span | None:
+        """The literal of a statement's target, in it or in a declaration that serves nothing but moves."""
+        if span not in self._literals:
+            self._literals[span] = self._find_literal(span)
+        return self._literals[span]
+
+    def _find_literal(self, span: Span) -> Span | None:
+        target = self._program.motions[self._text.statements[span][0]].written.target
+        if target is None:
+            return None
+        node = parse_expression(self._edits.text(target), span.file)
+        base = self._scopes.base(node)
+        if isinstance(base, Name):
+            there = Name(target.start + base.start, target.start + base.end, base.name)
+            return self._scopes.serves_moves(there, span.file)
+        return None if base is None else Span(span.file, target.start + base.start, target.start + base.end)
+
+    # -------------------------------------------------------------------------------------------------- the statements
+
+    def _move(self, span: Span, indices: Passes) -> None:
+        move, intent, edits = self._program.motions[indices[0]], self._intents[indices[0]], self._edits
+        assert isinstance(move, Move)
+        if intent.drop:
+            self._refuse_compact(span, move)
             edits.comment_out(span)
-            return [ProgramWarning(WarningKind.CHANGED, "dropped, as the program allows", motion.source)]
-        if action.dwell is not None:
-            assert isinstance(motion, Wait)
-            text = self._dwell(index, motion, action.dwell, self._seconds(motion))
-            if motion.condition is None:
-                edits.replace(span, text)
-            else:
-                edits.put_before(span, text)
-            return [self._dwell_note(motion, action.dwell)]
-        notes = []
-        if action.points and isinstance(motion, MoveJ | MoveAbsJ):
-            lines = [
-                line
-                for one in action.points
-                for line in point_lines(one, motion, edits.text(span), edits.text(span), action.fast)
-            ]
-            put_above(edits, span, lines)
-            for one in action.points:
-                self._targets.declare_point(one.name, one.type, one.literal, motion)
-            notes.append(_way_note(motion, action.points))
-        if action.monitored:
-            self._monitored.append(motion.source)
-            on, off = _switches(motion)
-            edits.put_before(span, on)
-            edits.put_behind(span, off)
-        if action.point is not None and motion.written.target is not None:
-            edits.replace(motion.written.target, action.point)
-        if action.fast and isinstance(motion, Move):
-            call = read_move(motion, edits.text(span))
+            self._notes.append(ProgramWarning(WarningKind.CHANGED, "dropped, as the program allows", move.source))
+            return
+        wishes = self._wishes[span]
+        if intent.points and isinstance(move, MoveJ | MoveAbsJ):
+            self._refuse_compact(span, move)
+            self._points(move, intent)
+        if any(not self._intents[i].nearest for i in indices):
+            self._refuse_compact(span, move)
+            self._monitored.append(move.source)
+            kind = "ConfJ" if isinstance(move, MoveJ) else "ConfL"
+            edits.put_before(span, rf"{kind} \On;")
+            edits.put_behind(span, rf"{kind} \Off;")
+        if self._literal(span) not in self._in_place and self._needed(indices):
+            assert move.written.target is not None
+            said = any(isinstance(m := self._program.motions[i], PoseMove) and wishes[i].conf not in (None, m.conf)
+                       for i in indices)  # fmt: skip
+            self._wrapped.append(move.source)
+            edits.replace(move.written.target, self._around(span, move, wishes, said))
+        if intent.fast:
+            call = read_move(move, edits.text(span))
             edits.replace(call.speed, "vmax")
             if call.override is not None:  # it would hold vmax down
                 edits.replace(call.override, "")
-            notes.append(ProgramWarning(WarningKind.CHANGED, "at vmax, as the cell allows (free_speed)", motion.source))
-        return notes
+            told = "at vmax, as the cell allows (free_speed)"
+            self._notes.append(ProgramWarning(WarningKind.CHANGED, told, move.source))
 
-    def _seconds(self, wait: Wait) -> str:
-        return plain(wait.duration) if wait.condition else last_argument(wait, self._edits.text(wait.written.statement))
+    def _refuse_compact(self, span: Span, motion: Move | Wait) -> None:
+        place = self._scopes.place(span)
+        if place is not None and place.compact:
+            raise refusal(motion.source, "this statement is part of an IF without THEN; write IF ... THEN ... ENDIF")
 
-    @staticmethod
-    def _dwell_note(wait: Wait, name: str) -> ProgramWarning:
-        return ProgramWarning(WarningKind.CHANGED, f"the rail moves while the tool waits, to {name}", wait.source)
+    def _points(self, move: MoveJ | MoveAbsJ, intent: Intent) -> None:
+        """The points before a move as its text has them; blanks in names of bodies, and what its file cannot hold, as a
+        comment can have them."""
+        span, edits = move.written.statement, self._edits
+        encoding, text = self._program.files[span.file].encoding, edits.text(span)
+        lines = []
+        for one in intent.points:
+            around = tuple(name.encode(encoding, "replace").decode(encoding) for name in one.detour)
+            made = point(one, move, point_literal(one, move, text, self._plant.rail_eax), around)
+            lines += point_lines(made, move, text, text, intent.fast)
+            if self._names.take(made.name):
+                self._declare(span, f"CONST {made.type} {made.name}:={made.literal};")
+        put_above(edits, span, lines)
+        names = ", ".join(one.target for one in intent.points)
+        verb = "are" if len(intent.points) > 1 else "is"
+        told = f"{names} {verb} added before {move.target}, around {quoted(intent.points[0].detour)}"
+        self._notes.append(ProgramWarning(WarningKind.CHANGED, told, move.source))
 
-    # ---------------------------------------------------------------------------------------------------------- flat
+    # ------------------------------------------------------------------------------------------------- the waits
 
-    def _drops(self, index: int) -> bool:
-        return index in self._intents and self._intents[index].drop
+    def _wait(self, span: Span, indices: Passes) -> None:
+        """A wait in which the rail moves becomes a line in place, or has one before it where it waits for a signal."""
+        if not any(self._intents[i].moves for i in indices):
+            return
+        wait, before = self._program.motions[indices[0]], [self._text.before(i) for i in indices]
+        assert isinstance(wait, Wait)
+        if None in before or len(set(before)) > 1:
+            self._refuse(indices, "the plan moves the rail in this wait, and no line can stand in its place")
+        wishes = self._wishes_of_wait(indices)
+        move = self._program.motions[self._text.dwells[indices[0]]]
+        assert isinstance(move, PoseMove | MoveAbsJ)
+        said = any(wish.conf is not None for wish in wishes.values())
+        call = read_move(move, self._edits.text(move.written.statement))
+        speed, tool, wobj = self._words(call)
+        here = None if isinstance(move, PoseMove) else rf"CRobT(\Tool:={tool}{wobj})"
+        target = self._around(span, move, wishes, said, here)
+        seconds = plain(wait.duration) if wait.condition else last_argument(wait, self._edits.text(span))
+        line = rf"MoveL {target},{speed}\T:={seconds},fine,{tool}{wobj};"
+        if wait.condition is None:
+            self._edits.replace(span, line)
+        else:
+            self._edits.put_before(span, line)
+        self._notes.append(ProgramWarning(WarningKind.CHANGED, "the rail moves while the tool waits", wait.source))
 
-    def _flat_motion(self, index: int, flat: FlatModule) -> FlatMotion:
-        motion, intent = self._program.motions[index], self._intents.get(index, Intent())
-        if isinstance(motion, Wait) and intent.dwell is not None:
-            name = self._dwell_target(index, intent.dwell, motion.written.statement, flat)
-            text = self._dwell(index, motion, name, plain(motion.duration))
-            self._notes.append(self._dwell_note(motion, name))
-            return FlatMotion(text=text) if motion.condition is None else FlatMotion(before=(text,))
-        if not isinstance(motion, Move):
-            return FlatMotion()
-        wish = intent.wish or self._targets.as_written(motion)
-        points = self._points_of(motion, intent)
-        if points:
-            self._notes.append(_way_note(motion, points))
-        if not wish.monitored:
-            return FlatMotion(wish, fast=intent.fast, points=points)
-        self._monitored.append(motion.source)
-        on, off = _switches(motion)
-        return FlatMotion(wish, fast=intent.fast, before=(on,), behind=(off,), points=points)
+    def _wishes_of_wait(self, indices: Passes) -> dict[int, Wish]:
+        """The same of lines that stand in for waits; a confdata only where that of the moves before does not do."""
+        out = dict[int, Wish]()
+        groups: dict[object, list[int]] = defaultdict(list)
+        for i in indices:
+            groups[self._text.key(i)].append(i)
+        said = [self._said_conf(self._text.dwells[i]) for i in indices]
+        arms = [self._intents[i].arm for i in indices]
+        counts = any(
+            conf is not False and arm is not None and not (conf and confdata_admits(self._plant.robot, conf, arm))
+            for conf, arm in zip(said, arms, strict=True)
+        )
+        for group in groups.values():
+            rails = [self._intents[i].rail for i in group]
+            if rails[0] is None or len({rail_text(one or 0.0) for one in rails}) > 1:
+                self._refuse(group)
+            conf = None
+            if counts:
+                own = [arm for i in group if (arm := self._intents[i].arm) is not None]
+                if (conf := common_conf(self._plant, [], own)) is None:
+                    self._refuse(group)
+            out |= dict.fromkeys(group, Wish(rail_text(rails[0] or 0.0), conf, counts))
+        return out
 
-    # ------------------------------------------------------------------------------------------------------- dwelling
-
-    def _move_before(self, index: int) -> int:
-        """The last move before a motion that is not dropped; -1 where there is none."""
-        while (index := index - 1) >= 0:
-            if isinstance(self._program.motions[index], Move) and not self._drops(index):
-                break
-        return index
-
-    def _dwell_target(self, index: int, planned: PlannedMotion, at: Span, flat: FlatModule | None = None) -> str:
-        before = self._move_before(index)
-        if before < 0:
-            source = self._program.motions[index].source
-            raise refusal(source, "the plan moves the rail in a wait before the first move; begin with MoveAbsJ home")
-        move = self._program.motions[before]
-        targets = self._targets
-        if isinstance(move, PoseMove):
-            # The wait begins where the move ended, and only the rail (and the joints behind it) differ at its end.
-            wish = targets.wish(move, planned, dwell=True)
-            if flat is not None:
-                return flat.declare(f"{targets.base(move)}_b", "robtarget", targets.in_numbers(move, wish))
-            return targets.dwell(move, wish, at)
-        assert isinstance(move, MoveAbsJ | MoveExtJ)
-        tool = next((m.tool for m in reversed(self._program.motions[:index]) if isinstance(m, MoveAbsJ)), None)
-        X_WF = self._plant.robot.forward(planned.q_0)
-        X_WT = X_WF @ tool.X_FT if tool else X_WF
-        if flat is not None:
-            return flat.declare(f"{targets.base(move)}_b", "robtarget", targets.at_joints(move, planned, X_WT))
-        return targets.dwell_at(move, planned, X_WT, at)
-
-    def _dwell(self, index: int, wait: Wait, name: str, seconds: str) -> str:
-        speed, tool, wobj = self._words(index)
-        move = self._program.motions[self._move_before(index)]
-        frame = "" if isinstance(move, MoveAbsJ | MoveExtJ) else wobj  # the place of joints is written in the world
-        return rf"MoveL {name}, {speed} \T:={seconds}, fine, {tool}{frame};"
-
-    def _words(self, index: int) -> tuple[str, str, str]:
-        r"""Speed, tool and ` \WObj:=w` (or nothing) as the last move before a motion writes them.
-
-        MoveExtJ writes no tool; then the last move that does counts.
-        """
-        speed: str | None = None
-        wobj: str | None = None
-        while (index := self._move_before(index)) >= 0:
-            call = self._call(index)
-            speed = speed or self._edits.text(call.speed)
-            wobj = wobj or (f" {self._edits.text(call.wobj)}" if call.wobj is not None else "")
-            if call.tool is not None:
-                return speed, self._edits.text(call.tool), wobj
-        return speed or "v100", "tool0", wobj or ""
-
-    def _call(self, index: int) -> MoveCall:
-        move: Motion = self._program.motions[index]
+    def _said_conf(self, index: int) -> ConfData | Literal[False] | None:
+        """The confdata that a move's expression, without what is put around it, has in the edited text; None where that
+        is not known, False where a line behind it does not look at it."""
+        move = self._program.motions[index]
         assert isinstance(move, Move)
-        return read_move(move, self._edits.text(move.written.statement))
+        if not move.settings.conf_l:
+            return False
+        if isinstance(move, MoveAbsJ):
+            return confdata(self._plant.robot, move.q)
+        assert isinstance(move, PoseMove)
+        assert move.written.target is not None
+        node = parse_expression(self._edits.text(move.written.target), move.source.file)
+        if isinstance(node, Call) and node.name.lower() in self._scopes.wrappers:
+            return None
+        literal = self._literal(move.written.statement)
+        wish = None if literal is None else self._in_place.get(literal)
+        return move.conf if wish is None or wish.conf is None else wish.conf
+
+    def _words(self, call: MoveCall) -> tuple[str, str, str]:
+        r"""Speed, tool and `\WObj:=w` (or nothing) as a move writes them."""
+        assert call.tool is not None
+        wobj = "" if call.wobj is None else self._edits.text(call.wobj)
+        return self._edits.text(call.speed), self._edits.text(call.tool), wobj
+
+    # ------------------------------------------------------------------------------------------- functions and arrays
+
+    def _around(
+        self, span: Span, move: Move, wishes: Mapping[int, Wish], says_conf: bool, here: str | None = None
+    ) -> str:
+        """A move's target with the function around it that says what a statement's executions want. here: what stands
+        for the place that joints lead to."""
+        assert move.written.target is not None
+        text = here or self._edits.text(move.written.target)
+        node = parse_expression(text, span.file)
+        if isinstance(node, Call) and node.name.lower() in self._scopes.wrappers and node.args[0].value is not None:
+            inner = node.args[0].value
+            text = text[inner.start : inner.end]
+            says_conf = says_conf or any(wish.counts for wish in wishes.values())
+        rails = {i: wish.rail for i, wish in wishes.items()}
+        base = base_name(text)
+        given = {i: one for i, one in rails.items() if one is not None}
+        if 0 < len(given) < len(wishes):  # the others stay where they are, wherever that is
+            self._refuse([next(i for i in wishes if i not in given)])
+        parts = []
+        if given:
+            parts.append(self._value(span, "num", f"rail{_titled(base)}", given))
+        if says_conf:
+            confs = {i: written_conf(wish.conf) for i, wish in wishes.items() if wish.conf is not None}
+            if len(confs) < len(wishes):  # the others keep theirs, whichever that is
+                self._refuse([next(i for i, wish in wishes.items() if wish.conf is None)])
+            conf = self._value(span, "confdata", f"conf{_titled(base)}", confs)
+            parts.append(conf if not parts else rf"{parts.pop()}\conf:={conf}")
+        type_ = "robtarget" if here else type_of(move)
+        kind = "ConfAt" if not given else "RailAt" if type_ == "robtarget" else "RailAtJ"
+        return f"{self._function(span, kind, type_)}({text},{parts[0]})"
+
+    def _function(self, span: Span, kind: str, type_: str) -> str:
+        """The name of the function in a statement's module, which is added where it is not there."""
+        module = self._scopes.module(span.file, span.start)
+        key = (span.file, module.start if module else 0, kind)
+        if key not in self._functions:
+            axis = "" if self._plant.rail_eax is None else "abcdef"[self._plant.rail_eax]
+            for text in self._scopes.wrappers.values():
+                known = text.split("(")[0].split()[-1]
+                owner = self._scopes.owner(known, span.file, span.start)
+                if owner == key[:2] and text.lower() == " ".join(_function(kind, known, type_, axis)).lower():
+                    self._functions[key] = known
+            if key not in self._functions:
+                name = self._functions[key] = self._chosen.setdefault(kind, self._names.new(kind))
+                self._add(span, [f"! {_ABOUT[kind]}", *_function(kind, name, type_, axis)])
+        return self._functions[key]
+
+    def _add(self, span: Span, lines: Sequence[str]) -> None:
+        """A routine at the end of a statement's module."""
+        module, end = self._scopes.module(span.file, span.start), self._edits.line_end(span.file)
+        text = self._program.files[span.file].text
+        about, head, *body = lines
+        indent = self._indentation(span)
+        inner = [f"{indent or '    '}{one}" for one in body[:-1]]
+        indented = [f"{indent}{one}" for one in (about, f"LOCAL {head}", *inner, body[-1])]
+        if module is None or not module.name:
+            self._edits.insert(span.file, len(text), "".join(f"{end}{line}" for line in indented) + end)
+            return
+        at = module.end - len("ENDMODULE")
+        begin = self._edits.line_of(span.file, at)[0]
+        if text[begin:at].strip():
+            self._edits.insert(span.file, at, "".join(f"{end}{line}" for line in indented) + end)
+        else:
+            self._edits.insert(span.file, begin, end + "".join(f"{line}{end}" for line in indented))
+
+    def _value(self, span: Span, type_: str, name: str, values: Mapping[int, str]) -> str:
+        """What a statement's executions want: one value, or an element of an array of its own."""
+        if len(set(values.values())) == 1:
+            return next(iter(values.values()))
+        counters = self._text.counters(span)
+        by_key = {self._text.key(i)[1]: value for i, value in values.items()}
+        used = list(range(len(counters)))
+        for n in reversed(range(len(counters))):
+            if _same_without(by_key, n):
+                used.remove(n)
+                by_key = {key[:n] + key[n + 1 :]: value for key, value in by_key.items()}
+        sizes = [counters[n].count for n in used]
+        array = self._names.new(name)
+        size = ",".join(map(str, sizes))
+        self._declare(span, f"LOCAL CONST {type_} {array}{{{size}}}:={_nested(sizes, by_key, self._end(span))};")
+        return f"{array}{{{','.join(counters[n].index for n in used)}}}"
+
+    def _end(self, span: Span) -> str:
+        return f"{self._edits.line_end(span.file)}{self._indentation(span)}    "
+
+    def _indentation(self, span: Span) -> str:
+        """How far the items of a statement's module stand in."""
+        module = self._scopes.module(span.file, span.start)
+        if module is None or not module.items:
+            return ""
+        return self._edits.indentation(Span(span.file, module.items[-1].start, module.items[-1].end))
+
+    def _declare(self, span: Span, declaration: str) -> None:
+        """Declare something at the head of a statement's module."""
+        offset, alone = self._scopes.head(span.file, span.start)
+        end = self._edits.line_of(span.file, offset)[1]
+        if not alone:
+            self._edits.insert(span.file, offset, declaration + self._edits.line_end(span.file))
+        elif self._edits.text(Span(span.file, offset, end)).strip()[:1] in ("", "!"):
+            self._edits.insert(
+                span.file, end, f"{self._edits.line_end(span.file)}{self._indentation(span)}{declaration}"
+            )
+        else:
+            self._edits.insert(span.file, offset, f" {declaration}")
 
 
-def _way_note(move: Move, points: Sequence[Point]) -> ProgramWarning:
-    names = ", ".join(point.name for point in points)
-    told = f"{names} {'are' if len(points) > 1 else 'is'} added before {move.target}, around {quoted(points[0].around)}"
-    return ProgramWarning(WarningKind.CHANGED, told, move.source)
+def _function(kind: str, name: str, type_: str, axis: str) -> list[str]:
+    """The lines of a function that gives a target another rail position or configuration."""
+    rail = f"p.extax.eax_{axis}:=rail;"
+    if kind == "ConfAt":
+        return [f"FUNC {type_} {name}({type_} p,confdata conf)", "p.robconf:=conf;", "RETURN p;", "ENDFUNC"]
+    if kind == "RailAtJ":
+        return [f"FUNC {type_} {name}({type_} p,num rail)", rail, "RETURN p;", "ENDFUNC"]
+    conf = "IF Present(conf) p.robconf:=conf;"
+    return [rf"FUNC {type_} {name}({type_} p,num rail\confdata conf)", rail, conf, "RETURN p;", "ENDFUNC"]
 
 
-def _switches(move: Motion) -> tuple[str, str]:
-    kind = "ConfJ" if isinstance(move, MoveJ) else "ConfL"
-    return rf"{kind} \On;", rf"{kind} \Off;"
+def base_name(target: str) -> str:
+    """A name to build others from: the first name of data in a target as written."""
+    names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(?!:=)(\()?", target)
+    found = [name for name, opens in names if not opens] or [name for name, _ in names]
+    return found[0] if found else "p"
+
+
+def _titled(name: str) -> str:
+    """A target's name behind another word: pPick as Pick, p_n1 as _n1."""
+    rest = name[1:]
+    return rest if name[:1] in "pj" and (rest[:1].isupper() or rest[:1] in ("_", *"0123456789")) else f"_{name}"
+
+
+def _same_without(values: Mapping[tuple[int, ...], str], n: int) -> bool:
+    """Whether values do not depend on the counter number n."""
+    found: dict[tuple[int, ...], set[str]] = defaultdict(set)
+    for key, value in values.items():
+        found[key[:n] + key[n + 1 :]].add(value)
+    return all(len(several) == 1 for several in found.values())
+
+
+def _nested(sizes: Sequence[int], known: Mapping[tuple[int, ...], str], end: str) -> str:
+    """An array's literal; elements that no execution of the run took are as the nearest that one took."""
+    keys, near = np.array(list(known)), np.cumprod([max(sizes)] * len(sizes))[::-1]  # the inner loops' passes first
+    values = list(known.values())
+
+    def part(index: tuple[int, ...]) -> str:
+        if len(index) == len(sizes):
+            return known.get(index) or values[int((np.abs(keys - index) @ near).argmin())]
+        return f"[{','.join(part((*index, i)) for i in range(sizes[len(index)]))}]"
+
+    text, lines = part(()), [""]
+    for piece in re.split(r"(?<=,)", text):
+        if len(lines[-1]) + len(piece) > _WIDTH:
+            lines.append("")
+        lines[-1] += piece
+    return end.join(lines)

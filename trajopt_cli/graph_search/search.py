@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
-from trajopt_cli.graph_search.shared_states import Ties, best_tied
+from trajopt_cli.graph_search.shared_states import Ties, best_tied, shared
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
@@ -353,15 +353,14 @@ def _edges(
 
 
 def _best(
-    layers: list[_Layer], edges: Sequence[Edge], ties: Ties, candidates: int
+    layers: list[_Layer], edges: Sequence[Edge], ties: Ties, states: Sequence[Array], candidates: int
 ) -> tuple[float, list[int], list[Array]]:
-    """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept."""
+    """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept.
+    states: as best_tied has them."""
     forward, back = _forward(layers, edges)
     if ties:
         through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, np.inf), strict=True)]
-        return *best_tied(
-            [layer.q for layer in layers], [edge.dense() for edge in edges], through, ties, candidates
-        ), forward
+        return *best_tied(states, [edge.dense() for edge in edges], through, ties, candidates), forward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
@@ -370,20 +369,22 @@ def _best(
 
 
 def _best_clear(
-    problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer], edges: Sequence[Edge],
-    avoid: EdgeChecks | None,
+    axes: Axes, problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer],
+    edges: Sequence[Edge], avoid: EdgeChecks | None,
 ) -> tuple[float, list[int], list[Array]]:  # fmt: skip
     """The same of chains that touch nothing: what is not known of the best one is looked at, until nothing is left.
     Infinite and [] where that has no end."""
+    common = shared(axes, problem.waypoints, [layer.q for layer in layers], problem.ties)
+    tied = problem.ties, common, problem.plant.settings.tie_candidates
     if avoid is None:
-        return _best(layers, edges, problem.ties, problem.plant.settings.tie_candidates)
+        return _best(layers, edges, *tied)
     forward: list[Array] = []
     states = [
         States(layer.q, np.array([label.cfx for label in tables[at].labels], dtype=np.intp)[layer.label])
         for layer, at in zip(layers, where, strict=True)
     ]
     for _ in range(_AVOID_ROUNDS):
-        cost, path, forward = _best(layers, edges, problem.ties, problem.plant.settings.tie_candidates)
+        cost, path, forward = _best(layers, edges, *tied)
         if not np.isfinite(cost):
             return np.inf, [], forward
         new = [k for k, edge in enumerate(edges) if isinstance(edge, Checked) and not edge.known[path[k], path[k + 1]]]
@@ -420,11 +421,14 @@ def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Arr
     return backward[::-1]
 
 
-def best_chain(q: list[Array], edges: list[Array], ties: Ties, candidates: int) -> tuple[float, list[int]]:
-    """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
+def best_chain(
+    q: list[Array], edges: list[Array], ties: Ties, common: Sequence[Array], candidates: int
+) -> tuple[float, list[int]]:
+    """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes. common: as shared gives it
+    of them."""
     none = np.zeros(0, dtype=np.intp)
     layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
-    return _best(layers, [Dense(T) for T in edges], ties, candidates)[:2]
+    return _best(layers, [Dense(T) for T in edges], ties, common, candidates)[:2]
 
 
 def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
@@ -567,7 +571,7 @@ def _search(
     still = np.zeros(1)
     layers = _layers(axes, problem, tables, still)
     edges = _edges(axes, problem, tables, where, layers, avoid, far)
-    cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
+    cost, path, forward = _best_clear(axes, problem, tables, where, layers, edges, avoid)
     if not np.isfinite(cost):
         if fewer:
             return _search(axes, problem, avoid, every=True, far=far)
@@ -609,7 +613,7 @@ def _search(
     if not all(len(layer.q) for layer in layers):
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers, avoid, far)
-    cost, path, _ = _best_clear(problem, fine_tables, where, layers, edges, avoid)
+    cost, path, _ = _best_clear(axes, problem, fine_tables, where, layers, edges, avoid)
     return _route(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
 

@@ -14,9 +14,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.problem.problem import Waypoint
+from trajopt_cli.trajectories.axes import Axes
 
 # times the untied cost beyond which states of tied waypoints are left out, tried in turn.
 _WIDER = (1.05, 1.25, 2.0, float("inf"))
+_SAME_PLACE = 1e-9  # m and entries of rotations between flange poses that are one
 _SAME_STATE = 1e-06  # rad or m between two tables' joints for one and the same state of tied waypoints.
 
 Ties = tuple[tuple[int, ...], ...]
@@ -31,9 +34,10 @@ def best_tied(
 ) -> tuple[float, list[int]]:
     """Cost and state per waypoint of the best chain that keeps the ties; infinite and [] where there is none.
 
-    states (n_k, axes): joints of every state of waypoint k. edges (n_k, n_k+1): times. through (n_k,): the least cost
-    of an untied chain through each state, which is a lower bound on that of a tied one: states far beyond the best are
-    looked at only when nothing better is found. candidates: states of a waypoint that coordinate descent tries.
+    states (n_k, m): of every state of waypoint k what tied ones must have in common (shared). edges (n_k, n_k+1):
+    times. through (n_k,): the least cost of an untied chain through each state, which is a lower bound on that of a
+    tied one: states far beyond the best are looked at only when nothing better is found. candidates: states of a
+    waypoint that coordinate descent tries.
     """
     node, index = _merged(states, ties)
     least = min(float(np.min(values, initial=np.inf)) for values in through)
@@ -50,6 +54,28 @@ def best_tied(
     if not np.isfinite(cost):
         return np.inf, []
     return cost, [int(rows[k][chosen[number]]) for k, number in enumerate(node)]
+
+
+def at_one_place(waypoints: Sequence[Waypoint], group: Sequence[int]) -> bool:
+    """Whether tied waypoints have the flange at one place, so that they can share all axes."""
+    first = waypoints[group[0]].X_WF
+    return all(np.abs(waypoints[k].X_WF - first).max() <= _SAME_PLACE for k in group[1:])
+
+
+def shared(axes: Axes, waypoints: Sequence[Waypoint], q: Sequence[Array], ties: Ties) -> list[Array]:
+    """Of the axes q (n_k, axes) of every waypoint what tied ones must have in common: all of them where the tool is at
+    one place, the rail position and what confdata says of the arm where it is at several."""
+    out = list(q)
+    known: dict[int, Array] = {}
+    for group in ties:
+        if at_one_place(waypoints, group):
+            continue
+        for k in group:
+            if id(q[k]) not in known:
+                confdata = axes.robot.confdata_rows(q[k][:, axes.layout.arm])
+                known[id(q[k])] = np.hstack([q[k][:, axes.layout.rail], confdata])
+            out[k] = known[id(q[k])]
+    return out
 
 
 def _merged(states: Sequence[Array], ties: Ties) -> tuple[list[int], list[IndexArray]]:

@@ -30,14 +30,12 @@ from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
-    AddedModule,
     PlanOptions,
     PlanRecord,
     distinct_names,
 )
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.summary import Judged, Summary, summary
-from trajopt_cli.warnings import WarningKind
 from trajopt_cli.workers import cores
 
 if TYPE_CHECKING:
@@ -153,7 +151,7 @@ def optimize_job(
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged))
-        placed = _placed(export, folder) if export is not None else ()
+        placed = map(str, export.notes) if export is not None else ()
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
         lead = target or (Target.RAPID if export is not None else Target.STREAM)
@@ -174,7 +172,7 @@ def optimize_job(
         files = _files(job, told, judged, inputs, export)
         changed = no_rapid or ""
         if export is not None:
-            changed = unified_diff(job.program.files, export.texts, export.new)
+            changed = unified_diff(job.program.files, export.texts, {})
     options = PlanOptions(
         program=[str(path) for path in job.paths],
         cell=str(job.cell_path),
@@ -190,7 +188,6 @@ def optimize_job(
         listen("results", Progress("plots"))
         with clock.phase("plots"):
             files |= plan_pictures(job, judged[chosen].plan)
-    added = {path: _place_of_new(path) for path in export.new} if export is not None else {}
     first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
     write_run(
         folder,
@@ -205,11 +202,10 @@ def optimize_job(
             files=[one.record(rapid=export is not None) for one in dict.fromkeys((first, cell, *inputs.values()))],
         ),
         no_rapid=no_rapid,
-        added=[AddedModule(path=path, rapid=place) for path, place in added.items()],
         started=started.isoformat(),
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
-    modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
+    modules = tuple(given.rapid for given in inputs.values() if given.rapid in files)
     return OptimizedJob(job, lead, told, judged, written, kept_speed, folder, modules, no_rapid, clock.seconds)
 
 
@@ -243,8 +239,6 @@ def _files(
         files[given.place] = given.content
         if given.rapid is not None and export is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
-    for path, new in export.new.items() if export is not None else ():
-        files[_place_of_new(path)] = new.text.encode(new.encoding)
     return files
 
 
@@ -293,7 +287,7 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
     if loops is Loops.UNROLL or not (often or kept.kept):
         return
     free = changes_of(job, Target.RAPID, Loops.UNROLL)
-    if now is None or (free.values == kept.values and not kept.ties):
+    if now is None or (free.values, free.ties) == (kept.values, kept.ties):
         return
     if (then := search_estimate(job.program, job.plant, Target.RAPID, free)) is None:
         return
@@ -343,18 +337,6 @@ def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
             yield f"{target.value}: {line}"
     for line in unsure_nearest(job.program, job.plant, judged[Target.RAPID].plan):
         yield f"{Target.RAPID.value}: {line}"
-
-
-def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
-    """The notes of an export, with each new module called by the place where it is now."""
-    for note in export.notes:
-        new = note.kind is WarningKind.NEW_MODULE
-        yield str(replace(note, place=f"{folder / _place_of_new(str(note.place))}") if new else note)
-
-
-def _place_of_new(path: str) -> str:
-    """Where the results folder keeps a module that the export added."""
-    return f"program/{Path(path).name}"
 
 
 def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:

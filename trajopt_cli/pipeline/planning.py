@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from trajopt_cli.plan import PlanCache
     from trajopt_cli.problem.plant import Plant
 
-_WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
+_COPIES = "routines have copies as with --loops unroll, as without them no plan could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
 # Of one target: a plan that was judged, why the program cannot be done, or why no plan was found.
@@ -67,7 +67,7 @@ class MayChange:
 def may_change(job: Job, loops: Loops) -> MayChange:
     """What plans of this job may change: for all commands that plan, so that they answer one question alike.
 
-    Loops that are to be kept, but that no plan could drive, are written out, and that is said.
+    Routines that no plan could drive as they are get copies, and that is said.
     """
     from trajopt_cli.plan import check_feasible
 
@@ -82,7 +82,7 @@ def may_change(job: Job, loops: Loops) -> MayChange:
     freer = held_against_reach(Loops.UNROLL)
     if freer.infeasible is not None:
         return asked
-    return replace(freer, notices=(f"{_WRITTEN_OUT}: {asked.infeasible}",))
+    return replace(freer, notices=(f"{_COPIES}: {asked.infeasible}",))
 
 
 def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:

@@ -15,8 +15,9 @@ import numpy as np
 
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.geometry import Array
+from trajopt_cli.graph_search.shared_states import shared
 from trajopt_cli.nlp.mesh_refinement import first_iterate
-from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
 from trajopt_cli.trajectories.iterate import Iterate
@@ -69,7 +70,7 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
     point, layout = problem.waypoints[k], axes.layout
     q_0, cfx_0 = states[-1] if states else (problem.plant.start, -1)
     joint, moves = (True, True) if k == 0 else ((leg := problem.legs[k - 1]).kind is LegKind.JOINT, leg.rail_moves)
-    tied = [states[one] for group in problem.ties if k in group for one in group if one < k]
+    tied = [(one, states[one][0]) for group in problem.ties if k in group for one in group if one < k]
     if point.q is not None:
         yield point.q, -1
         return
@@ -88,8 +89,15 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
         for q, cfx in options:
             along = joint or cfx_0 in (-1, cfx)
             led = problem.leads(k - 1, q_0[None], q[None]) if k else None
-            if along and (led is None or led.all()) and all(np.abs(q - own).max() < 1e-6 for own, _ in tied):
+            agreed = all(_agree(axes, [problem.waypoints[one], point], [own, q]) for one, own in tied)
+            if along and agreed and (led is None or led.all()):
                 yield q, cfx
+
+
+def _agree(axes: Axes, points: list[Waypoint], q: list[Array]) -> bool:
+    """Whether two waypoints at axes q (k,) have in common what tied ones must."""
+    one, other = shared(axes, points, [own[None] for own in q], ((0, 1),))
+    return bool(np.abs(one - other).max(initial=0.0) < 1e-6)
 
 
 def _leg_motion(axes: Axes, problem: Problem, k: int, state: State, then: State) -> LegMotion | None:

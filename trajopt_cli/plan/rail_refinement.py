@@ -16,6 +16,7 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.graph_search.search import best_chain
+from trajopt_cli.graph_search.shared_states import shared
 from trajopt_cli.path.hermite import natural_spline
 from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times, short
 from trajopt_cli.path_timing.path_parameterized_plan import about
@@ -53,6 +54,7 @@ def refine_rail(
     marks, best = _with_carried_points(axes, problem, still)
     index = {k: i for i, k in enumerate(marks.tolist())}
     ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
+    points = [problem.waypoints[k] for k in marks]
     reached, cost = np.inf, np.inf
     changed = np.ones(len(marks), dtype=bool)
     step = np.where(np.isin(np.arange(len(problem.waypoints)), free), settings.refine_step, 0.0)
@@ -64,7 +66,8 @@ def refine_rail(
         found = iter(_candidates(axes, problem, best, marks[changed], step, around))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
         edges = _edge_times(axes, problem, marks, near, best, before, edges, step, known, around)
-        cost, path = best_chain(near, edges, ties, settings.tie_candidates)
+        common = shared(axes, points, near, ties)
+        cost, path = best_chain(near, edges, ties, common, settings.tie_candidates)
         if not np.isfinite(cost):
             break
         q = np.array([near[k][i] for k, i in enumerate(path)])

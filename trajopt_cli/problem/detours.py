@@ -234,7 +234,7 @@ def _point(plant: Plant, motion: JointMove, via: Via, detour: Detour, names: _Na
     arm = np.asarray(via.q[plant.layout.arm])
     point = replace(
         motion,
-        written=Written(motion.written.statement, once=motion.written.once),
+        written=Written(motion.written.statement, counters=motion.written.counters),
         target=names.of(motion, via),
         zone=zone_of(via.radius),
         extax=_external(plant, motion, via.q),

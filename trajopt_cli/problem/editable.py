@@ -18,8 +18,8 @@ from trajopt_cli.problem.plant import Plant
 class Loops(StrEnum):
     """What a plan for the RAPID controller makes of what runs several times."""
 
-    KEEP = "keep"  # it stays, and one target has one rail position and configuration in all passes
-    UNROLL = "unroll"  # where the passes differ, it is written out motion by motion, in the values of this run
+    KEEP = "keep"  # it stays; a statement has one rail position and configuration, but for counters of FOR loops
+    UNROLL = "unroll"  # a routine has a copy for each of its calls, where these differ
 
 
 @dataclass(frozen=True)

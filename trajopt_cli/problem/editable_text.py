@@ -1,15 +1,16 @@
-"""What a plan for the RAPID controller may change of a program's text, answered from its syntax tree.
+r"""What a plan for the RAPID controller may change of a program's text.
 
-A target serves the moves that its literal or its expression names; what else depends on it stays as programmed. The
-order of the questions: which moves have a literal, which computed targets a number can stand in for, which passes of
-loops and routines one text serves, and which statements can be written out motion by motion.
+The rail position and configuration of a move are said where its statement stands, around the target's expression, so
+it does not matter how that is computed. All executions of a statement share one value, but those that counters of FOR
+loops tell apart: they take theirs from an array. With loops unrolled the text is one in which routines that are called
+several times have a copy for each call.
 """
 
 from __future__ import annotations
 
-import re
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -26,322 +27,299 @@ from trajopt_cli.motion import (
     Span,
     Wait,
 )
-from trajopt_cli.problem.data_flow import ROBOT, Place, Trace
 from trajopt_cli.problem.editable import Changes, Loops, droppable, may_go, why_straight
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.program_text import Passes, ProgramText
-from trajopt_cli.problem.single_runs import SingleRuns, inside
-from trajopt_cli.rapid.language.syntax import (
-    ProcedureCall,
-)
+from trajopt_cli.problem.scopes import Scopes
+from trajopt_cli.problem.unrolled import unrolled
+from trajopt_cli.rapid.language.syntax import Expression, Name, Number
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.units import MM
 
 KEPT = "kept as programmed on the RAPID target"
 _PLACES = 5  # that a note names
 _SAME = 1e-9  # m and entries of rotations: the same place
-_LOOKS_AT_AXES = re.compile(r"\b(extax|robconf|robax|eoffson)\b", re.IGNORECASE)
+_SAME_RAIL = 1e-3  # mm
+_MOST = 1000  # elements of an array
+_DIMENSIONS = 3  # of a RAPID array
+
+Passes = tuple[int, ...]
+Key = tuple[Span, tuple[int, ...]]  # a statement, and the elements of an array that its execution takes
 
 
-class EditableText(ProgramText):
+@dataclass(frozen=True)
+class Counter:
+    """A FOR loop whose passes an array can tell apart. at: which of the statement's loops it is. Its passes have the
+    values first, first + step and so on, count of them."""
+
+    name: str
+    at: int
+    first: int
+    step: int
+    count: int
+
+    def element(self, value: float) -> int:
+        """The pass with a value, from 0."""
+        return round((value - self.first) / self.step)
+
+    @property
+    def index(self) -> str:
+        """The pass in RAPID, from 1."""
+        if self.step == 1:
+            return self.name if self.first == 1 else f"{self.name}{1 - self.first:+d}"
+        if self.step == -1:
+            return f"{self.first + 1}-{self.name}"
+        zero = f"{-self.first:+d}" if self.first else ""
+        way = f"{self.name}{zero}" if self.step > 0 else f"{self.first}-{self.name}"
+        return f"{way if way == self.name else f'({way})'} DIV {abs(self.step)}+1"
+
+
+class EditableText:
     """A program's text and what may change of it.
 
-    changes: the answer. own: moves whose computed target a new one may stand in for. pinned: literals that must stay,
-    as what stays is computed from them. flat: statements that may be written out motion by motion.
+    program: as given, or with loops unrolled; its motions are the same ones. changes: the answer. dwells: of each wait
+    that a line can stand in for the move before it.
     """
 
-    def __init__(self, program: Program, plant: Plant, scenario: Scenario, loops: Loops = Loops.KEEP):
-        super().__init__(program, scenario)
+    def __init__(
+        self, program: Program, plant: Plant, scenario: Scenario, loops: Loops = Loops.KEEP,
+        routines: Collection[str] | None = None,
+    ):  # fmt: skip
+        """routines: names in lower case of those of which there are copies where loops are unrolled; None: all."""
         self.plant, self.loops = plant, loops
-        self._moving: set[int] = set()  # that cannot change as others are computed from it
-        self._single_runs = SingleRuns(self)
-        self.flat = self._single_runs.writable(self._can_be_said) if loops is Loops.UNROLL else ()
-        covered = inside(self.flat)
-        self.own = frozenset(i for i in range(len(program.motions)) if i not in covered and self._can_be_said(i))
-        self.changes = self._unrolled() if loops is Loops.UNROLL else self._loops_kept()
+        self.program = program if loops is Loops.KEEP else unrolled(program, plant, scenario, routines)
+        self.scopes = Scopes(self.program.files)
+        self._counters: dict[Span, tuple[Counter, ...]] = {}
+        self._moves_behind = _moves_behind(self.program)
+        self.dwells = dict(self._places_to_dwell())
+        self.changes = self._changes()
+
+    def text_of(self, span: Span) -> str:
+        """The text between two places of a file."""
+        return self.scopes.text(span)
+
+    # --------------------------------------------------------------------------------------------------- the groups
+
+    def counters(self, span: Span) -> tuple[Counter, ...]:
+        """The FOR loops around a statement whose passes an array can tell apart, the outermost first."""
+        if span not in self._counters:
+            place = self.scopes.place(span)
+            loops = () if place is None else place.loops
+            names = [loop.name.lower() for loop in loops]
+            found: list[Counter] = []
+            size = 1
+            for at in reversed(range(len(loops))):
+                bounds = [self._constant(one, span) for one in (loops[at].first, loops[at].last, loops[at].step)]
+                hidden = names[at] in names[at + 1 :]
+                if hidden or None in bounds[:2] or (loops[at].step is not None and bounds[2] is None):
+                    continue
+                first, last = bounds[0] or 0, bounds[1] or 0
+                step = bounds[2] or (1 if first <= last else -1)
+                count = (last - first) // step + 1
+                size *= max(count, 1)
+                if count > 0 and size <= _MOST and len(found) < _DIMENSIONS:
+                    found.append(Counter(loops[at].name, at, first, step, count))
+            self._counters[span] = tuple(reversed(found))
+        return self._counters[span]
+
+    def _constant(self, node: Expression | None, span: Span) -> int | None:
+        """A whole number that a bound is in every run; None for none."""
+        if isinstance(node, Name):
+            data = self.scopes.declared(node.name, span.file, span.start)
+            node = data[1].value if data is not None and data[1].storage == "CONST" else None
+        return int(node.value) if isinstance(node, Number) and node.value == int(node.value) else None
+
+    def key(self, index: int) -> Key:
+        """What tells the executions of a motion's statement apart."""
+        written = self.program.motions[index].written
+        counters = self.counters(written.statement)
+        return written.statement, tuple(one.element(written.counters[one.at]) for one in counters)
 
     @cached_property
-    def bound(self) -> frozenset[int]:
-        """The moves that can refer to no other target: run several times, or, where loops are kept, to whatever a
-        variable names."""
-        return frozenset(
+    def statements(self) -> Mapping[Span, Passes]:
+        """The motions of each statement, in order."""
+        found: dict[Span, list[int]] = defaultdict(list)
+        for i, motion in enumerate(self.program.motions):
+            if isinstance(motion, Move | Wait):
+                found[motion.written.statement].append(i)
+        return {span: tuple(indices) for span, indices in found.items()}
+
+    @cached_property
+    def groups(self) -> Mapping[Key, Passes]:
+        """The motions that share one value, in order."""
+        found: dict[Key, list[int]] = defaultdict(list)
+        for indices in self.statements.values():
+            for i in indices:
+                found[self.key(i)].append(i)
+        return {key: tuple(indices) for key, indices in found.items()}
+
+    # -------------------------------------------------------------------------------------------------- the changes
+
+    def _changes(self) -> Changes:
+        free, ties, kept = set[int](), list[Passes](), list[tuple[Passes, tuple[str, str]]]()
+        for (span, _), group in self.groups.items():
+            if isinstance(self.program.motions[group[0]], Wait):
+                places = {self.before(i) for i in self.statements[span]}
+                moves = [self.program.motions[self.dwells[i]] for i in group if i in self.dwells]
+                added = {move.settings.eax_offset for move in moves if isinstance(move, Move)}
+                if len(places) == 1 and None not in places and len(added) == 1:
+                    free |= set(group)
+                    ties.append(group)
+            elif (why := self._why_kept(span, group)) is None:
+                free |= set(group)
+                ties.append(group)
+            else:
+                kept.append((group, why))
+        going = droppable(self.program, self.plant) & free
+        gone = {
             i
-            for i, motion in enumerate(self.program.motions)
-            if isinstance(motion, Move)
-            and (i not in self.single or (motion.written.aggregate and self.scopes.depends_on(motion)))
+            for span, indices in self.statements.items()
+            if set(indices) <= going and not (self._compact(span) and len(indices) > 1)
+            for i in indices
+        }
+        return Changes(
+            frozenset(free),
+            tuple(sorted(group for group in ties if len(group) > 1)),
+            frozenset(gone),
+            tuple(self._kept(kept)),
+            *self._detours(free),
         )
 
-    def scenario_of(self, index: int) -> str | None:
-        """What of the scenario the target of a move hangs on, or the statement around it that runs once."""
-        motion = self.program.motions[index]
-        label = None
-        if isinstance(motion, Move) and index in self.constants:
-            label = self.flow.first(self.trace(motion).labels)
-        once = motion.written.once
-        return label or (self._single_runs.rejected.get(once) if once is not None else None)
+    def _why_kept(self, span: Span, group: Passes) -> tuple[str, str] | None:
+        """Why moves that share one value stay as programmed, and what would free them; None where they need not."""
+        moves = [move for i in group if isinstance(move := self.program.motions[i], Move)]
+        if self._compact(span) and any(self._needs_a_line(move) for move in moves):
+            return "are part of an IF without THEN", "IF ... THEN ... ENDIF would free them"
+        if moves[0].written.target is None:
+            return "are written without a target", "a move with a target would free them"
+        alike = len(group) == 1 or self._alike(group)
+        if alike and not (len(group) > 1 and any(isinstance(self._moves_behind[i], MoveExtJ) for i in group)):
+            return None
+        remedy = "one statement for each would free them"
+        if self.loops is Loops.KEEP:
+            remedy += ", or --loops unroll where routines are called several times"
+        return f"run {len(group)} times with different rail values or configurations", remedy
 
-    def _can_be_said(self, index: int) -> bool:
-        """Whether a new target in numbers may stand in for a computed one."""
-        motion = self.program.motions[index]
-        if not isinstance(motion, Move) or motion.written.aggregate is not None or motion.written.target is None:
+    def _alike(self, group: Passes) -> bool:
+        """Whether one rail position and configuration may serve all executions, as it does in the program."""
+        first, *others = [move for i in group if isinstance(move := self.program.motions[i], Move)]
+        rails = [self._written_rails[i] for i in group]
+        if self.plant.rail_eax is not None and max(rails) - min(rails) > _SAME_RAIL:
             return False
-        if isinstance(motion, PoseMove) and motion.X_WO is None:
-            return False
-        if index not in self.constants or self.depends_on_scenario(index) or self.acts(motion):
-            return False
-        if index not in self.single and self.loops is Loops.UNROLL:
-            return False
-        if self.loops is Loops.KEEP and self.scopes.depends_on(motion) is not None:
-            return False
-        compact = motion.written.statement in self.scopes.compact
-        return not (index in self.single and self.needs_a_line(motion) and compact)
+        one = one_place(self.program, group)
+        for move in others:
+            if type(move) is not type(first) or move.settings.eax_offset != first.settings.eax_offset:
+                return False
+            if isinstance(move, PoseMove) and isinstance(first, PoseMove) and not one and move.conf != first.conf:
+                return False
+        return True
 
-    def needs_a_line(self, motion: Motion) -> bool:
+    @cached_property
+    def _written_rails(self) -> Sequence[float]:
+        """Where the rail is programmed to be at the end of each motion [mm]."""
+        plant, out = self.plant, list[float]()
+        now = 0.0 if plant.rail_eax is None else float(plant.layout.place(plant.start)) / MM
+        for motion in self.program.motions:
+            if isinstance(motion, Move) and (given := plant.rail_value(motion.extax)) is not None:
+                now = given / MM
+            out.append(now)
+        return out
+
+    def _compact(self, span: Span) -> bool:
+        place = self.scopes.place(span)
+        return place is not None and place.compact
+
+    def _needs_a_line(self, motion: Motion) -> bool:
         """Whether a move may be skipped or switched, which takes a line of its own, and one answer for all its runs."""
         return (isinstance(motion, PoseMove) and not confdata_counts(motion)) or may_go(motion, self.plant)
 
-    def _literals(self) -> set[int]:
-        """The moves that have a literal, and room for what may become of them."""
-        return {
-            i
-            for i, motion in enumerate(self.program.motions)
-            if isinstance(motion, Move)
-            and motion.written.aggregate is not None
-            and not (self.needs_a_line(motion) and motion.written.statement in self.scopes.compact)
-        }
+    # ---------------------------------------------------------------------------------------------------------- waits
 
-    def _loops_kept(self) -> Changes:
-        groups = [group for group in self._passes() if not self._moves_others(group, self.own)]
-        alone = (self._literals() | self.own) - self.bound
-        inside = {i for group in groups for i in group}
-        dwells = self._places_to_dwell(self.own)
-        waits = self._resting(dwells, groups)
-        free = frozenset(alone | inside | (dwells & self.single) | {i for group in waits for i in group})
-        ties = tuple(group for group in (*groups, *waits) if len(group) > 1)
-        going = droppable(self.program, self.plant) & free
-        statements = [motion.written.statement for motion in self.program.motions]
-        staying = {span for i, span in enumerate(statements) if i not in going}
-        staying |= {span for span in self.scopes.compact if self.runs[span] > 1}
-        gone = frozenset(i for i in going if statements[i] not in staying)
-        return Changes(free, ties, gone, tuple(self._kept(free)), *self._detours(free))
-
-    def _passes(self) -> Iterator[Passes]:
-        """The moves that can refer to no other target, in groups that one text serves: one literal, or one target
-        declared for a computed one."""
-        found: dict[Span, list[int]] = {}
-        for i, motion in enumerate(self.program.motions):
-            if isinstance(motion, Move) and i in self.bound:
-                span = motion.written.aggregate or (motion.written.statement if i in self.own else None)
-                if span is not None:
-                    found.setdefault(span, []).append(i)
-        behind = _moves_behind(self.program)
-        for group in found.values():
-            moves = [self.program.motions[i] for i in group]
-            if (
-                _one_place(self.program, group)
-                and not any(isinstance(behind[i], MoveExtJ) for i in group)
-                and all(not isinstance(move, PoseMove) or confdata_counts(move) for move in moves)
-            ):
-                yield tuple(group)
-
-    def _moves_others(self, group: Passes, own: Set[int]) -> bool:
-        """Whether what stays as programmed is computed from the literal that serves these moves."""
-        first = self.program.motions[group[0]]
-        assert isinstance(first, Move)
-        if first.written.aggregate is None:
-            return False
-        data = self.literal_data(first)
-        found = any(trace.keys.keys() & {ROBOT} or (data and trace.reads(*data)) for trace in self._staying(own))
-        if found:
-            self._moving |= set(group)
-        return found
-
-    @cached_property
-    def pinned(self) -> frozenset[Span]:
-        """Literals in declarations that what stays is computed from."""
-        staying = self._staying(self.own)
-        out = set()
-        for motion in self.program.motions:
-            if isinstance(motion, Move) and motion.written.declaration is not None and motion.written.aggregate:
-                if motion.written.aggregate in out:
-                    continue
-                data = self.literal_data(motion)
-                if data is not None and any(trace.reads(*data) for trace in staying):
-                    out.add(motion.written.aggregate)
-        return frozenset(out)
-
-    def _staying(self, own: Set[int]) -> list[Trace]:
-        """Of the computed targets that stay what they depend on."""
-        covered = inside(self.flat)
-        out: dict[int, Trace] = {}
-        for one in self.statements.values():
-            for i, literal in zip(one.runs, one.literals, strict=True):
-                motion = self.program.motions[i]
-                if literal is None and i not in own and i not in covered and isinstance(motion, Move):
-                    trace = self.trace(motion, True)
-                    out[id(trace)] = trace
-        return [*out.values(), *self._beside_targets]
-
-    @cached_property
-    def _beside_targets(self) -> Sequence[Trace]:
-        """What conditions, signals and offsets depend on, where any of them may look at external axes."""
-        if not any(_LOOKS_AT_AXES.search(file.text) for file in self.program.files.values()):
-            return ()
-        out = [
-            self.flow.trace(branch.conditions, Place(path, branch.start, routine), True)
-            for path, routine, branch in self.flow.branches
-        ]
-        for key, node in self.flow.nodes.items():
-            offset = isinstance(node, ProcedureCall) and node.name.lower() == "eoffson"
-            if isinstance(node, ProcedureCall) and (offset or not isinstance(self.motion_at.get(key), Move | None)):
-                values = [one.value for one in node.args if one.value is not None]
-                trace = self.flow.trace(values, self.flow.places[key], True)
-                if offset and not any((one.name or "").lower() == "exep" for one in node.args):
-                    trace.keys[ROBOT] = None
-                out.append(trace)
-        return out
-
-    def _resting(self, dwells: Set[int], groups: Collection[Passes]) -> list[Passes]:
-        """The waits that run several times in whose place one line can stand: all of them follow the same passes.
-
-        dwells: the waits that a line can stand in for.
-        """
-        group_of = {i: number for number, group in enumerate(groups) for i in group}
-        found: dict[Span, list[tuple[int, int | None]]] = {}
-        before: int | None = None
-        for i, motion in enumerate(self.program.motions):
-            if isinstance(motion, Move):
-                before = group_of.get(i)
-            elif isinstance(motion, Wait) and i not in self.single:
-                found.setdefault(motion.written.statement, []).append((i, before if i in dwells else None))
-        return [
-            tuple(i for i, _ in waits)
-            for waits in found.values()
-            if waits[0][1] is not None and len({number for _, number in waits}) == 1
-        ]
-
-    def _unrolled(self) -> Changes:
-        covered = inside(self.flat)
-        out = {i for i in covered if isinstance(one := self.program.motions[i], Move) or _stands_alone(one)}
-        out |= self._places_to_dwell(self.own | covered) & self.single
-        out |= (self._literals() | self.own) & self.single
-        shared = _shared_literals(self.program)
-        staying = self._staying(self.own)
-        for i, motion in enumerate(self.program.motions):
-            literal = isinstance(motion, Move) and motion.written.aggregate is not None
-            if literal and i not in self.single | covered and motion.written.statement not in shared:
-                assert isinstance(motion, Move)
-                data = self.literal_data(motion)
-                moves = any(ROBOT in trace.keys or (data and trace.reads(*data)) for trace in staying)
-                if not self.needs_a_line(motion) and not moves:  # edited in place
-                    out.add(i)
-        free = frozenset(out)
-        gone = droppable(self.program, self.plant) & free
-        return Changes(free, (), gone, tuple(self._kept(free)), *self._detours(free, covered))
-
-    def _places_to_dwell(self, known: Set[int]) -> set[int]:
-        """Waits in whose place a line to where the tool is could stand. known: computed targets that can be written."""
-        behind = _moves_behind(self.program)
-        out, before = set(), -1
+    def _places_to_dwell(self) -> Iterator[tuple[int, int]]:
+        """Waits in whose place a line to where the tool is could stand, and the move before each."""
+        before = -1
         for i, motion in enumerate(self.program.motions):
             if isinstance(motion, Move):
                 before = i
             elif isinstance(motion, Wait) and _stands_alone(motion) and before >= 0:
-                compact = motion.condition is not None and motion.written.statement in self.scopes.compact
-                if not compact and self._fits_behind(motion, before, behind[i], known):
-                    out.add(i)
-        return out
+                move, own = self.program.motions[before], motion.written.statement
+                assert isinstance(move, Move)
+                compact = motion.condition is not None and self._compact(own)
+                stands = isinstance(move, PoseMove) or (isinstance(move, MoveAbsJ) and move.zone.stop)
+                if not compact and stands and self._fits_behind(own, move, self._moves_behind[i]):
+                    yield i, before
 
-    def _fits_behind(self, wait: Wait, before: int, behind: Move | None, known: Set[int]) -> bool:
-        move = self.program.motions[before]
-        assert isinstance(move, Move)
-        if behind is not None and behind.settings != move.settings:
+    def before(self, wait: int) -> Span | None:
+        """The statement of the move whose place a line in a wait's place says again."""
+        move = self.dwells.get(wait)
+        return None if move is None else self.program.motions[move].written.statement
+
+    def _fits_behind(self, wait: Span, move: Move, behind: Move | None) -> bool:
+        if move.written.target is None or (behind is not None and behind.settings != move.settings):
             return False  # they change somewhere between, and the line would be read under others
-        if isinstance(move, MoveAbsJ | MoveExtJ) and move.settings.displaced:
-            return False
-        if isinstance(move, PoseMove) and move.written.aggregate is None and before not in known:
-            return False
-        at, to = move.written.statement, wait.written.statement
+        at = move.written.statement
         call = read_move(move, self.text_of(at))
-        here, there = (at.file, at.start), (to.file, to.start)
-        words = (call.speed, call.tool, call.wobj)
-        return all(self.scopes.same(self.text_of(word), here, there) for word in words if word is not None)
+        if not self.scopes.same(self.text_of(call.speed), at, wait):
+            return False
+        words = (call.target if isinstance(move, PoseMove) else None, call.tool, call.wobj)
+        return all(self.scopes.repeats(self.text_of(word), at, wait) for word in words if word is not None)
 
-    def _detours(self, free: Set[int], alone: Set[int] = frozenset()) -> tuple[tuple[Passes, ...], dict[int, str]]:
+    # -------------------------------------------------------------------------------------------------------- detours
+
+    def _detours(self, free: Set[int]) -> tuple[tuple[Passes, ...], dict[int, str]]:
         """The joint moves before which the text can have points, in groups that must have the same, and why others
-        cannot. alone: those that can be written out, each for itself."""
+        cannot."""
         straight: dict[int, str] = {}
-        passes: dict[Span, list[int]] = defaultdict(list)
-        for i, motion in enumerate(self.program.motions):
-            if isinstance(motion, MoveJ | MoveAbsJ):
-                why = why_straight(motion) or self._why_no_point(motion, i in free)
-                straight |= {} if why is None else {i: why}
-                passes[motion.written.statement].append(i)
         groups: list[Passes] = []
-        for indices in passes.values():
-            together = tuple(i for i in indices if i not in alone)
-            refused = next((straight[i] for i in together if i in straight), None)
-            if refused is None and not _one_frame(self.program, together):
+        for indices in self.statements.values():
+            moves = {i: one for i in indices if isinstance(one := self.program.motions[i], MoveJ | MoveAbsJ)}
+            whys = {i: why_straight(one) or self._why_no_point(one, i in free) for i, one in moves.items()}
+            refused = next((why for why in whys.values() if why is not None), None)
+            if refused is None and not _one_frame(self.program, tuple(moves)):
                 refused = "its tool, work object or settings are not the same in all passes"
             if refused is not None:
-                straight |= {i: straight.get(i, refused) for i in together}
-            elif together:
-                groups.append(together)
-            groups += [(i,) for i in indices if i in alone and i not in straight]
+                straight |= {i: why or refused for i, why in whys.items()}
+            elif moves:
+                groups.append(tuple(moves))
         return tuple(sorted(groups)), dict(sorted(straight.items()))
 
     def _why_no_point(self, motion: MoveJ | MoveAbsJ, free: bool) -> str | None:
-        if motion.written.statement in self.scopes.compact:
+        if self._compact(motion.written.statement):
             return "it is part of an IF without THEN; IF ... THEN ... ENDIF would free it"
         if self.plant.rail_eax is not None and motion.extax[self.plant.rail_eax] is None and not free:
             return "it leaves the rail where it is (9E9), and its target cannot be changed"
         return None
 
-    def _kept(self, free: Set[int]) -> Iterator[str]:
+    # ---------------------------------------------------------------------------------------------------------- notes
+
+    def _kept(self, kept: Iterable[tuple[Passes, tuple[str, str]]]) -> Iterator[str]:
         """What users should know of the moves that are no free ones: where they are, why, what would free them.
 
         Moves of joints have nothing to change where there is no rail.
         """
         places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
-        for i, motion in enumerate(self.program.motions):
-            bound = isinstance(motion, MoveAbsJ | MoveExtJ) and self.plant.rail_eax is None
-            if not isinstance(motion, Move) or i in free or bound:
-                continue
-            lines = places.setdefault(self._why_kept(i, motion), {}).setdefault(motion.source.file, {})
-            lines[motion.source.line] = None
+        for group, told in kept:
+            for motion in [self.program.motions[i] for i in group]:
+                if not (isinstance(motion, MoveAbsJ | MoveExtJ) and self.plant.rail_eax is None):
+                    lines = places.setdefault(told, {}).setdefault(motion.source.file, {})
+                    lines[motion.source.line] = None
         for (why, remedy), files in places.items():
             yield f"{KEPT}: {_shown(files)} ({why}); {remedy}"
-
-    def _why_kept(self, index: int, move: Move) -> tuple[str, str]:
-        """Why a move stays as programmed, and what would free it."""
-        span = move.written.statement
-        thing, runs = self.scenario_of(index), self.runs[span]
-        if self.loops is Loops.KEEP and (thing is None or not self.depends_on_scenario(index)):
-            computed = move.written.aggregate is None
-            if computed and (variable := self.scopes.depends_on(move)) is not None:
-                remedy = "a declared target would free them, or --loops unroll, which writes this run's values out"
-                return f"depend on {variable}", remedy
-            if index in self._moving:
-                remedy = "declared targets of their own would free them, or --loops unroll"
-                return "cannot be edited without moving others", remedy
-            if runs > 1:
-                remedy = "one statement per pass would free them, or --loops unroll"
-                return f"run {runs} times with different values", remedy
-        often = f"run {runs} times" if runs > 1 else ""
-        if thing == "endless_passes" or (runs > 1 and thing is None):
-            why = f"{often} with different values" if often else "change from pass to pass"
-            return why, "one statement per pass would free them"
-        if thing is not None:
-            both = " and ".join(part for part in (often, f"depend on {thing}") if part)
-            return both, "one statement with a declared target per pass would free them"
-        if span in self.scopes.compact:
-            return "are part of an IF without THEN", "IF ... THEN ... ENDIF would free them"
-        return "cannot be edited without moving others", "declared targets of their own would free them"
 
 
 def confdata_counts(move: PoseMove) -> bool:
     r"""Whether the controller looks at a move's confdata (ConfJ, ConfL \On)."""
     return move.settings.conf_j if isinstance(move, MoveJ) else move.settings.conf_l
+
+
+def one_place(program: Program, group: Sequence[int]) -> bool:
+    """Whether all executions bring the flange to one place."""
+    poses = [one for i in group if isinstance(one := program.motions[i], PoseMove)]
+    return all(np.abs(_flange(one) - _flange(poses[0])).max() <= _SAME for one in poses[1:])
+
+
+def _flange(motion: PoseMove) -> Array:
+    return motion.X_WT @ inverse_pose(motion.tool.X_FT)
 
 
 def _stands_alone(motion: Motion) -> bool:
@@ -356,38 +334,6 @@ def _moves_behind(program: Program) -> Sequence[Move | None]:
         behind.append(following)
         following = motion if isinstance(motion, Move) else following
     return behind[::-1]
-
-
-def _shared_literals(program: Program) -> set[Span]:
-    """Statements that run several times and meet one literal more than once, among themselves or with another such."""
-    runs = Counter(motion.written.statement for motion in program.motions)
-    several = [
-        m for m in program.motions if isinstance(m, Move) and runs[m.written.statement] > 1 and m.written.aggregate
-    ]
-    met = Counter(motion.written.aggregate for motion in several)
-    return {motion.written.statement for motion in several if met[motion.written.aggregate] > 1}
-
-
-def _one_place(program: Program, group: Sequence[int]) -> bool:
-    """Whether all passes bring the flange to one place, with the same offset of the external axes."""
-    first, *others = (program.motions[i] for i in group)
-    assert isinstance(first, Move)
-    for motion in others:
-        assert isinstance(motion, Move)
-        if type(motion) is not type(first) and not (isinstance(motion, PoseMove) and isinstance(first, PoseMove)):
-            return False
-        if motion.settings.eax_offset != first.settings.eax_offset or motion.extax != first.extax:
-            return False
-        poses = [one for one in (motion, first) if isinstance(one, PoseMove)]
-        if len({one.conf for one in poses}) > 1:
-            return False
-        if poses and np.abs(_flange(poses[0]) - _flange(poses[-1])).max() > _SAME:
-            return False
-    return True
-
-
-def _flange(motion: PoseMove) -> Array:
-    return motion.X_WT @ inverse_pose(motion.tool.X_FT)
 
 
 def _one_frame(program: Program, passes: Passes) -> bool:

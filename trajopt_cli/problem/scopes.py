@@ -1,22 +1,28 @@
-"""What names of a program stand for at a place of its text, and where new declarations may go."""
+"""What names of a program stand for at a place of its text, where statements stand, and where declarations may go."""
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 
-from trajopt_cli.motion import Move, Span, TextFile
+from trajopt_cli.motion import Span, TextFile
+from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import (
+    Aggregate,
     AliasDeclaration,
     Assign,
+    Block,
     Call,
     Component,
     DataDeclaration,
     Element,
+    Expression,
     For,
     If,
     LateCall,
@@ -27,20 +33,39 @@ from trajopt_cli.rapid.language.syntax import (
     RecordDeclaration,
     Routine,
     String,
+    Test,
+    While,
 )
 
 # What a name stands for: something of the routine or of the module that begins at that offset of that file, or None
 # for what all modules share (predefined names and signals included).
 Owner = tuple[str, int] | None
-_POSITIONS = ("robtarget", "jointtarget", "pose", "pos", "orient")
+_MOVES = re.compile(r"(Move|Trigg)\w*|(Arc|Disp|Paint|Cap)[LC]\w*|Spot(ML|[JL])\w*", re.IGNORECASE)
+# The functions that an export writes: a target with the rail or the configuration elsewhere.
+_WRAPPERS = re.compile(
+    r"FUNC (robtarget|jointtarget) (?P<name>\w+)\(\1 p,(num rail(\\confdata conf)?|confdata conf)\) "
+    r"(p\.extax\.eax_[a-f]:=rail; )?((IF Present\(conf\) )?p\.robconf:=conf; )?RETURN p; ENDFUNC"
+)
+_PURE = frozenset(("offs", "reltool", "abs", "sqrt", "sin", "cos", "round", "trunc"))
+_SHIFTS = ("offs", "reltool")  # their target has the external axes and the configuration of the one they are given
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where a statement stands: its routine, the FOR loops around it there, the outermost first, and its block.
+    compact: it is part of an IF without THEN."""
+
+    routine: Routine
+    loops: tuple[For, ...]
+    block: Block
+    compact: bool
 
 
 @dataclass(eq=False)
 class _Module:
     node: Module
     own: set[str] = field(default_factory=set)  # LOCAL names
-    data: dict[str, Span] = field(default_factory=dict)  # where each is declared
-    declared: dict[str, DataDeclaration] = field(default_factory=dict)
+    data: dict[str, DataDeclaration] = field(default_factory=dict)
     routines: list[Routine] = field(default_factory=list)
     locals: dict[int, set[str]] = field(default_factory=dict)  # by start of the routine
 
@@ -49,11 +74,12 @@ class Scopes:
     """The parsed files of a program."""
 
     def __init__(self, files: Mapping[str, TextFile]):
-        self._files = files
+        self.files = files
         self._modules: dict[str, list[_Module]] = {}
         self._paths: dict[int, str] = {}  # of routines
-        self.compact: set[Span] = set()
+        self.places: dict[tuple[str, int], Place] = {}  # of statements, by file and offset
         self.procedures: dict[str, list[Routine]] = {}
+        self.wrappers: dict[str, str] = {}  # texts of functions that an export has written, by name in lower case
         for path, file in files.items():
             self._modules[path] = [self._read(path, node) for node in parse_module(file.text, path).modules]
 
@@ -64,44 +90,49 @@ class Scopes:
                 module.routines.append(item)
                 self.procedures.setdefault(item.name.lower(), []).append(item)
                 self._paths[id(item)] = path
-                for inner in nodes(item.body):
-                    if isinstance(inner, If) and inner.compact:
-                        body = inner.branches[0][1][0]
-                        self.compact.add(Span(path, body.start, body.end))
+                if item.kind == "FUNC":
+                    text = " ".join(self.files[path].text[item.start : item.end].split()).removeprefix("LOCAL ")
+                    if _WRAPPERS.fullmatch(text):
+                        self.wrappers[item.name.lower()] = text
+                for block in (item.body, *(handler.body for handler in item.handlers)):
+                    self._place(path, item, block, ())
             if isinstance(item, DataDeclaration):
-                module.data.setdefault(item.name.lower(), Span(path, item.start, item.end))
-                module.declared.setdefault(item.name.lower(), item)
+                module.data.setdefault(item.name.lower(), item)
             if getattr(item, "scope", None) == "LOCAL":
                 module.own.add(getattr(item, "name", "").lower())
         return module
 
-    def routines(self) -> Iterator[tuple[str, Routine]]:
-        """Every routine with its file."""
-        for path, several in self._modules.items():
-            yield from ((path, routine) for module in several for routine in module.routines)
+    def _place(self, path: str, routine: Routine, block: Block, loops: tuple[For, ...], compact: bool = False) -> None:
+        for node in block:
+            self.places[path, node.start] = Place(routine, loops, block, compact)
+            match node:
+                case If():
+                    for _, inner in (*node.branches, (None, node.otherwise)):
+                        self._place(path, routine, inner, loops, node.compact)
+                case For():
+                    self._place(path, routine, node.body, (*loops, node))
+                case While():
+                    self._place(path, routine, node.body, loops)
+                case Test():
+                    for inner in (*(inner for _, inner in node.cases), node.default or ()):
+                        self._place(path, routine, inner, loops)
 
-    def reached(self, entry: str) -> Iterator[tuple[str, Routine]]:
-        """The routines that run from an entry on, as far as the text tells, and all TRAPs, with their files."""
-        stack = [routine for _, routine in self.routines() if routine.kind == "TRAP"]
-        stack += self.procedures.get(entry.lower(), ())
-        seen: set[int] = set()
-        while stack:
-            routine = stack.pop()
-            if id(routine) in seen:
-                continue
-            seen.add(id(routine))
-            for name in called_names((routine.body, routine.handlers)):
-                stack += [one for _, one in self.routines()] if name is None else self.procedures.get(name, ())
-        return ((path, routine) for path, routine in self.routines() if id(routine) in seen)
+    def place(self, span: Span) -> Place | None:
+        """Where a statement stands; None for a call in an expression."""
+        return self.places.get((span.file, span.start))
 
-    def module_data(self) -> Iterator[tuple[str, DataDeclaration]]:
-        """Every declaration of a module's data with its file."""
-        for path, several in self._modules.items():
-            yield from ((path, data) for module in several for data in module.declared.values())
+    def text(self, span: Span) -> str:
+        """The text between two places of a file."""
+        return self.files[span.file].text[span.start : span.end]
 
     def path_of(self, routine: Routine) -> str:
         """The file that a routine stands in."""
         return self._paths[id(routine)]
+
+    def module(self, path: str, offset: int) -> Module | None:
+        """The module around an offset."""
+        found = self._module(path, offset)
+        return None if found is None else found.node
 
     def _module(self, path: str, offset: int) -> _Module | None:
         modules = self._modules[path]
@@ -128,20 +159,19 @@ class Scopes:
                 return path, routine.start
         return (path, module.node.start) if key in module.own else None
 
-    def shared(self, text: str, path: str, offset: int) -> str | None:
-        """The first name in a piece of code that another module would not see as the code at this place does."""
-        return next((name for name in names_in(text) if self.owner(name, path, offset) is not None), None)
-
-    def same(self, text: str, one: tuple[str, int], other: tuple[str, int]) -> bool:
+    def same(self, text: str, one: Span, other: Span) -> bool:
         """Whether the names in a piece of code stand for the same at two places."""
-        return all(self.owner(name, *one) == self.owner(name, *other) for name in names_in(text))
+        return all(
+            self.owner(name, one.file, one.start) == self.owner(name, other.file, other.start)
+            for name in names_in(text)
+        )
 
     def head(self, path: str, offset: int) -> tuple[int, bool]:
         """Where a declaration for the whole module may be put, and whether that is the end of a line's code.
 
         Behind the module's line, or behind its RECORDs and ALIASes, which RAPID wants first.
         """
-        text, module = self._files[path].text, self._module(path, offset)
+        text, module = self.files[path].text, self._module(path, offset)
         if module is None or not module.node.name:
             return 0, False
         first = [item for item in module.node.items if isinstance(item, RecordDeclaration | AliasDeclaration)]
@@ -153,99 +183,121 @@ class Scopes:
             last = tokens.kinds.index(")", 2)
         return module.node.start + tokens.starts[last] + len(tokens.texts[last]), True
 
-    def declaration(self, name: str, path: str, offset: int) -> Span | None:
-        """The declaration of a module's data that a name stands for at a place, if it is in the same module."""
-        module, routine, key = self._module(path, offset), self.routine(path, offset), name.lower()
-        if module is None or (routine is not None and self.owner(name, path, offset) == (path, routine.start)):
+    def declared(self, name: str, path: str, offset: int) -> tuple[str, DataDeclaration] | None:
+        """The file and the declaration of the data that a name stands for at a place; None where it is none, as a
+        parameter, or several modules declare it."""
+        owner, key = self.owner(name, path, offset), name.lower()
+        module, routine = self._module(path, offset), self.routine(path, offset)
+        if module is not None and owner == (path, module.node.start):
+            return (path, module.data[key]) if key in module.data else None
+        if routine is not None and owner == (path, routine.start):
+            own = [node for node in nodes(routine.body) if isinstance(node, DataDeclaration | For)]
+            found = [node for node in own if node.name.lower() == key]
+            one = found[0] if len(found) == 1 else None
+            return (path, one) if isinstance(one, DataDeclaration) else None
+        every = self._shared.get(key, ())
+        return every[0] if len(every) == 1 else None
+
+    @cached_property
+    def _shared(self) -> Mapping[str, list[tuple[str, DataDeclaration]]]:
+        """The data that all modules see."""
+        found: dict[str, list[tuple[str, DataDeclaration]]] = defaultdict(list)
+        for path, several in self._modules.items():
+            for module in several:
+                for key, data in module.data.items():
+                    if key not in module.own:
+                        found[key].append((path, data))
+        return found
+
+    # ------------------------------------------------------------------------------------------------------- targets
+
+    def base(self, target: Expression) -> Name | Aggregate | None:
+        """What gives a target its external axes and configuration: a name or a literal; None for another function's
+        result, a parameter's element or the like."""
+        while isinstance(target, Call) and target.name.lower() in {*_SHIFTS} - self.procedures.keys():
+            first = next((one.value for one in target.args if one.name is None), None)
+            if first is None:
+                return None
+            target = first
+        return target if isinstance(target, Name | Aggregate) else None
+
+    @cached_property
+    def _others(self) -> set[tuple[str, int]]:
+        """The declarations, by file and offset, of data that serve anything else than targets of moves."""
+        targets: set[int] = set()
+        found: set[tuple[str, int]] = set()
+        for path, several in self._modules.items():
+            for node in (one for module in several for one in nodes(module.node.items)):
+                if isinstance(node, ProcedureCall) and _MOVES.fullmatch(node.name):
+                    given = [one.value for one in node.args if one.name is None and one.value is not None][:2]
+                    targets |= {id(self.base(one)) for one in given}
+                elif isinstance(node, Name | String) and id(node) not in targets:
+                    # a text may be what SetDataVal asks for
+                    name = node.name if isinstance(node, Name) else node.value
+                    if (data := self.declared(name, path, node.start)) is not None:
+                        found.add((data[0], data[1].start))
+        return found
+
+    def serves_moves(self, name: Name, path: str) -> Span | None:
+        """The literal in the declaration of a name that nothing but moves refer to, as target or as what Offs and
+        RelTool shift; None where it is none."""
+        data = self.declared(name.name, path, name.start)
+        if data is None or data[1].sizes or not isinstance(data[1].value, Aggregate):
             return None
-        return module.data.get(key)
+        if data[1].type.lower() not in ("robtarget", "jointtarget") or (data[0], data[1].start) in self._others:
+            return None
+        return Span(data[0], data[1].value.start, data[1].value.end)
 
-    def depends_on(self, move: Move) -> str | None:
-        """The variable that a move's target depends on, None for none."""
-        at = move.written.target
-        return None if at is None else self.variable(move.target, at.file, at.start)
+    # ----------------------------------------------------------------------------------------------------- variables
 
-    def variable(self, text: str, path: str, offset: int) -> str | None:
-        """The first name in a piece of code that may have another value at another time; None where none has.
+    def repeats(self, text: str, place: Span, later: Span) -> bool:
+        """Whether an expression at a place means the same at a later statement that runs behind it: it names what
+        nothing changes, or both stand in one block, and nothing between them changes data."""
+        if not self.same(text, place, later):
+            return False
+        names = [name.lower() for name in names_in(text)]
+        calls = {name for name in names if name in _PURE and name not in self.procedures}
+        if all(name in calls or self._steady(name, place) for name in names):
+            return True
+        here, there = self.place(place), self.place(later)
+        if here is None or there is None or here.block is not there.block:
+            return False
+        between = [node for node in here.block if place.start < node.start < later.start]
+        mentioned = {node.name.lower() for one in between for node in nodes(one) if isinstance(node, Name)}
+        quiet = all(isinstance(one, ProcedureCall) and one.name.lower() not in self.procedures for one in between)
+        known = all(name in calls or self._is_data(name, place) for name in names)
+        return quiet and known and not mentioned & set(names)
 
-        Parameters, counters of loops, VAR and PERS; not positions that no statement changes: those are taught.
-        """
-        return self._variable(names_in(text), path, offset, set())
+    def _is_data(self, name: str, place: Span) -> bool:
+        return name not in self.procedures and (name in predefined() or self.owner(name, place.file, place.start)
+                                                is not None or name in self._shared)  # fmt: skip
 
-    def _variable(self, names: Iterable[str], path: str, offset: int, seen: set[str]) -> str | None:
-        routine = self.routine(path, offset)
-        for name in names:
-            key = name.lower()
-            if routine is not None and self.owner(name, path, offset) == (path, routine.start):
-                inside = (node for node in nodes(routine.body) if isinstance(node, DataDeclaration))
-                local = next((node for node in inside if node.name.lower() == key), None)
-                if local is None or local.storage != "CONST":
-                    return name
-            elif (data := self._declared(key, path, offset)) is not None:
-                taught = data.type.lower() in _POSITIONS and key not in self._changed
-                if data.storage != "CONST" and not taught:
-                    return name
-            elif key not in seen:
-                seen.add(key)
-                found = (self._variable_inside(routine, seen) for routine in self.procedures.get(key, ()))
-                if (inner := next((one for one in found if one is not None), None)) is not None:
-                    return inner
-        return None
-
-    def _variable_inside(self, routine: Routine, seen: set[str]) -> str | None:
-        """As _variable, for what a function reads besides its own names."""
-        path, own = self._paths[id(routine)], _names_of(routine)
-        names = (node.name for node in nodes(routine.body) if isinstance(node, Name | Call))
-        return self._variable((name for name in names if name.lower() not in own), path, routine.start, seen)
-
-    def _declared(self, key: str, path: str, offset: int) -> DataDeclaration | None:
-        """The declaration of a module's data that a name stands for at a place, in whichever module."""
-        module = self._module(path, offset)
-        if module is not None and key in module.declared:
-            return module.declared[key]
-        every = (one for several in self._modules.values() for one in several)
-        return next((one.declared[key] for one in every if key in one.declared and key not in one.own), None)
+    def _steady(self, name: str, place: Span) -> bool:
+        """Whether a name is data that no statement changes."""
+        data = self.declared(name, place.file, place.start)
+        if data is None:
+            return name in predefined() and self.owner(name, place.file, place.start) is None
+        return data[1].storage == "CONST" or name not in self._changed
 
     @cached_property
     def _changed(self) -> set[str]:
-        """The names that some statement assigns, or hands to a routine or a search that may."""
+        """The names that some statement assigns, or gives to something that may."""
         out = set()
-        for several in self._modules.values():
-            for node in (node for module in several for node in nodes(module.node.items)):
-                given: list[object] = []
-                if isinstance(node, Assign):
-                    given = [node.target]
-                elif isinstance(node, ProcedureCall | Call) and not node.name.lower().startswith("move"):
-                    given = [argument.value for argument in node.args if not isinstance(argument.value, Call)]
-                    given = given if self._may_change(node.name) else []
-                for thing in given:
-                    while isinstance(thing, Component | Element):
-                        thing = thing.base
-                    if isinstance(thing, Name):
-                        out.add(thing.name.lower())
+        for node in (
+            one for several in self._modules.values() for module in several for one in nodes(module.node.items)
+        ):
+            given: list[object] = []
+            if isinstance(node, Assign):
+                given = [node.target]
+            elif isinstance(node, ProcedureCall | Call | LateCall):
+                moves = isinstance(node, ProcedureCall) and _MOVES.fullmatch(node.name)
+                given = [] if moves else [argument.value for argument in node.args]
+            for thing in given:
+                while isinstance(thing, Component | Element):
+                    thing = thing.base
+                if isinstance(thing, Name):
+                    out.add(thing.name.lower())
         return out
-
-    def _may_change(self, routine: str) -> bool:
-        """Whether a routine may change what it is given by name: a search, or one of the program that says so."""
-        called = self.procedures.get(routine.lower(), ())
-        modes = (parameter.mode for one in called for parameter in one.parameters)
-        return routine.lower().startswith("search") or any(mode is not None for mode in modes)
-
-    def instructions(self, span: Span) -> Iterator[Node]:
-        """All nodes in a stretch of statements and in the procedures and functions that they call."""
-        routine = self.routine(span.file, span.start)
-        seen: set[int] = set()
-        bodies: list[Iterable[Node]] = []
-        if routine is not None:
-            bodies.append(node for node in nodes(routine.body) if span.start <= node.start and node.end <= span.end)
-        while bodies:
-            for node in bodies.pop():
-                yield node
-                if isinstance(node, ProcedureCall | Call):
-                    for called in self.procedures.get(node.name.lower(), ()):
-                        if id(called) not in seen:
-                            seen.add(id(called))
-                            bodies.append(nodes(called.body))
 
 
 def names_in(text: str) -> Iterator[str]:
@@ -268,17 +320,10 @@ def nodes(thing: object) -> Iterator[Node]:
             stack += reversed(top)
         elif isinstance(top, Node):
             yield top
-            if is_dataclass(top):
+            if not isinstance(top, Aggregate):
                 stack += [getattr(top, part.name) for part in reversed(fields(top))]
-
-
-def called_names(thing: object) -> Iterator[str | None]:
-    """What a node or a block calls, in lower case; None: it may be anything."""
-    for one in nodes(thing):
-        if isinstance(one, ProcedureCall | Call):
-            yield one.name.lower()
-        elif isinstance(one, LateCall):
-            yield one.name.value.rsplit(":", 1)[-1].lower() if isinstance(one.name, String) else None
+            elif top.numbers is None:
+                stack += reversed(top.items)
 
 
 def _names_of(routine: Routine) -> set[str]:

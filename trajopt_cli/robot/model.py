@@ -27,7 +27,7 @@ from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.enclosure import Enclosure, enclose
 from trajopt_cli.robot.layout import AxisLayout
-from trajopt_cli.robot.structure import Structure
+from trajopt_cli.robot.structure import NO_CONFDATA, Structure
 from trajopt_cli.robot.turns import ON_LIMIT
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.shapes import Capsule
@@ -160,6 +160,11 @@ class RobotModel:
     def confdata(self, arm: Array) -> ConfData:
         """RAPID confdata of joints (6,)."""
         return closed_form.confdata(self, arm)
+
+    def confdata_rows(self, arm: Array) -> Array:
+        """RAPID confdata of joints (n, 6) as numbers (n, 4); (n, 0) for a robot without a rule for it."""
+        rows = closed_form.confdata_numbers(self, arm)
+        return np.asarray(rows[:, :0] if self.confdata_rule == NO_CONFDATA else rows, dtype=np.float64)
 
     def branch_of(self, arm: Array) -> int:
         """The number of the branch that joints (6,) are on."""

@@ -90,6 +90,9 @@ class Robot(Protocol):
         flange on its way through the pose, world axes."""
 
     # ---- configurations as RAPID names them
+    def confdata_rows(self, arm: Array) -> Array:
+        """RAPID confdata of joints (n, 6) as numbers (n, 4); (n, 0) for a robot without a rule for it."""
+
     def confdata(self, arm: Array) -> ConfData:
         """Of joints (m,)."""
 

@@ -178,7 +178,8 @@ class CallFrame:
     caller wrote them, with the frame they stand in. handling: the error that its ERROR handler is busy with. retried:
     the statement that was last tried again, how often it had run then, and how many times it was tried again in a row.
     motions: how many there were when the routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so
-    far; motions before the present one and passes that counted.
+    far; motions before the present one and passes that counted. counters: the values of the FOR loops that run, the
+    outermost first.
     """
 
     scope: ModuleScope
@@ -192,6 +193,7 @@ class CallFrame:
     motions: int = 0
     passes: dict[int, int] = field(default_factory=dict)
     turns: dict[int, tuple[int, int]] = field(default_factory=dict)
+    counters: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Optional
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
@@ -24,9 +24,18 @@ from trajopt_cli.rapid.data.scope import Absent, CallFrame, Datum, Head, ModuleS
 from trajopt_cli.rapid.execution.external import External
 from trajopt_cli.rapid.execution.passes import Cycle, Passes
 from trajopt_cli.rapid.execution.position import Position
-from trajopt_cli.rapid.execution.single_runs import Link
 from trajopt_cli.rapid.execution.units import Units
-from trajopt_cli.rapid.language.syntax import Block, Call, Component, Element, Expression, Name, Node, Routine
+from trajopt_cli.rapid.language.syntax import (
+    Block,
+    Call,
+    Component,
+    Element,
+    Expression,
+    Name,
+    Node,
+    Routine,
+    Statement,
+)
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Missing, Scenario, yaml_answer
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -35,6 +44,8 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.rail_at import RailPlaces
 
 MOTION_LIMIT = 300_000
+# A statement that runs, those around it up to the entry procedure (None there), and the file it stands in.
+Link = tuple[Statement, Optional["Link"], str]
 _PERS = ("tool0", "wobj0", "load0")  # predefined, and PERS on a controller: they may be given to PERS parameters
 _OUTPUTS = frozenset({"signaldo", "signalgo", "signalao"})
 _SHOWN = 40  # characters of an expression in a message

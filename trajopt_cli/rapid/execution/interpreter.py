@@ -20,7 +20,6 @@ from trajopt_cli.rapid.execution.endless import cycle_of
 from trajopt_cli.rapid.execution.instructions.settings import publish
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.recursion_limit import room
-from trajopt_cli.rapid.execution.single_runs import fill_once
 from trajopt_cli.rapid.language.syntax import Expression, Node, Routine
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.warnings import WarningKind
@@ -68,8 +67,6 @@ class Execution(Context):
                 self.warn(WarningKind.UNUSED, sentence)
         if self.cycle is not None:
             del self.motions[self.cycle.last :], self.links[self.cycle.last :]
-        begin = self.cycle.first if self.cycle else 0
-        fill_once(self.motions[begin:], self.links[begin:], self.counts)
 
     def store(self, place: Place, target: Expression, value: Value) -> None:
         """As assign, for data that is located already; target is where errors are placed."""

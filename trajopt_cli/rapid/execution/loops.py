@@ -55,16 +55,18 @@ def run_for(run: Context, node: For) -> None:
         what = f"FOR {node.name} counts in decimals: rounding may decide whether its last pass runs; use whole numbers"
         run.warn(WarningKind.UNUSUAL, what, run.source(node))
     local, key = run.frame.local, node.name.lower()
-    hidden = local.get(key)
+    hidden, outer = local.get(key), run.frame.counters
     passes, value = 0, first
     try:
         while value <= last if step > 0 else value >= last:
             passes += 1
             count_pass(run, node, passes)
             local[key] = Datum(type_, Value(type_, value), "a loop variable", "CONST")
+            run.frame.counters = (*outer, value)
             run.block(node.body)
             value = single(value + step) if type_ is NUM else value + step
     finally:
+        run.frame.counters = outer
         if hidden is None:
             local.pop(key, None)
         else:

@@ -10,8 +10,7 @@ from pathlib import PurePath
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import PathMove, Source, Span
-from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.single_runs import Link
+from trajopt_cli.rapid.execution.context import Context, Link
 from trajopt_cli.rapid.language.syntax import DataDeclaration, Module, Name, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
@@ -152,7 +151,7 @@ def fill_constant_speed(run: Context, modules: Modules) -> None:
     for motion, link in zip(run.motions, run.links, strict=True):
         if isinstance(motion, PathMove) and (found := around(link)):
             used |= found
-            object.__setattr__(motion, "constant_speed", True)  # still the run's own, as in problem/single_runs.py
+            object.__setattr__(motion, "constant_speed", True)  # still the run's own
     for number, entry in enumerate(entries):
         if number not in used:
             run.warn(WarningKind.UNUSED, f"constant_speed in the cell file: no line and no arc ran in {entry.text}")

@@ -43,7 +43,7 @@ def fill_holds(run: Context, modules: Modules) -> None:
         if hold is None and isinstance(motion, Wait) and motion.hold is None and index not in freed:
             hold = _of_wait(wish, id(motion) in after, run.scenario.rail is not None)
         if hold is not None:
-            object.__setattr__(motion, "hold", hold)  # still the run's own, as in problem/single_runs.py
+            object.__setattr__(motion, "hold", hold)  # still the run's own
     for first, end in run.units.rail_inactive:
         for motion in run.motions[first:end]:
             if not isinstance(motion, SignalEvent):

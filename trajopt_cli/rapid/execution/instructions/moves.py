@@ -310,7 +310,7 @@ def written(run: Context, node: ProcedureCall, point: Expression, speed: Express
             "speed": _span((file, speed.start, speed.end)),
             "aggregate": _span((origin.file, origin.literal.start, origin.literal.end)) if origin else None,
             "declaration": origin.declaration if origin else None,
-            "once": None,
+            "counters": run.frame.counters,
         },
     )
 

@@ -47,7 +47,7 @@ def record(
     if in_position:
         run.concurrent = 0
     span = run.places().span(node.start, node.end)
-    written = Written(statement=span, target=span if isinstance(node, Call) else None)
+    written = Written(statement=span, target=span if isinstance(node, Call) else None, counters=run.frame.counters)
     made = Wait(
         source=run.source(node),
         written=written,
