@@ -10,8 +10,8 @@ from trajopt_cli.page.cell import SCRIPTS_OF_CELL, cell_data, chart_sections, mo
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
-from trajopt_cli.page.optimized import Provenance, tile
-from trajopt_cli.page.tables import facts, table
+from trajopt_cli.page.optimized import Provenance
+from trajopt_cli.page.tables import Tile, facts, head, table
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, waterfall
 from trajopt_cli.problem.plant import Plant
@@ -54,8 +54,8 @@ def compared_page(
         Section("trust", "Assumptions", sure, f"Estimated, unchecked and assumed. {GRADES}"),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
-    head = _head(title, plant, beside)
-    return document(f"{title}, compared · trajopt", head, sections, data, SCRIPTS_OF_CELL if shown else ())
+    top = _head(title, plant, beside)
+    return document(f"{title}, compared · trajopt", top, sections, data, SCRIPTS_OF_CELL if shown else ())
 
 
 _LEAD = (
@@ -69,14 +69,11 @@ def _head(title: str, plant: Plant, beside: Sequence[tuple[Record, Shown]]) -> s
     for kind, (row, one) in zip(("before", "after"), beside, strict=False):
         saved = percent(row["saving"])
         said = row["title"] if saved in ("", "0.0 %") else f"{signed(-100 * row['saving'], 1)} %, {row['title']}"
-        tiles.append(tile(kind, one.name, f"{seconds(one.plan.duration)} s", said))
+        tiles.append(Tile(one.name, f"{seconds(one.plan.duration)} s", said, kind))
     if beside and (bound := beside[-1][0]["lower_bound_s"]) is not None:
         said = f"no legal motion for the {beside[-1][0]['target']} target is faster"
-        tiles.append(tile("bound", "lower bound", f"{seconds(bound)} s", said))
-    return (
-        f'<h1>{text(title)}</h1><p class="sub">{text(plant.robot.name)} · compare baseline</p>'
-        f'<dl class="tiles">{"".join(tiles)}</dl>'
-    )
+        tiles.append(Tile("lower bound", f"{seconds(bound)} s", said, "bound"))
+    return head(title, f"{plant.robot.name} · compare baseline", tiles, plant.unchecked)
 
 
 def _rows(rows: Sequence[Record]) -> str:

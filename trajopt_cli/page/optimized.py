@@ -11,7 +11,7 @@ from trajopt_cli.page.changes import changes_section
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
-from trajopt_cli.page.tables import facts, points
+from trajopt_cli.page.tables import Tile, facts, head, points
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
 from trajopt_cli.problem.constant_speed import Stretch
@@ -81,32 +81,29 @@ def optimized_page(
         ),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
-    head = _head(title, plant, told, target)
-    return document(f"{title} · trajopt", head, sections, data, SCRIPTS_OF_CELL)
+    top = _head(title, plant, told, target)
+    return document(f"{title} · trajopt", top, sections, data, SCRIPTS_OF_CELL)
 
 
 def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     before = told.as_written
     if before.why_not is None:
-        tiles = [tile("before", WRITTEN, f"{seconds(before.cycle_time_s)} s", "the program under the same limits")]
+        tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", "the program under the same limits", "before")]
     else:
         why = before.why_not if before.why_not == NOT_TIMED else f"cannot be driven: {before.why_not}"
-        tiles = [tile("before", WRITTEN, "–", why)]
+        tiles = [Tile(WRITTEN, "–", why, "before")]
     for one, kind in zip(target.first, ("after", "other"), strict=True):
         plan, said = told.plans.of(one), [told.change(one)]
         if plan.gap is not None:
             said.append(f"lower bound {seconds(plan.lower_bound_s)} s, gap {100 * plan.gap:.1f} %")
         if plan.suspicious is not None:
             said.append(f"suspicious: {plan.suspicious}")
-        tiles.append(tile(kind, _NAMES[one], f"{seconds(plan.cycle_time_s)} s", "; ".join(filter(None, said))))
+        tiles.append(Tile(_NAMES[one], f"{seconds(plan.cycle_time_s)} s", "; ".join(filter(None, said)), kind))
     word, *unchecked = told.verdict.split("; ")
     kind = "good" if word == "legal" else "bad"
     counts = " and ".join(str(len(told.plans.of(one).judge.findings)) for one in target.first)
-    doubt = "".join(f' · <strong class="bad">{text(one)}</strong>' for one in unchecked)
-    return (
-        f'<h1>{text(title)}</h1><p class="sub">{text(plant.robot.name)} · both plans <span class="verdict {kind}">'
-        f'{text(word)}</span>, {counts} checks{doubt}</p><dl class="tiles">{"".join(tiles)}</dl>'
-    )
+    about = f'{text(plant.robot.name)} · both plans <span class="verdict {kind}">{text(word)}</span>, {counts} checks'
+    return head(title, about, tiles, unchecked, html=True)
 
 
 def _saving(told: Summary, target: Target) -> list[Section]:
@@ -130,11 +127,3 @@ def _saving(told: Summary, target: Target) -> list[Section]:
     bound = "" if least is None else f" The dashed line is the lower bound, {seconds(least)} s."
     lead = f"{share}, by motion.{bound} trajopt compare baseline tells it by cause."
     return [Section("saving", "Saving", drawn, lead)]
-
-
-def tile(kind: str, name: str, big: str, small: str) -> str:
-    """A number above all sections. kind: "before", "after", "bound" or none of them."""
-    return (
-        f'<div class="tile {kind}"><dt>{text(name)}</dt><dd class="big">{text(big)}</dd>'
-        f'<dd class="small">{text(small)}</dd></div>'
-    )

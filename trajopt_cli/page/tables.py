@@ -3,9 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from trajopt_cli.page.encode import text
 from trajopt_cli.table import Bad, Good, TextTable
+
+
+@dataclass(frozen=True)
+class Tile:
+    """One number of a page's head. kind: "before", "after", "bound" or "" for its colour."""
+
+    name: str
+    big: str
+    small: str
+    kind: str = ""
+
+
+def head(title: str, about: str, tiles: Iterable[Tile], doubts: Iterable[str] = (), html: bool = False) -> str:
+    """Title, a line about it with what was not checked, and the numbers that matter. html: about is HTML."""
+    made = "".join(
+        f'<div class="tile {one.kind}"><dt>{text(one.name)}</dt><dd class="big">{text(one.big)}</dd>'
+        f'<dd class="small">{text(one.small)}</dd></div>'
+        for one in tiles
+    )
+    open_ = "".join(f' · <strong class="bad">{text(one)}</strong>' for one in doubts)
+    line = about if html else text(about)
+    return f'<h1>{text(title)}</h1><p class="sub">{line}{open_}</p><dl class="tiles">{made}</dl>'
 
 
 def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], html: bool = False) -> str:

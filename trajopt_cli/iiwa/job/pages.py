@@ -13,12 +13,12 @@ from trajopt_cli.iiwa.controller.lag import deviation, turn_deviation
 from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.job.texts import feeds_table, law_table, lead_text, link_lines, motor_lines, where_line
-from trajopt_cli.iiwa.report.page import AFTER, AXES, BEFORE, Chart, Curve, Tile, TimelineEntry, legs_table, run_page
+from trajopt_cli.iiwa.report.page import AFTER, AXES, BEFORE, Chart, Curve, TimelineEntry, legs_table, run_page
 from trajopt_cli.iiwa.task.joint_rows import joints_along
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.scene import robot_scene
-from trajopt_cli.page.tables import drawn, points
+from trajopt_cli.page.tables import Tile, drawn, points
 from trajopt_cli.robot.srs_inverse import arm_angle, configuration
 from trajopt_cli.scene import Cycle, ScenePoint
 from trajopt_cli.shapes import Capsule

@@ -14,7 +14,7 @@ from trajopt_cli.iiwa.report.thinning import thinned
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import block, text
 from trajopt_cli.page.scene import HOLDER, SCRIPTS
-from trajopt_cli.page.tables import chart, points
+from trajopt_cli.page.tables import Tile, chart, head, points
 
 BEFORE, AFTER = "before", "after"
 AXES = ("a", "b", "c")
@@ -48,16 +48,6 @@ class Chart:
 
 
 @dataclass(frozen=True)
-class Tile:
-    """One number of the page's head. kind: "before", "after", "bound" or "" for its colour."""
-
-    name: str
-    big: str
-    small: str
-    kind: str = ""
-
-
-@dataclass(frozen=True)
 class TimelineEntry:
     """A part of the run: what it is, from when to when [s], and further cells."""
 
@@ -84,7 +74,7 @@ def run_page(
     specs, arrays = charts_data([one for _, group in charts.values() for one in group])
     space = HOLDER if not isinstance(scene, str) else points([scene])
     keys = "Space plays, arrow keys step 10 ms, with Shift 100 ms. Drag over a chart to enlarge an interval."
-    sections = [Section("motion", "Motion", space, keys)]
+    sections = [Section("motion", "Motion", space, keys=keys)]
     for heading, (lead, group) in charts.items():
         figures = "".join(chart(one.name, f"{one.title} over time") for one in group)
         wide = len(group) == 1
@@ -99,16 +89,6 @@ def run_page(
     if not isinstance(scene, str):
         data["scene"] = scene
     return document(f"{title} · trajopt", head(title, about, tiles), [*sections, *tables], data, (*SCRIPTS, "legs.js"))
-
-
-def head(title: str, about: str, tiles: Sequence[Tile]) -> str:
-    """Title, a line about it, and the numbers that matter."""
-    made = "".join(
-        f'<div class="tile {one.kind}"><dt>{text(one.name)}</dt><dd class="big">{text(one.big)}</dd>'
-        f'<dd class="small">{text(one.small)}</dd></div>'
-        for one in tiles
-    )
-    return f'<h1>{text(title)}</h1><p class="sub">{text(about)}</p><dl class="tiles">{made}</dl>'
 
 
 def legs_table(heads: Sequence[str], legs: Sequence[TimelineEntry]) -> str:
