@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from trajopt_cli.motion import ConfData, PathEvent, Program
+from trajopt_cli.motion import PathEvent, Program
 from trajopt_cli.rapid.listing import Listing, Row
 from trajopt_cli.units import MM
 
@@ -91,7 +91,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "wobj": row.wobj,
         "extax": _rounded(row.extax, _DEG),
         "extax_kept": _rounded(row.extax_kept, _DEG),
-        "conf": None if row.conf is None else four(row.conf),
+        "conf": None if row.conf is None else [*row.conf.numbers],
         "duration": _figure(row.duration),
         "value": _figure(row.value),
         "length": None if row.length is None else _round(row.length, _MM),
@@ -112,16 +112,11 @@ def _finding(one: ConfigurationFinding) -> dict[str, Any]:
         "source": str(one.source),
         "motion": one.motion,
         "misfit": one.misfit.value,
-        "conf": four(one.programmed),
-        "reachable": [four(conf) for conf in one.reachable],
+        "conf": [*one.programmed.numbers],
+        "reachable": [[*conf.numbers] for conf in one.reachable],
         "rail": None if one.rail is None else _round(one.rail / MM, _MM),
         "message": one.message,
     }
-
-
-def four(conf: ConfData) -> list[int]:
-    """confdata in RAPID's order."""
-    return [conf.cf1, conf.cf4, conf.cf6, conf.cfx]
 
 
 def _event(event: PathEvent) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TextIO
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
-from trajopt_cli.motion import Motion, Program
+from trajopt_cli.motion import Motion, MoveJ, Program
 from trajopt_cli.pipeline.lead_in import kept_for, lead_in, led_in
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
@@ -362,7 +362,9 @@ def as_written(
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
             return str(plan)
-        if rapid is not None and rapid.report.legal and plan.own_rows and plan.own_rows == rapid.plan.own_rows:
+        chosen = any(isinstance(one, MoveJ) and not one.settings.conf_j for one in job.program.motions)
+        same = rapid is not None and rapid.report.legal and plan.own_rows == rapid.plan.own_rows
+        if same and plan.own_rows and not chosen:  # of the nearest configuration the judge is asked here alone
             return plan if kept is None else kept.keep(plan)
         kept = kept or RowsFile()
         plan = kept.keep(plan)

@@ -181,11 +181,13 @@ def demands_configuration(motion: Move, robot: RobotModel) -> bool:
 def with_exact_orientation(motion: Motion) -> str:
     r"""What to know of a line or an arc under SingArea \Wrist that no plan drives, "" for other motions. A controller
     interpolates the wrist's axes there one by one, the TCP on its way, and with ConfL \On it always comes to the
-    programmed configuration (RAPID reference manual, SingArea\Wrist under positioning; robot configuration)."""
+    programmed configuration, else to the nearest (RAPID reference manual, SingArea\Wrist under positioning; robot
+    configuration)."""
     if not isinstance(motion, PathMove) or motion.settings.singularity is not Singularity.WRIST:
         return ""
+    which = "programmed" if motion.settings.conf_l else "nearest"
     return (
-        "; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the programmed configuration, the"
+        f"; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the {which} configuration, the"
         " orientation off on the way; plans keep the programmed orientation"
     )
 
