@@ -333,6 +333,11 @@ class _Move:
         return max([self.beside, self.partner or 0.0, *(unit.least for unit in self.units)])
 
     @property
+    def works(self) -> bool:
+        """Whether a tool works where it ends (SpotL): every axis stands there, however short that is."""
+        return self.process is not None and self.process.instruction.startswith("Spot")
+
+    @property
     def waits_for(self) -> str:
         """Whose time is the least one."""
         if self.partner is not None and self.partner >= self.least:

@@ -131,6 +131,9 @@ def points_of(
                 continue
         points.append(end_of_move(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
+        if motion.process is not None and motion.process.instruction.startswith("Spot"):  # the gun closes, at rest
+            work = motion.process.instruction
+            holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=0.0, condition=work)))
     points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
     return _with_zones(plant, points, alone, rail)
 

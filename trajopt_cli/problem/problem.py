@@ -595,7 +595,7 @@ class _Build:
             None,
             rail,
             self._written,
-            not self._freedom.through_stops,
+            motion.works or not self._freedom.through_stops,
             motion.conf if fixed and demanded else None,
             nearest=fixed and isinstance(motion, MoveJ) and not motion.settings.conf_j,
         )
