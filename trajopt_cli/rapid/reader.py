@@ -14,7 +14,7 @@ from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.execution.named import fill_constant_speed
-from trajopt_cli.rapid.execution.rail_at import RailPlaces
+from trajopt_cli.rapid.execution.rail_at import CellRailPlaces
 from trajopt_cli.rapid.execution.rail_hold import fill_holds
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, Routine
@@ -100,7 +100,7 @@ def try_program(
         trees = [module for module, _ in modules]
         routine, scope = find_entry([*zip(trees, scopes, strict=True)], entry, subject)
         if run.scenario.rail_at:
-            run.rail_places = RailPlaces(run, modules)
+            run.rail_places = CellRailPlaces(run, modules)
         run.start(routine, scope)
         if run.rail_places is not None:
             run.rail_places.warn_unused()

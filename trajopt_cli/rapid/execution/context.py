@@ -12,11 +12,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Optional
+from typing import Optional, Protocol
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Refusal, Source, Span
+from trajopt_cli.motion import DEFAULT_SETTINGS, ExternalAxes, Motion, PathEvent, Refusal, Source, Span
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Type, Value
 from trajopt_cli.rapid.data.errors import Fault, Mismatch, Undeclared
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
@@ -40,9 +40,6 @@ from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Missing, Scenario, yaml_answer
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
-if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.rail_at import RailPlaces
-
 MOTION_LIMIT = 300_000
 # A statement that runs, those around it up to the entry procedure (None there), and the file it stands in.
 Link = tuple[Statement, Optional["Link"], str]
@@ -58,6 +55,22 @@ def _system(type_: Type) -> Datum:
 def _renumbered(known: str, number: str, stem: str) -> bool:
     """Whether a name is stem with another number behind it."""
     return known.startswith(stem) and known[len(stem) :].isdigit() and known[len(stem) :] != number
+
+
+class RailPlaces(Protocol):
+    """What a run asks rail_at.py."""
+
+    def set(self, signal: str, value: float) -> bool:
+        """An output is set; whether that drives the rail."""
+
+    def happened(self, events: Iterable[PathEvent]) -> None:
+        """Outputs are set on the way of a move."""
+
+    def fill(self, point: Expression, extax: ExternalAxes) -> ExternalAxes:
+        """The external axes [mm or deg] of a target with the rail where the cell file has it."""
+
+    def warn_unused(self) -> None:
+        """Tell of the entries that no target took."""
 
 
 class Context(ABC):

@@ -16,7 +16,7 @@ from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
 
-class RailPlaces:
+class CellRailPlaces:
     """The rail_at of a cell file while a program runs: of a target's point, of the routines that run from the innermost
     on, and of the output that was set last, the first that it names says where the rail stands."""
 
