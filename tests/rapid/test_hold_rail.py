@@ -229,6 +229,15 @@ def test_what_cannot_be_freed_is_told_by_its_line_in_the_cell_file(cell: str, me
     assert caught.value.kind is ErrorKind.CELL
 
 
+def test_a_procedure_that_nobody_has_holds_the_rail_for_its_time() -> None:
+    stub = "stubs: [Rivet, Blink]\nwaits: {rivet: 1.5 s"
+    body = f"{L} Rivet 3; Blink; {L}"
+    one, other = (in_cell(f"{stub}{free}}}", body, "").motions for free in ("", ", rail: {free: [Rivet]}"))
+    assert [(type(motion), getattr(motion, "duration", None)) for motion in one][1:2] == [(Wait, 1.5)]
+    assert [len(one), one[1].hold, other[1].hold] == [3, HELD, NO]  # type: ignore[union-attr]
+    assert len(in_cell("stubs: [Rivet]", f"{L} Rivet;", "").motions) == 1
+
+
 def test_without_a_rail_no_wait_holds_it_and_none_is_freed() -> None:
     assert [one.hold for one in run("WaitTime 1;").motions] == [None]
     with pytest.raises(InputError, match=r"^cell.yaml:3: waits.rail: there is no rail"):

@@ -97,6 +97,9 @@ def _stub(run: Context, node: ProcedureCall) -> None:
             what = f"{node.name} does nothing here (stubs), but its name or arguments say that it moves the robot or "
             what += "sets its speed; check that"
             run.warn(WarningKind.ASSUMED, what, run.source(node))
+        if run.external.least(node.name) != 0.0:
+            hold_up(run, node, node.name)
+            run.settle()
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
 
