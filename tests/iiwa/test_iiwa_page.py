@@ -103,7 +103,7 @@ def test_a_run_that_the_arm_cannot_follow_shows_what_was_asked(
     data = data_of(page)
     assert [one["name"] for one in data["clock"]["cycles"]] == ["commanded"]
     assert [one["name"] for one in data["scene"]["cycles"]] == ["commanded"]
-    assert '<dd class="big">cannot</dd>' in page
+    assert '<dd class="big">broken</dd>' in page
     assert escape(told.split(";")[0]) in page
 
 
