@@ -27,11 +27,12 @@ def saving_line(answer: OptimizedJob) -> str:
     told, names = answer.summary, {Target.RAPID: "by the RAPID controller", Target.STREAM: "as a joint stream"}
     changes = {one: f" ({changed})" if (changed := told.change(one)) else "" for one in names}
     plans = ", ".join(
-        f"{told.plans.of(one).cycle_time_s:.3f} s{changes[one]} {names[one]}" for one in answer.lead.first
+        f"{told.plans.of(one).cycle_time_s / told.passes:.3f} s{changes[one]} {names[one]}" for one in answer.lead.first
     )
+    plans += f", per pass of {told.passes}" if told.passes > 1 else ""
     before = told.as_written
-    if before.why_not is None:
-        return f"as written {before.cycle_time_s:.3f} s → {plans}"
+    if before.cycle_time_s is not None:
+        return f"as written {before.cycle_time_s / told.passes:.3f} s → {plans}"
     why = f"was {NOT_TIMED}" if before.why_not == NOT_TIMED else f"cannot be driven ({before.why_not})"
     return f"as written it {why} → {plans}"
 

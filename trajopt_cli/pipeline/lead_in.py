@@ -13,17 +13,17 @@ from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
 
 
-def lead_in(job: Job) -> tuple[Motion, ...]:
-    """What runs from the program's start to the first stop in the loop; none where the program is no such loop."""
+def lead_in(job: Job) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
+    """What runs before the loop, and in it up to the first stop; none where the program is no such loop."""
     before, cycle = job.program.before or (), job.program.motions
     alike = 0
     while alike < min(len(before), len(cycle)) and _text(before[-1 - alike]) == _text(cycle[-1 - alike]):
         alike += 1
-    for k in range(len(before) - alike, len(before)):
-        motion, behind = before[k], before[k + 1 : k + 2]
-        if isinstance(motion, Move) and (motion.zone.stop or any(isinstance(one, Wait) for one in behind)):
-            return before[: k + 1]
-    return before
+    outside, inside = before[: len(before) - alike], before[len(before) - alike :]
+    for k, motion in enumerate(inside):
+        if isinstance(motion, Move) and (motion.zone.stop or isinstance([*inside, None][k + 1], Wait)):
+            return outside, inside[: k + 1]
+    return outside, inside
 
 
 def led_in(job: Job, plan: Plan) -> tuple[Motion, ...]:
@@ -33,7 +33,7 @@ def led_in(job: Job, plan: Plan) -> tuple[Motion, ...]:
         motion = job.program.motions[planned.index]
         ends |= {key: planned.q_1 for key in (_literal(motion), _text(motion)) if key is not None}
     out: list[Motion] = []
-    for motion in lead_in(job):
+    for motion in (*lead_in(job)[0], *lead_in(job)[1]):
         q = ends.get(_text(motion), ends.get(_literal(motion)))
         if q is not None and isinstance(motion, PoseMove):
             extax = list(motion.extax)
@@ -45,9 +45,9 @@ def led_in(job: Job, plan: Plan) -> tuple[Motion, ...]:
     return tuple(out)
 
 
-def kept_for(job: Job, changes: Changes) -> Changes:
-    """What a plan may change that leaves all targets of the lead-in as programmed."""
-    texts = {key for motion in lead_in(job) for key in (_text(motion), _literal(motion))} - {None}
+def kept_for(job: Job, changes: Changes, motions: tuple[Motion, ...]) -> Changes:
+    """What a plan may change that leaves the targets of some motions of the lead-in as programmed."""
+    texts = {key for motion in motions for key in (_text(motion), _literal(motion))} - {None}
     shared = frozenset(i for i, one in enumerate(job.program.motions) if {_text(one), _literal(one)} & texts)
     ties = (tuple(i for i in group if i not in shared) for group in changes.ties)
     return replace(

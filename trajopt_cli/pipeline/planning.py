@@ -213,11 +213,13 @@ def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes]
 
     if (why := why_not(led_in(job, found.plan))) is None:
         return found
-    if why_not(lead_in(job)) is not None:
+    outside, inside = lead_in(job)
+    if why_not((*outside, *inside)) is not None:
         return noted(found, f"what runs before the loop cannot be driven, as written neither: {why}")
-    less = again(kept_for(job, changes))
-    if isinstance(less, Judged) and why_not(led_in(job, less.plan)) is None:
-        return noted(less, f"targets on the way into the loop stay as programmed; else it cannot be driven: {why}")
+    for motions in (outside, (*outside, *inside)):
+        less = again(kept_for(job, changes, motions))
+        if isinstance(less, Judged) and why_not(led_in(job, less.plan)) is None:
+            return noted(less, f"targets on the way into the loop stay as programmed; else it cannot be driven: {why}")
     return NoPlan(Target.RAPID, f"what runs before the loop cannot be driven to its targets: {why}")
 
 

@@ -156,12 +156,14 @@ class Written(Section):
 
 
 class Summary(Section):
-    """The whole answer. limits: how sure they are. unchecked: what the judge was given nothing to hold the motion
-    against. notes: what the RAPID text changes, and what it could not; kept: those of the latter."""
+    """The whole answer. passes: of a loop that never ends in the cycle, whose times all others are. limits: how sure
+    they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the RAPID text
+    changes, and what it could not; kept: those of the latter."""
 
     target: Annotated[Target, Field(strict=False)]
     plans: Plans
     as_written: Written = Written()
+    passes: int = 1
     fly_bys_passed: dict[str, int] = Field(default_factory=dict)
     fly_bys_stopped: list[dict[str, Any]] = Field(default_factory=list)
     warnings: list[str] = Field(default_factory=list)
@@ -231,6 +233,7 @@ def summary(
             motion_times_s=times or [],
             why_not=written if isinstance(written, str) else None,
         ),
+        passes=max(program.passes, 1),
         fly_bys_passed={one.value: passed[one] for one in Target},
         fly_bys_stopped=[
             {"index": index, "source": str(program.motions[index].source), "why": why}
