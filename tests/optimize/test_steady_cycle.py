@@ -67,7 +67,8 @@ def test_the_rail_of_the_last_point_is_that_of_the_first(target: Target, most: f
     assert plan.lower_bound == pytest.approx(least, rel=1e-6)
     assert np.ptp(plan.trajectory.q[:, 0]) < 0.1
     written = planned(program, plant, target, AS_WRITTEN)
-    assert written.trajectory.q[0, 0] == pytest.approx(0.7)
+    assert written.trajectory.q[0] == pytest.approx(plant.start)
+    assert plant.start[0] == pytest.approx(0.7)
     assert written.duration > plan.duration
     station = planned(program, plant, target, FIXED_RAIL)
     assert np.ptp(station.trajectory.q[:, 0]) < 1e-9

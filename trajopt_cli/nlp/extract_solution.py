@@ -91,8 +91,6 @@ def _exact(grid: Array, ends: tuple[Array, Array, Array], jerk: Array) -> tuple[
 def _polished(axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array) -> tuple[Array, Array]:
     """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
     rail, arm = axes.layout.rail, axes.layout.arm
-    for first, *others in problem.ties:
-        q[others, rail] = q[first, rail]
     for k, stop in enumerate(problem.waypoints):
         if stop.q is not None:
             continue

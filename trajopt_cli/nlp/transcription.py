@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 from types import MappingProxyType
 
 import numpy as np
@@ -186,9 +185,10 @@ class Transcription:
 
     # ---- ties
     def _ties(self) -> None:
-        """Waypoints of a station share one rail position where the freedom says so, and so do tied ones."""
+        """Waypoints of a station share one rail position where the freedom says so. Those that a program ties are held:
+        only the ends of a cycle are, while the legs around them are solved."""
         rail = self.axes.layout.rail
-        pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
+        pairs = []
         for k, leg in enumerate(self.problem.legs):
             hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:

@@ -409,13 +409,17 @@ class _Build:
         self.legs: list[Leg] = []
 
     def enter(self, index: int, move: Move) -> None:
-        """Begin at rest where a steady cycle ends: at the end of its last move."""
+        """Begin at rest where a steady cycle ends: at the end of its last move. As written that is in the joints that a
+        controller has come to by then, where these are known."""
         match move:
             case MoveAbsJ():
                 self._take_rail(index, move)
                 start = self._at_joints(-1, self._axes(move.q))
             case PoseMove():
                 start = replace(self._at_pose(index, move), motion=-1, rest=True, nearest=False)
+                known = np.abs(self._plant.robot.forward(self._plant.start) - start.X_WF).max() < _STILL
+                if known and self._pinned and not self._freedom.configuration:
+                    start = replace(start, q=self._plant.start, conf=None)
             case _:
                 return
         self.waypoints = [start]
