@@ -96,7 +96,7 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
         monkeypatch.setattr("trajopt_cli.plan.solve.fallback_motion", then)
     monkeypatch.setattr(place, failing)
     coarse_search(monkeypatch)
-    assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
     told = capsys.readouterr()
     slow = "no fast plan was found"
     wanted = "the plan is the rapid plan: no other one was found" if name == "windows fail" else slow
@@ -110,7 +110,7 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
 def test_the_plain_motion_is_told_only_where_nothing_else_was_found(
     program: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
     assert "slow plan" not in capsys.readouterr().out
 
 
@@ -127,7 +127,7 @@ def test_a_bound_that_a_plan_refutes_takes_no_plan_away(
     monkeypatch.setattr(
         "trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: 2 * plan.duration
     )  # fmt: skip
-    assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
     assert "no lower bound is told" in capsys.readouterr().out
     assert np.isfinite(json.loads(Path("results/small/summary.json").read_text())["plans"]["rapid"]["cycle_time_s"])
 
@@ -138,12 +138,12 @@ def test_a_plan_far_from_its_bound_is_told_as_suspicious(
     monkeypatch.setattr(
         "trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: plan.duration / 151
     )  # fmt: skip
-    assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
     out = capsys.readouterr().out
     assert "gap 15000.0 %), SUSPICIOUS: see the warning" in out
     assert "warning: the rapid plan is suspicious: it takes 151 times its lower bound" in out
     assert "suspicious: it takes 151 times its lower bound" in Path("results/small/report.html").read_text()
-    assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0", "--json"]) == 0
+    assert run(["optimize", str(program), "--jobs", "1", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["plans"]["stream"]["suspicious"] == "it takes 151 times its lower bound"
     assert any("the stream plan is suspicious" in one for one in told["warnings"])

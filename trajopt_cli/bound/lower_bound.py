@@ -12,7 +12,7 @@ holds for every legal motion of the target; it is not called certified because i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -21,6 +21,7 @@ import numpy as np
 from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, straight, tool_time
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.stop_condition import Stopped, checkpoint
 from trajopt_cli.robot.enclosure import Enclosure, Range
 from trajopt_cli.timing.double_integrator import reach, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
@@ -76,15 +77,26 @@ class _Chain:
     direct: dict[tuple[int, int], _Run]
 
 
-def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
+def lower_bound(axes: Axes, problem: Problem, incumbent: float, cut: Callable[[], None] = lambda: None) -> float:
     """No legal motion of this problem and target is faster [s].
 
     incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
-    are left, that value is the bound, whatever the incumbent's quality.
+    are left, that value is the bound, whatever the incumbent's quality. cut: called where the time for it was over
+    before; the bound is what was proved by then.
     """
-    settings = axes.settings
     chain = _chain(axes, problem)
-    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {})
+    proved = [min(sum(run.floor for run in chain.hops), incumbent)]
+    try:
+        return _refined(axes, problem, incumbent, chain, proved)
+    except Stopped:
+        cut()
+        return max(proved)
+
+
+def _refined(axes: Axes, problem: Problem, incumbent: float, chain: _Chain, proved: list[float]) -> float:
+    """The bound of all cells; what is proved on the way to it is added."""
+    settings = axes.settings
+    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {}, proved)
     zeros = [np.zeros(0)] * len(chain.places)
     if len(chain.hops) <= settings.bound_legs:
         return refinement.of(chain, 0, None, zeros, incumbent, settings.bound_aim * incumbent)[0]
@@ -93,6 +105,7 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     least = [float(np.min(x, initial=np.inf)) for x in ahead]
     if not np.isfinite(least[0]):
         return incumbent
+    proved.append(min(least[0], incumbent))
     begin, spent, best = 0, ahead[0] * 0.0, least[0]
     while begin < len(chain.hops):
         end = _cut(chain, begin, settings.bound_window)
@@ -103,6 +116,7 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
         assert reached is not None
         begin, spent = end, reached
         best = max(best, float(np.min(spent + ahead[end])))
+        proved.append(min(best, incumbent))
     return min(best, incumbent)
 
 
@@ -121,12 +135,14 @@ def _part(chain: _Chain, begin: int, end: int) -> _Chain:
 
 @dataclass(frozen=True, eq=False)
 class _Refinement:
-    """Cells that are halved level by level. grids: of all places; cache: enclosures by pose."""
+    """Cells that are halved level by level. grids: of all places; cache: enclosures by pose; proved: bounds on the
+    whole program, each valid."""
 
     axes: Axes
     problem: Problem
     grids: list[Array]
     cache: dict[bytes, Enclosure]
+    proved: list[float]
 
     def _cells(self, chain: _Chain, first: int, level: int, keep: Sequence[IndexArray | None]) -> list[_Cells]:
         return [
@@ -189,7 +205,9 @@ class _Refinement:
                 beyond = _coarse_values(cells[-1], level, ends[0][1], known[-1])
             forward, backward = _costs(axes, problem, chain, cells, parents, aim, spent, beyond)
             best = max(best, min(float(np.min(forward[-1] + beyond)), aim))
-            if ends is not None:
+            if ends is None:
+                self.proved.append(best)
+            else:
                 reached = _at_first_level(cells[-1], level, ends[0][1], forward[-1], left(aim))
             for k, c in enumerate(cells):
                 live = forward[k] + backward[k] <= aim
@@ -375,6 +393,7 @@ def _cells(
     twist = None if gate is None else gate.twist
     name = X_WF.tobytes() + grid.tobytes() + (b"" if twist is None else twist.tobytes())
     if name not in cache:
+        checkpoint()
         cache[name] = axes.robot.enclose(X_WF, grid, problem.plant.limits, twist)
     e = cache[name]
     single = len(grid) == 2
@@ -434,6 +453,7 @@ def _edge(
     out = np.full((len(a.key), len(b.key)), np.inf)
     rows = max(1, (6 * axes.settings.batch) // len(b.key))
     for start in range(0, len(a.key), rows):
+        checkpoint()
         part = slice(start, start + rows)
         least = np.maximum(_gap(axes, run, a, b, part), run.floor)
         live = so_far[part, None] + least + ahead <= incumbent

@@ -26,6 +26,8 @@ _WORDS = {
     "timing": ("timing the paths found", "timing"),
     "solve": ("refining the plan", "refining"),
     "ease": ("making the plan gentler", "easing"),
+    "ways around": ("looking for ways around what is touched", "ways around"),
+    "stopped": ("waiting for the RAPID plan", "waiting"),
     "bound": ("proving the bound", "bound"),
     "done": ("plan found", "found"),
     "judge": ("judging the plan", "judging"),
@@ -126,8 +128,11 @@ class ProgressView:
         self._news, self._shown, self._drawing = False, spent, False
 
     def _clock(self, spent: float) -> str:
-        limit = None if self._patience is None else self._patience.limit
-        return f"{spent:.0f} s" if limit is None else f"{spent:.0f} of {limit:g} s"
+        patience = self._patience
+        if patience is None or patience.limit is None:
+            return f"{spent:.0f} s"
+        unsettled = spent > patience.limit and not patience.settled
+        return f"{spent:.0f} of {patience.limit:g} s{', no legal motion yet' if unsettled else ''}"
 
     def _width(self) -> int:
         told = os.environ.get("COLUMNS", "")

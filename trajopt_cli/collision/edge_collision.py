@@ -16,6 +16,7 @@ from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.collision.roadmap import Roadmap, about
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import CheckedPairs, States
 from trajopt_cli.trajectories.leg_trajectories import unwound
@@ -75,6 +76,7 @@ class EdgeCollision:
     ) -> None:  # fmt: skip
         """Looks at pairs of states of leg k, first of all at one. through (n_a, n_b): the least cost of a chain through
         each pair that is known."""
+        checkpoint()
         open_ = np.where(edge.known, np.inf, through)
         count = min(_AVOID_LOOKS, int(np.isfinite(open_).sum()))
         best = np.argpartition(open_, count - 1, axis=None)[:count] if count < open_.size else np.arange(open_.size)

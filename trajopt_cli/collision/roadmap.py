@@ -12,6 +12,7 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 
@@ -62,6 +63,7 @@ class Roadmap:
             if len(way) == 2:
                 break
             gained = False
+            checkpoint()
             for i in range(1, len(way) - 1):
                 gained |= self._pulled(way, i, step)
             step *= 1.0 if gained else 0.5
@@ -92,6 +94,7 @@ class Roadmap:
         order = np.argsort(about(axes, ways), kind="stable")
         before, behind = np.zeros(len(points), dtype=bool), np.zeros(len(points), dtype=bool)
         for some in np.array_split(order, max(1, len(order) // _WAY_LOOKS)):
+            checkpoint()
             before[some] = self._clear(ways[some, 0], points[some])
             behind[some] = self._clear(points[some], ways[some, 2])
             both = some[before[some] & behind[some]]
@@ -104,6 +107,7 @@ class Roadmap:
         pairs = np.stack([np.tile(q_0, (len(i), 1)), a[i], b[k], np.tile(q_1, (len(i), 1))], axis=1)
         order = np.argsort(about(axes, pairs), kind="stable")[: 8 * _WAY_LOOKS]
         for some in np.array_split(order, max(1, len(order) // _WAY_LOOKS)):
+            checkpoint()
             good = some[self._clear(pairs[some, 1], pairs[some, 2])]
             if len(good):
                 return np.asarray(pairs[good[0], 1:3])
@@ -115,6 +119,7 @@ class Roadmap:
         settings = self._axes.settings
         trees = [_Tree(q_0), _Tree(q_1)]
         for number in range(settings.detour_tree):
+            checkpoint()
             one, other = trees[number % 2], trees[1 - number % 2]
             if number == settings.detour_pocket and min(len(tree.q) for tree in trees) < settings.detour_pocket:
                 return None  # there is hardly a way out of where it begins or ends

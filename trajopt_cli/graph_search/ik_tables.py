@@ -26,6 +26,7 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.robot.turns import ON_LIMIT, excess
 from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.axes import Axes
@@ -219,6 +220,7 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: boo
     n = len(d)
     behind = np.cumsum([nodes * n for _, nodes in legs])
     for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // (2 * settings.batch)):
+        checkpoint()
         some = [legs[i] for i in group]
         X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
         counts = [m for _, m in some]
@@ -285,6 +287,7 @@ def station_table(
     axes: Axes, problem: Problem, first: int, last: int, d: Array, around: ClearanceQueries | None = None
 ) -> IkTable:
     """Tables of one station; around: what must not be touched, at the waypoints and at the nodes of lines."""
+    checkpoint()
     given = SingularStart.of(axes, problem, first, last)
     stops, lines, leaves = _raw(axes, problem, first, last, d, given)
     if around is not None:
@@ -369,6 +372,7 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
     served = _SERVED.setdefault(problem.plant, set())
     alike = replace(problem, freedom=EVERYTHING, coupling=Coupling.FREE)
     for first, last in problem.stations:
+        checkpoint()
         singular = SingularStart.of(axes, problem, first, last) is not None
         name = (problem if singular else alike).key(first, last)
         ranges = (axes.lower, axes.upper, axes.couplings.rows, axes.couplings.lower, axes.couplings.upper)

@@ -18,6 +18,7 @@ from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid
 from trajopt_cli.graph_search.shared_states import Ties, best_tied, shared
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shortest_time, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
@@ -81,6 +82,7 @@ def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> E
     bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
     rows = max(1, (3 * axes.settings.batch) // len(b.q))
     for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
+        checkpoint()
         T = _chord_time(leg, p_a[part], p_b)
         if problem.coordinated:
             together, most = _coordinated_time(axes, leg, a.q[part], b.q, V, A)
@@ -170,6 +172,7 @@ def _tool_path_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_
     out = np.empty(len(q_0))
     rows = max(1, (3 * axes.settings.batch) // (16 * len(shares)))
     for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
+        checkpoint()
         tool = _tool_points(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
         steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
         out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
@@ -209,6 +212,7 @@ def _line_times(
     before, behind = np.nonzero(near & np.logical_or.reduce(here)[:, None] & np.logical_or.reduce(there))
     rows = max(1, (12 * axes.settings.batch) // (len(of) * nodes))
     for some in (slice(j, j + rows) for j in range(0, len(before), rows)):
+        checkpoint()
         start, end = before[some], behind[some]  # (p,) rail numbers at the line's ends
         at = (end - start) * np.linspace(0, 1, nodes)[:, None]
         whole = np.floor(at + 1e-9)
@@ -222,6 +226,7 @@ def _line_times(
         branch, pair = np.nonzero([np.any(ok[of == cfx], axis=0) for cfx in range(len(used))])
         most = max(1, (12 * axes.settings.batch) // (len(arm) * nodes))
         for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
+            checkpoint()
             q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
             T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
         times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or leg.least)[of], np.inf).T
@@ -300,6 +305,7 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     before, behind = np.nonzero(same)
     rows = max(1, (3 * axes.settings.batch) // axes.n)
     for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
+        checkpoint()
         ia, ib = before[part], behind[part]
         D, v_a, v_b, T = b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], leg.duration
         if T is None:
@@ -325,6 +331,7 @@ def _edges(
     known: dict[tuple[object, ...], Edge] = {}
     bands: dict[int | None, Band] = {}
     for k, leg in enumerate(problem.legs):
+        checkpoint()
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
         scene = None if avoid is None else avoid.around.scene(leg.motion)
         name = id(a), id(b), leg.key, problem.passes(k), problem.passes(k + 1), scene
@@ -403,6 +410,7 @@ def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], 
     """The least cost from the start to every state, and the states before them, where no tie is kept."""
     forward, back = [np.zeros(len(layers[0].q))], list[IndexArray]()
     for edge in edges:
+        checkpoint()
         source, cost = edge.into(forward[-1])
         back.append(source)
         forward.append(cost)
@@ -414,6 +422,7 @@ def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Arr
     from the start being forward."""
     backward = [np.zeros(len(layers[-1].q))]
     for edge, spent in zip(reversed(edges), reversed(forward[:-1]), strict=True):
+        checkpoint()
         most, reached = np.full(len(spent), -np.inf), np.isfinite(spent)
         most[reached] = limit - spent[reached]
         cost = edge.out(backward[-1], most)

@@ -15,6 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.problem.problem import Waypoint
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.trajectories.axes import Axes
 
 # times the untied cost beyond which states of tied waypoints are left out, tried in turn.
@@ -219,6 +220,7 @@ class _Graph:
             least = np.empty((len(first), second.shape[1]))
             best = np.empty(least.shape, dtype=np.intp)
             for i, row in enumerate(first):
+                checkpoint()
                 cost = row[:, None] + second
                 best[i] = cost.argmin(axis=0)
                 least[i] = cost[best[i], np.arange(cost.shape[1])]

@@ -19,7 +19,7 @@ from trajopt_cli.nlp.interior_point import NlpResult
 from trajopt_cli.nlp.transcription import Transcription
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
@@ -215,10 +215,6 @@ def _halved(motion: LegMotion | None, grows: bool) -> LegMotion | None:
 
 class NotConverged(Exception):
     """The nonlinear program found no clean answer from this start; the message is the solver's word."""
-
-
-class Stopped(Exception):
-    """There is no patience left for this solve."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
 from trajopt_cli.path_timing.smooth import rest_time
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes
@@ -160,6 +161,7 @@ def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Ar
     for numbers in alike.values():
         behind = np.cumsum(counts[numbers])
         for _, group in groupby(range(len(numbers)), key=lambda i: int(behind[i]) // (3 * settings.batch // 16)):
+            checkpoint()
             some = [numbers[i] for i in group]
             T = _timed_together(axes, problem, [pairs[i] for i in some])
             for i, times in zip(some, np.split(T, np.cumsum(counts[some])[:-1]), strict=True):

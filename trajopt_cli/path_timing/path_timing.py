@@ -12,6 +12,7 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.path.segment import JointSegment
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, SampledPath, finer, together
 from trajopt_cli.problem.problem import Leg, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.settings import Settings
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
 from trajopt_cli.trajectories.axes import Axes
@@ -220,6 +221,7 @@ def least_times(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> A
     T = np.full(len(paths), np.inf)
     sizes = np.cumsum([len(path.part) for path in paths])
     for _, group in groupby(range(len(paths)), key=lambda i: int(sizes[i]) // (2 * settings.batch)):
+        checkpoint()
         numbers = [*group]
         every = together([paths[i] for i in numbers])
         law = _time_optimal(axes, problem, every, PathMargins.full(axes, len(every.part)))
@@ -250,6 +252,7 @@ def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law:
     every = together([*left.values()])
     margins, seen, before = PathMargins.full(axes, len(every.part)), Ratios.none(axes, len(every.part)), None
     for _ in range(_PACE_ROUNDS):
+        checkpoint()
         law = make_law(axes, problem, every, margins)
         if law is None:
             break
@@ -352,6 +355,7 @@ def sampled_ratios(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw
     found = list[Ratios]()
     rows = np.cumsum([path.parts[i].N * settings.path_interval_samples * settings.corner_samples for i in parts])
     for _, group in groupby(zip(parts, rows, strict=True), key=lambda one: int(one[1]) // (6 * settings.batch)):
+        checkpoint()
         numbers = [i for i, _ in group]
         legs = [problem.legs[path.parts[i].leg] for i in numbers]
         pieces = [_piece(axes, problem, path, law, i) for i in numbers]

@@ -23,7 +23,7 @@ from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, for_the_other
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
@@ -119,6 +119,7 @@ def optimize_job(
     if hits := collisions(check_start(job.program.from_start, job.plant.at_home, start)):
         return Collides("", hits)
     clock, started = Clock({"read": job.read_seconds}), datetime.now(UTC)
+    patience = patience or Patience()
     listen("program", Progress("reach"))
     with clock.phase("reach"):
         agreed = may_change(job, loops)
@@ -131,7 +132,7 @@ def optimize_job(
     asked = {one: objective if one is chosen else for_the_other(objective) for one in Target}
     kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
     answers, written, estimate = plan_all(
-        job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept, kept_written
+        job, listen, clock, changes, patience, jobs or cores(), asked, kept, kept_written
     )
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
@@ -141,7 +142,7 @@ def optimize_job(
         found[one] = answer
     judged = {one: found[one] for one in Target}
     listen("results", Progress("loops"))
-    with clock.phase("loops"):
+    with clock.phase("loops"), patience.cutting():
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
         held = tuple(held_unasked(job, partial(_freed, job, loops, estimate)))
     listen("results", Progress("write"))
@@ -150,7 +151,7 @@ def optimize_job(
         notices = (*_notices(job, judged), *held, *agreed.notices, *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
-        notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged))
+        notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged), *late_first(patience))
         placed = map(str, export.notes) if export is not None else ()
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
@@ -289,7 +290,12 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
     free = changes_of(job, Target.RAPID, Loops.UNROLL)
     if now is None or (free.values, free.ties) == (kept.values, kept.ties):
         return
-    if (then := search_estimate(job.program, job.plant, Target.RAPID, free)) is None:
+    try:
+        then = search_estimate(job.program, job.plant, Target.RAPID, free)
+    except Stopped:
+        yield "what --loops unroll would save was not estimated: the time was over"
+        return
+    if then is None:
         return
     yield f"--loops unroll would save {_saved(now, then)}"
 
@@ -302,7 +308,10 @@ def _freed(job: Job, loops: Loops, now: float | None) -> str:
     if now is None:
         return ""
     free = replace(job, program=without_unasked(job.program))
-    then = search_estimate(free.program, job.plant, Target.RAPID, changes_of(free, Target.RAPID, loops))
+    try:
+        then = search_estimate(free.program, job.plant, Target.RAPID, changes_of(free, Target.RAPID, loops))
+    except Stopped:
+        return "; what that would save was not estimated: the time was over"
     return "" if then is None else f", which would save the rapid plan {_saved(now, then)}"
 
 
@@ -394,6 +403,15 @@ def _suspicious(judged: Mapping[Target, Judged]) -> Iterator[str]:
                 "which motions take longest, give it more time where --time-limit or Ctrl-C ended the search, and "
                 "report the program if that does not help"
             )
+
+
+def late_first(patience: Patience) -> Iterator[str]:
+    """A word where the first legal motion came behind the time limit."""
+    if (first := patience.late) is not None:
+        yield (
+            f"the first legal motion was there after {first:.0f} s: the time limit of {patience.limit:g} s was too "
+            "short for any"
+        )
 
 
 def _no_stops(job: Job, plan: Plan) -> frozenset[int]:

@@ -19,7 +19,7 @@ from trajopt_cli.problem.editable import Changes, Loops, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.runs.results import CSV
 from trajopt_cli.runs.rows import RowsFile, without_rows
 from trajopt_cli.runs.summary import NOT_TIMED, Judged
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from trajopt_cli.plan import PlanCache
     from trajopt_cli.problem.plant import Plant
 
+_PER_MOTION = 0.06  # s of judging and writing for each motion of a program, where nothing was judged yet
+_JUDGED = 2.5  # times what judging the program as written took: two plans, side by side or not, and a page
 _COPIES = "routines have copies as with --loops unroll, as without them no plan could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
@@ -114,7 +116,8 @@ def plan_all(
 
     Args:
         changes: what plans of each target may change.
-        patience: how long a faster plan is looked for.
+        patience: how long a faster plan is looked for. With a time limit the program as written is timed first: what
+            every plan can fall back on.
         asked: the objective of each target. One that cannot be done in the time given has no slower plan.
         kept: where the rows of each target's plan go.
         kept_written: where those of the program as written go; None: only its first and last row are kept.
@@ -127,10 +130,12 @@ def plan_all(
 
     stream, rapid = Target.STREAM, Target.RAPID
 
-    def settled(target: Target, found: Answer, below: Plan | None, clock: Clock) -> Answer:
+    def settled(target: Target, found: Answer, below: Plan | None, clock: Clock, tell: Report) -> Answer:
         if isinstance(found, Infeasible) and isinstance(asked[target], LeastEffort):
             return found
         rows = kept[target]
+        if not isinstance(found, Judged):
+            tell(Progress("judge"))
         slow = partial(_slow_plan, job, target, changes[target], clock)
         return first_legal(target, found, below, lambda plan: _judged(job, rows.keep(plan), rows, clock), slow)
 
@@ -143,7 +148,7 @@ def plan_all(
     def plan_rapid(
         tell: Report,
     ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, float | None, dict[str, float]]:
-        own, memory = Clock(), PlanCache()
+        own = Clock()
         found = solve(
             job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, kept[rapid], memory,
             objective=asked[rapid],
@@ -158,10 +163,12 @@ def plan_all(
 
             with own.phase("rapid: way into the loop"):
                 found = _led_in(job, found, changes[rapid], again)
-        tell(Progress("as written", *((found.plan.duration,) if isinstance(found, Judged) else ())))
-        known = found if isinstance(found, Judged) else None
-        written = as_written(job, changes[rapid], own, memory, kept_written, patience, known)
-        answer = settled(rapid, found, written if isinstance(written, Plan) else None, own)
+        written = first
+        if written is None:
+            tell(Progress("as written", *((found.plan.duration,) if isinstance(found, Judged) else ())))
+            known = found if isinstance(found, Judged) else None
+            written = as_written(job, changes[rapid], own, memory, kept_written, patience, known)
+        answer = settled(rapid, found, written if isinstance(written, Plan) else None, own, tell)
         estimate = memory.estimates.get((rapid, EVERYTHING))
         if isinstance(written, Plan):
             written = without_rows(written)
@@ -169,6 +176,13 @@ def plan_all(
             return answer, written, None, own.seconds
         return (without_rows(answer.plan), answer.report), written, estimate, own.seconds
 
+    memory, first = PlanCache(), None
+    if patience.limit is not None:
+        listen(rapid.value, Progress("as written"))
+        patience.reserve(_PER_MOTION * len(job.program.motions) * patience.load)
+        first = as_written(job, changes[rapid], clock, memory, kept_written, patience)
+        if isinstance(first, Plan):
+            patience.settle()
     with ExitStack() as stack:
         hear = partial(listen, rapid.value)
         worker = stack.enter_context(Worker(plan_rapid, hear)) if jobs > 1 else None
@@ -178,22 +192,26 @@ def plan_all(
             if worker is not None:
                 worker.listen()
 
-        first = plan_stream(listen_to_both, lambda: max(1, jobs - (worker is not None and not worker.done)))
-        if isinstance(first, Infeasible) and isinstance(asked[stream], LeastEffort):
-            return {stream: first}, "", None
-        found, written, estimate, seconds = plan_rapid(hear) if worker is None else worker.answer()
+        if worker is not None:
+            patience.hear(worker.listen)
+        alone = plan_rapid(hear) if worker is None and patience.limit is not None else None  # a stream falls back on it
+        free = plan_stream(listen_to_both, lambda: max(1, jobs - (worker is not None and not worker.done)))
+        patience.hear(None)
+        if isinstance(free, Infeasible) and isinstance(asked[stream], LeastEffort):
+            return {stream: free}, "", None
+        found, written, estimate, seconds = alone or (plan_rapid(hear) if worker is None else worker.answer())
     clock.seconds |= seconds
     if isinstance(written, Plan) and kept_written is not None:
         written = kept_written.kept(written)
     answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
     legal = answer.plan if isinstance(answer, Judged) and answer.report.legal else None
-    first = settled(stream, first, legal, clock)
-    plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
+    free = settled(stream, free, legal, clock, partial(listen, stream.value))
+    plans = {one.value: judged.plan for one, judged in ((stream, free), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
     if (wrong := out_of_order(plans)) is not None:
         return {stream: NoPlan(stream.value, wrong)}, written, estimate
-    return {stream: first, rapid: answer}, written, estimate
+    return {stream: free, rapid: answer}, written, estimate
 
 
 def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes], Answer]) -> Answer:
@@ -252,7 +270,7 @@ def solve(
         listen(label, progress)
 
     try:
-        with clock.phase(f"{label}: plan"):
+        with clock.phase(f"{label}: plan"), patience.cutting():
             plan = optimize(
                 job.program,
                 job.plant,
@@ -276,6 +294,9 @@ def solve(
         judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
+    except Stopped:
+        tell(Progress("stopped"))
+        return NoPlan(label, patience.why(), stopped=True)
     for phase, spent in judged.plan.seconds.items():
         clock.seconds[f"{label}: {phase}"] = spent
     return judged
@@ -295,9 +316,11 @@ def _bounded_and_judged(
     where the plan refutes the bound."""
     from trajopt_cli.plan import bounded, lower_bound_of
 
-    def bound(_: Report) -> tuple[float, float]:
-        start = perf_counter()
-        return lower_bound_of(job.program, job.plant, plan, changes=changes), perf_counter() - start
+    def bound(_: Report) -> tuple[float, float, bool]:
+        start, cut = perf_counter(), list[bool]()
+        with patience.cutting():
+            least = lower_bound_of(job.program, job.plant, plan, changes=changes, cut=lambda: cut.append(True))
+        return least, perf_counter() - start, bool(cut)
 
     with ExitStack() as stack:
         asked = not patience.interrupted
@@ -368,9 +391,10 @@ def as_written(
         same = rapid is not None and rapid.report.legal and plan.own_rows == rapid.plan.own_rows
         if same and plan.own_rows and not chosen:  # of the nearest configuration the judge is asked here alone
             return plan if kept is None else kept.keep(plan)
-        kept = kept or RowsFile()
+        kept, start = kept or RowsFile(), patience.spent
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, False, as_written=True)
+        patience.reserve(_JUDGED * (patience.spent - start))
     return plan if report.legal else f"not legal: {report.worst.message}"
 
 

@@ -19,6 +19,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, about, timed
 from trajopt_cli.problem.detours import Detour, Via
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.route import IkBranch, Route
@@ -148,6 +149,7 @@ def _tune(
     ]
     for turn, step in enumerate(_TUNE_STEPS):
         for k, motion, number in places:
+            checkpoint()
             near = [run for run in problem.runs if run[0] <= k <= run[1]]
             spread = step * np.minimum(axes.velocity, 1.0)
             tries = q[k] + random.normal(size=(_TUNE_TRIES if turn else _TUNE_FIRST, axes.n)) * spread

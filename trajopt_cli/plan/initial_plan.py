@@ -7,6 +7,7 @@ slower, whatever the search misses.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from time import perf_counter
 
@@ -22,7 +23,7 @@ from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, dur
 from trajopt_cli.plan.collision_diagnosis import blocked_place, collision_answer
 from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated, timed_clear
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
-from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -30,11 +31,13 @@ from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.problem.progress import Progress, Report
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.route import Route
+
+_PROGRAMMED_RAIL = Freedom(RailFreedom.PROGRAMMED, False, False, False, drop=False)  # quickly searched
 
 
 class NoCleanPlan(Exception):
@@ -69,11 +72,12 @@ class InitialPlan:
 @dataclass(frozen=True, eq=False)
 class PlanCache:
     """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
-    found for them take [s]; and the runs that were driven."""
+    found for them take [s]; the runs that were driven; and the questions whose search was stopped."""
 
     answers: dict[tuple[Target, Freedom], InitialPlan | Infeasible] = field(default_factory=dict)
     estimates: dict[tuple[Target, Freedom], float] = field(default_factory=dict)
     runs: Runs = field(default_factory=dict)
+    stopped: set[tuple[Target, Freedom]] = field(default_factory=set)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,38 +138,60 @@ def find_initial_plan(
     axes: Axes, question: PlanRequest, memory: PlanCache, patience: Patience, tell: Report, seconds: dict[str, float]
 ) -> InitialPlan | Infeasible:
     """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
-    other questions about the same program; what is found here is added. patience: ends the search for a stream once
-    there is a motion. Raises NoCleanPlan."""
+    other questions about the same program; what is found here is added. patience: ends the search once there is a
+    motion; with a time limit the RAPID controller's is first looked for with the programmed rail. Raises NoCleanPlan,
+    and Stopped where there is a motion, but none of this question."""
     start = perf_counter()
     tell(Progress("reach"))
     known = memory.answers.get((question.target, question.freedom))
-    problems = question.unchecked() if isinstance(known, InitialPlan) else question.problems(axes)
+    problems = question.unchecked()
+    if not isinstance(known, InitialPlan):
+        with suppress(Stopped):  # then what is known of lesser freedoms is in reach
+            problems = question.problems(axes)
     open_ = [one for one in problems if isinstance(one, Problem)]
     add(seconds, "reach", perf_counter() - start)
     if not open_:
         assert isinstance(problems[0], Infeasible)
         return problems[0]
-    own: InitialPlan | Infeasible | NoCleanPlan
+    own: InitialPlan | Infeasible | NoCleanPlan | Stopped
     tell(Progress("search"))
+    others = [*question.restricted()]
+    if others and patience.limit is not None:
+        if not patience.settled:
+            others.append(replace(question, freedom=question.freedom.and_not_more_than(_PROGRAMMED_RAIL)))
+        with suppress(Stopped):  # what is quickly found comes first
+            for less in reversed(others):
+                found = _of_restricted(axes, question, less, open_, memory, patience, tell, seconds)
+                if found is not None and clear(axes, found.problem, found.draft):
+                    patience.settle()
     try:
         own = known or _search_and_time(axes, question, open_, memory, patience, tell, seconds)
-    except NoCleanPlan as failure:
+    except (NoCleanPlan, Stopped) as failure:
         own = failure
     best = own if isinstance(own, InitialPlan) else None
-    for less in question.restricted():
-        found = _of_restricted(
-            axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan)
-        )
-        if found is not None and (best is None or found.duration < best.duration):
-            near = [found, *_with_rail_freed(axes, found, memory.runs, seconds)]
-            near = [one for one in near if clear(axes, one.problem, one.draft)]
-            best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
-    if best is None and isinstance(own, NoCleanPlan):
+    for less in others:
+        near = list[InitialPlan]()
+        try:
+            found = _of_restricted(
+                axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan)
+            )
+            if found is not None and (best is None or found.duration < best.duration):
+                near.append(found)
+                near += _with_rail_freed(axes, found, memory.runs, seconds)
+        except Stopped:
+            memory.stopped.add((question.target, question.freedom))
+        near = [one for one in near if clear(axes, one.problem, one.draft)]
+        best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
+    if isinstance(own, Stopped):
+        memory.stopped.add((question.target, question.freedom))
+    if best is None and isinstance(own, NoCleanPlan | Stopped):
         raise own
     if best is None:
         assert isinstance(own, Infeasible)
         return own
     memory.answers[question.target, question.freedom] = best
+    if question.target is Target.RAPID and question.freedom == EVERYTHING:
+        patience.settle()
     return best
 
 
@@ -271,12 +297,17 @@ def initial_plan_of(
                     if drafts and patience.over:
                         break
                     start = perf_counter()
-                    tried = _with_rail_refined(narrow, coupled, chain, known)
+                    with suppress(Stopped):
+                        tried = _with_rail_refined(narrow, coupled, chain, known)
                     add(seconds, "search", perf_counter() - start)
                 start = perf_counter()
                 for one in tried:
                     try:
                         draft = timed_clear(axes, problem, one, runs)
+                    except Stopped:
+                        if not drafts:
+                            raise
+                        break
                     except NotDriven as said:
                         failure = failure or (problem, said)
                         wanted = problem.legs[said.run[0]].duration
@@ -296,6 +327,7 @@ def initial_plan_of(
                 return min(drafts, key=lambda one: one.duration)
         if touched is not None and question is not None:
             start = perf_counter()
+            tell(Progress("ways around"))
             blocked = [blocked_place(axes, problem) for problem in problems]
             if None not in blocked:
                 assert blocked[0] is not None

@@ -129,6 +129,8 @@ def _better(one: Plan, other: Plan, target: Target) -> bool:
 
 def _failure(target: Target, found: JudgedPlan | Infeasible | NoPlan) -> str | None:
     """Why an answer is no legal plan, in words; None where it is one."""
+    if isinstance(found, NoPlan) and found.stopped:
+        return found.message
     if isinstance(found, Infeasible | NoPlan):
         return f"no other one was found ({_said(found)}): an error in trajopt; please report it"
     return None if found.report.legal else f"the {target} plan that was found {found.report.refusal}"

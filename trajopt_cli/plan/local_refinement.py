@@ -21,7 +21,7 @@ from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.graph_search.shared_states import at_one_place
 from trajopt_cli.nlp.formulation import Formulation
-from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, Stopped, first_iterate, on_grid
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, first_iterate, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
@@ -29,7 +29,7 @@ from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_blac
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import cost
 from trajopt_cli.trajectories.iterate import Iterate
@@ -84,14 +84,18 @@ def refine(
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
     bases, chain = [(problem, merged)], None
-    if any(problem.passes(k) for k in range(len(problem.waypoints))):
-        bases = [merge_via_points(axes, *one, legal.detours) for one in _with_stops(axes, legal.problem, legal.chain)]
-        bases = [(_with_settled_ties(axes, *one), one[1]) for one in bases]
-    elif axes.layout.has_rail and problem.freedom.through_stops:
-        start = perf_counter()
-        chain = search(axes, problem)
-        add(seconds, "search", perf_counter() - start)
     sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
+    start = perf_counter()
+    try:
+        if any(problem.passes(k) for k in range(len(problem.waypoints))):
+            with_stops = _with_stops(axes, legal.problem, legal.chain)
+            bases = [merge_via_points(axes, *one, legal.detours) for one in with_stops]
+            bases = [(_with_settled_ties(axes, *one), one[1]) for one in bases]
+        elif axes.layout.has_rail and problem.freedom.through_stops:
+            chain = search(axes, problem)
+            add(seconds, "search", perf_counter() - start)
+    except Stopped:
+        report.stopped = True
     solved, best = problem, merged
     for one, base in bases:
         found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)), chain)
@@ -240,7 +244,11 @@ class WindowSweeps:
                 break
             for spans, others in ((red, black), (black, red)):
                 due = [span for span in spans if gained[span] > problem.plant.settings.sweep_gain]
-                before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell, chain)
+                try:
+                    before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell, chain)
+                except Stopped:
+                    report.stopped = True
+                    return draft
                 for first, last in due:
                     gained[first, last] = 0.0
                     was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, draft))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from time import perf_counter
 
@@ -37,7 +38,7 @@ from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Str
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts, rail_way
@@ -51,6 +52,7 @@ _RESIDUAL = 1e-14  # rad or m: rounding of a position in a row.
 _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
 )
+_CUT_BOUND = "the bound was not proved to its end for want of time: it holds, but a better one may"
 _SLOWED = "the whole plan is slowed down: between rows of the file a limit would have been passed"
 _HOLD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 _UNIT = "the rail's unit is not active there: ActUnit before it, or DeactUnit where the rail stands in reach"
@@ -111,6 +113,8 @@ def optimize(
     if isinstance(legal, Infeasible):
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
+    if problem.coordinated and (target, freedom) in memory.stopped:
+        notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
         problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
@@ -119,7 +123,9 @@ def optimize(
     least, eased = duration(draft), None
     if isinstance(objective, LeastEffort):
         tell(Progress("ease", incumbent=least))
-        calmer = plans_with_less_rail(axes, question, legal, memory, seconds)
+        calmer = list[InitialPlan]()
+        with suppress(Stopped):
+            calmer += plans_with_less_rail(axes, question, legal, memory, seconds)
         found = least_effort_plan(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
         if found is None:
             return _too_short(program, target, objective.seconds, least)
@@ -139,22 +145,25 @@ def optimize(
     trajectory = rows[0]
     bound: float | None = None
     if bounded and not patience.interrupted:
-        start = perf_counter()
+        start, cut = perf_counter(), list[bool]()
         tell(Progress("bound", incumbent=trajectory.duration))
         known = least if eased else trajectory.duration
         asked = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped)
-        least_possible = _bound(axes, asked if legal.detours else problem, known)
+        least_possible = _bound(axes, asked if legal.detours else problem, known, lambda: cut.append(True))
         if _refutes(least_possible, known):
             notes = (*notes, _refuted(least_possible, known))
         else:
             bound = min(least_possible, known)  # equal up to rounding where the bound is exact
+            notes = (*notes, *([_CUT_BOUND] if cut else []))
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
     driven = detours_left(problem, legal.detours)
     ways = _detour_notes(program, legal.detours, driven)
     estimate = memory.estimates.get((target, freedom))
     plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
-    plan = replace(plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate)
+    plan = replace(
+        plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate, bound_cut=_CUT_BOUND in notes
+    )
     return _with_detours(folded(plan, program, legal.detours), driven)
 
 
@@ -213,27 +222,31 @@ def _too_short(program: Program, target: Target, asked: float, least: float) -> 
 
 
 def lower_bound_of(
-    program: Program, plant: Plant, plan: Plan, freedom: Freedom = EVERYTHING, changes: Changes | None = None
-) -> float:
-    """The lower bound [s] of a plan that optimize found without one for the same question: for another process."""
+    program: Program, plant: Plant, plan: Plan, freedom: Freedom = EVERYTHING, changes: Changes | None = None,
+    cut: Callable[[], None] = lambda: None,
+) -> float:  # fmt: skip
+    """The lower bound [s] of a plan that optimize found without one for the same question: for another process. cut: as
+    in lower_bound."""
     axes = Axes.of(plant)
     dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
     problems = PlanRequest(program, plant, plan.target, freedom, changes).unchecked()
     problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
-    return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time)
+    return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time, cut)
 
 
-def bounded(plan: Plan, bound: float, spent: float) -> Plan:
-    """The plan with its lower bound [s], and the seconds spent for that; where the plan refutes it, with a note."""
+def bounded(plan: Plan, bound: float, spent: float, cut: bool = False) -> Plan:
+    """The plan with its lower bound [s], and the seconds spent for that; where the plan refutes it, or the time for it
+    was over, with a note."""
     seconds = {**plan.seconds, "bound": spent}
     if _refutes(bound, plan.duration):
         return replace(plan, notes=(*plan.notes, _refuted(bound, plan.duration)), seconds=seconds)
-    return replace(plan, lower_bound=min(bound, plan.duration), seconds=seconds)
+    notes = (*plan.notes, *([_CUT_BOUND] if cut else []))
+    return replace(plan, lower_bound=min(bound, plan.duration), seconds=seconds, notes=notes, bound_cut=cut)
 
 
-def _bound(axes: Axes, problem: Problem, duration: float) -> float:
+def _bound(axes: Axes, problem: Problem, duration: float, cut: Callable[[], None]) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    return lower_bound(axes, problem, duration * 1.001)
+    return lower_bound(axes, problem, duration * 1.001, cut)
 
 
 def _refutes(bound: float, duration: float) -> bool:

@@ -128,6 +128,7 @@ class Plan:
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
     estimate: what the chain takes that the search began with [s], None where there was no search.
+    bound_cut: the time for the bound was over before it was all that can be proved.
     detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
     """
 
@@ -141,6 +142,7 @@ class Plan:
     eased: Eased | None = None
     detours: tuple[Detour, ...] = ()
     estimate: float | None = None
+    bound_cut: bool = False
 
     @property
     def duration(self) -> float:
@@ -171,7 +173,7 @@ class Plan:
     def suspicion(self) -> str | None:
         """Why the plan is suspiciously slow, in words; None where it is not."""
         least = self.duration if self.eased is None else self.eased.least_time
-        if self.gap is not None and self.gap > MOST_GAP:
+        if self.gap is not None and self.gap > MOST_GAP and not self.bound_cut:
             return f"it takes {least / max(self.lower_bound or 0.0, 1e-9):.3g} times its lower bound"
         if self.estimate is not None and least > MOST_TIMES * self.estimate:
             return f"it takes {least / max(self.estimate, 1e-9):.3g} times what the search estimated"
@@ -180,11 +182,12 @@ class Plan:
 
 @dataclass(frozen=True)
 class NoPlan:
-    """The solver failed on a program that can be done: neither an answer nor the user's mistake. label: what was being
-    solved, a target or a baseline."""
+    """The solver failed on a program that can be done, or was stopped: neither an answer nor the user's mistake. label:
+    what was being solved, a target or a baseline."""
 
     label: str
     message: str
+    stopped: bool = False
 
 
 @dataclass(frozen=True)

@@ -3,21 +3,45 @@
 from __future__ import annotations
 
 import mmap
-from time import monotonic
+import os
+import struct
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from time import monotonic, process_time
 
-_ANSWERED, _INTERRUPTED = 0, 1  # bytes that all processes of a run share
+_ANSWERED, _INTERRUPTED, _LEGAL = 0, 1, 2  # bytes that all processes of a run share
+_RESERVED, _FIRST = 8, 16  # places of numbers [s] that they share
+_HEARD = 0.25  # s between two looks at what other processes tell
+
+
+class Stopped(Exception):
+    """The time for this work is over, and there is an answer without it."""
 
 
 class Patience:
     """A time limit [s], None for none, and the user's word to stop; seen by every process forked after this was made.
 
-    Both end only the search for something better. Before there is an answer neither does anything by itself.
+    Both end only the search for something better. Before there is an answer neither does anything by itself. clock: of
+    the seconds [s].
     """
 
-    def __init__(self, limit: float | None = None):
-        self.limit = limit
-        self._start = monotonic()
-        self._shared = mmap.mmap(-1, 2)
+    def __init__(self, limit: float | None = None, clock: Callable[[], float] = monotonic):
+        self.limit, self._clock = limit, clock
+        self._start, self._worked = clock(), process_time()
+        self._shared = mmap.mmap(-1, 24)
+        self._hear: tuple[int, Callable[[], None]] | None = None
+        self._heard = self._start
+
+    @property
+    def spent(self) -> float:
+        """Seconds since this was made."""
+        return self._clock() - self._start
+
+    @property
+    def load(self) -> float:
+        """Seconds gone by for each that this process worked, 1 at least: what others take of the machine."""
+        return max(1.0, self.spent / max(process_time() - self._worked, 1e-3))
 
     def answer(self) -> None:
         """Say that there is an answer now."""
@@ -27,6 +51,27 @@ class Patience:
     def answered(self) -> bool:
         """Whether there is an answer that an end of the search would leave."""
         return bool(self._shared[_ANSWERED])
+
+    def settle(self) -> None:
+        """Say that there is a legal motion that every plan can fall back on: from now on checkpoints end work."""
+        if not self.settled:
+            struct.pack_into("d", self._shared, _FIRST, self.spent)
+            self._shared[_LEGAL] = 1
+
+    @property
+    def settled(self) -> bool:
+        """Whether there is a legal motion that every plan can fall back on."""
+        return bool(self._shared[_LEGAL])
+
+    @property
+    def late(self) -> float | None:
+        """When the first legal motion was there [s], None within the limit, or where no more was asked for."""
+        (first,) = struct.unpack_from("d", self._shared, _FIRST)
+        return first if self.limit and self.settled and first > self.limit else None
+
+    def reserve(self, seconds: float) -> None:
+        """Keep time [s] of the limit for what has to be done behind the search."""
+        struct.pack_into("d", self._shared, _RESERVED, seconds)
 
     def interrupt(self) -> None:
         """End the search in all processes."""
@@ -40,8 +85,40 @@ class Patience:
     @property
     def over(self) -> bool:
         """Whether the search should end."""
-        return self.interrupted or (self.limit is not None and monotonic() - self._start >= self.limit)
+        (reserved,) = struct.unpack_from("d", self._shared, _RESERVED)
+        return self.interrupted or (self.limit is not None and self.spent >= self.limit - reserved)
 
     def why(self) -> str:
         """What ended the search."""
         return "stopped by Ctrl-C" if self.interrupted else f"stopped by the time limit after {self.limit:g} s"
+
+    def hear(self, hear: Callable[[], None] | None) -> None:
+        """Have checkpoints of this process listen to others now and then; None: no longer."""
+        self._hear = None if hear is None else (os.getpid(), hear)
+
+    @contextmanager
+    def cutting(self) -> Iterator[None]:
+        """Checkpoints inside raise Stopped once the search should end and there is something to fall back on."""
+        before = _CUTTING.set(self)
+        try:
+            yield
+        finally:
+            _CUTTING.reset(before)
+
+    def check(self) -> None:
+        """A checkpoint. Raises Stopped."""
+        if self._hear is not None and (now := self._clock()) - self._heard >= _HEARD and self._hear[0] == os.getpid():
+            self._heard = now
+            self._hear[1]()
+        if self.settled and self.over:
+            raise Stopped
+
+
+_CUTTING: ContextVar[Patience | None] = ContextVar("cutting", default=None)
+
+
+def checkpoint() -> None:
+    """Asked in every loop that may take long. Raises Stopped where the time for what is under way is over."""
+    patience = _CUTTING.get()
+    if patience is not None:
+        patience.check()
