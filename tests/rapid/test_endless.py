@@ -58,12 +58,15 @@ def warning(program: Program) -> str:
         ("WHILE TRUE DO to 1 fine; to 2 fine; IF di1=1 RETURN; ENDWHILE", "", "12", "12"),
         ("to 0 fine; again: to 1 fine; to 2 fine; GOTO again;", "", "012", "12"),
         ("to 1 fine; to 2 fine; main;", "", "12", "12"),
+        # while a signal says so that stays as it is
+        ("WHILE di0=0 DO to 1 fine; to 2 fine; ENDWHILE", "", "12", "12"),
+        ("again: to 1 fine; to 2 fine; IF di0=0 GOTO again; to 3 fine;", "", "12", "12"),
         # no pass ends where it began, but all of them come by one stop
         ("WHILE TRUE DO to 1 fine; MoveL Offs(p2,0,0,n),v100,fine,tool0; n:=n+1; ENDWHILE", "", "1", "21"),
     ],
 )  # fmt: skip
 def test_the_cycle_is_a_pass_that_ends_where_it_begins(body: str, rest: str, before: str, cycle: str) -> None:
-    program = run(body, rest, signals={"di1": 0.0})
+    program = run(body, rest, signals={"di0": 0.0, "di1": 0.0})
     assert (told(program.before), told(program.motions), program.passes) == (before, cycle, 1)
     assert "never ends by itself: its pass in steady state is planned" in warning(program)
 
@@ -119,9 +122,21 @@ def test_what_ran_to_see_whether_passes_repeat_leaves_no_trace() -> None:
         run("WHILE TRUE DO n:=n+3; to 1 fine; WaitTime a{n}; ENDWHILE")
 
 
-def test_a_loop_that_takes_its_way_out_is_no_cycle() -> None:
-    program = run("WHILE TRUE DO n:=n+1; to 1 fine; to 2 fine; IF n=40 RETURN; ENDWHILE")
-    assert (program.before, len(program.motions), program.passes, warning(program)) == (None, 80, 0, "")
+@pytest.mark.parametrize(
+    ("body", "moves"),
+    [
+        ("WHILE TRUE DO n:=n+1; to 1 fine; to 2 fine; IF n=40 RETURN; ENDWHILE", 80),
+        ("WHILE di0=0 DO to 1 fine; to 2 fine; ENDWHILE", 4),
+        ("again: to 1 fine; to 2 fine; IF di0=0 GOTO again; to 3 fine;", 7),
+        ("WHILE n<1200 DO n:=n+1; to 1 fine; to 2 fine; ENDWHILE", 2400),
+    ],
+)
+@pytest.mark.parametrize("passes", [None, 1])
+def test_a_loop_that_takes_its_way_out_is_no_cycle(body: str, moves: int, passes: int | None) -> None:
+    if passes and "TRUE" in body:
+        pytest.skip("the number says when such a loop is over")
+    program = run(body, passes=passes, signals={"di0": (0.0, 0.0, 1.0)})
+    assert (program.before, len(program.motions), program.passes, warning(program)) == (None, moves, 0, "")
 
 
 def test_the_cycle_knows_where_it_begins() -> None:

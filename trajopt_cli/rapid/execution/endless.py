@@ -21,7 +21,7 @@ from trajopt_cli.warnings import WarningKind
 
 _SEEN = 26  # passes that are run at most to see whether they repeat: enough for a period of twelve
 _MOTIONS = 4000  # in them, beyond which one pass behind the cycle must do
-_UNLEFT = 1000  # passes after which a loop with a way out is taken as one that never takes it
+_UNLEFT = 200  # passes after which a loop with a way out whose passes repeat is taken as one that never takes it
 
 
 def add_pass(run: Context, passes: Passes) -> bool:
@@ -35,7 +35,10 @@ def add_pass(run: Context, passes: Passes) -> bool:
         passes.marks.append(motions)
     many = motions - passes.marks[0] > _MOTIONS
     if passes.leaves:
-        return passes.count >= _UNLEFT or (many and 2 * run.budget < run.scenario.statement_limit)
+        if passes.count == _SEEN:
+            run.position.place()
+            passes.repeats = _period([_key(motion) for motion in run.motions], passes.marks) is not None
+        return passes.repeats and passes.count >= _UNLEFT
     return passes.count >= wanted + 2 and (many or passes.count >= _SEEN)
 
 

@@ -90,23 +90,28 @@ def run_while(run: Context, node: While) -> None:
             run.block(node.body)
             passes += 1
             counted = count_endless(run, node, loop, exits, passes, counted, motions)
-    passes = 0
+    passes, counted, asks = 0, 0, asks_signals(run, node.condition)
     while run.condition(node.condition):
-        passes += 1
+        passes, motions = passes + 1, len(run.motions)
         count_pass(run, node, passes)
         run.block(node.body)
+        if asks:
+            loop = f"WHILE {run.text(node.condition)}"
+            counted = count_endless(run, node, loop, True, passes, counted, motions, ends=True)
 
 
 def backwards(run: Context, node: Goto, body: Sequence[Statement]) -> None:
     """Count a GOTO to a label before it; body: from the label to the statement that holds the GOTO."""
     seen = run.frame.passes
     passes = seen[id(node)] = seen.get(id(node), 0) + 1
-    if body[-1] is not node:  # under a condition
+    ends = body[-1] is not node  # under a condition
+    if ends and not (isinstance(body[-1], If) and asks_signals(run, *(test for test, _ in body[-1].branches))):
         return count_pass(run, node, passes)
     # The motions of the pass that ends here: those since the last time, or all of the run's for the first pass.
     key = -id(node)
     motions, counted = run.frame.turns.get(key, (run.frame.motions, 0))
-    counted = count_endless(run, node, f"GOTO {node.label}", leaves(body[:-1]), passes, counted, motions)
+    exits = ends or leaves(body[:-1])
+    counted = count_endless(run, node, f"GOTO {node.label}", exits, passes, counted, motions, ends)
     run.frame.turns[key] = (len(run.motions), counted)
 
 
@@ -155,9 +160,10 @@ def _reads(run: Context, node: Expression, signals: dict[str, None], values: dic
 
 
 def count_endless(
-    run: Context, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int
+    run: Context, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int, ends: bool = False
 ) -> int:
-    """Count a pass of a loop without a condition, and end the program where enough of them ran.
+    """Count a pass of a loop without a condition, and end the program where enough of them ran. ends: it has one, which
+    only signals decide.
 
     A loop that has a way out (RETURN, EXIT ...) may be a search through data: only its passes that move count, and
     without a number in the scenario it runs until it takes its way out. motions: how many there were before the pass.
@@ -167,13 +173,22 @@ def count_endless(
         count_pass(run, node, passes)
         return counted
     if not counted:
-        leaves = exits and run.scenario.endless_passes is None
+        leaves = exits and (ends or run.scenario.endless_passes is None)
         run.endless[id(node)] = Passes(loop, run.source(node), [motions], leaves)
     known = run.endless[id(node)]
     if add_pass(run, known):
         known.leaves = False
         raise Exit
     return counted + 1
+
+
+def asks_signals(run: Context, *conditions: Expression) -> bool:
+    """Whether conditions read signals and nothing that the program changes."""
+    signals: dict[str, None] = {}
+    values: dict[str, str] = {}
+    for condition in conditions:
+        _reads(run, condition, signals, values)
+    return bool(signals) and not values
 
 
 def always(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:

@@ -25,7 +25,8 @@ class State(NamedTuple):
 @dataclass
 class Passes:
     """The passes of one loop that counted. marks: where they begin and end in the motions. leaves: the loop may take a
-    way out, and nobody says after how many passes it is over. ends: of the first passes."""
+    way out, and nobody says after how many passes it is over; repeats: the first of these passes do. ends: of the
+    first passes."""
 
     loop: str
     source: Source
@@ -33,6 +34,7 @@ class Passes:
     leaves: bool
     ends: list[State] = field(default_factory=list)
     count: int = 0
+    repeats: bool = False
 
 
 class Cycle(NamedTuple):
