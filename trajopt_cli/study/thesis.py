@@ -68,8 +68,9 @@ def thesis(case: Case) -> Answer:
     if isinstance(plan, Infeasible):
         return plan
     least = float(np.arcsin(np.abs(np.cos(plan.trajectory.q[:, 3])).min()))
+    work = sum(any(isinstance(case.program.motions[points[k].motion], PoseMove) for k in area) for area in areas)
     notes = (
-        f"{len(areas)} functional areas; joint 3 stays {least / DEG:.1f} deg from the stretched elbow "
+        f"{work} functional area{'s' * (work != 1)}; joint 3 stays {least / DEG:.1f} deg from the stretched elbow "
         f"(phi_min {rule.phi_min / DEG:g} deg at the points)",
     )
     return Attempt(case.program, plan.trajectory, plan, notes)
