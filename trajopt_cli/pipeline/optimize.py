@@ -203,6 +203,7 @@ def optimize_job(
             files=[one.record(rapid=export is not None) for one in dict.fromkeys((first, cell, *inputs.values()))],
         ),
         no_rapid=no_rapid,
+        added=[],
         started=started.isoformat(),
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
