@@ -57,19 +57,14 @@ def best_tied(
     return cost, [int(rows[k][chosen[number]]) for k, number in enumerate(node)]
 
 
-def at_one_place(waypoints: Sequence[Waypoint], group: Sequence[int]) -> bool:
-    """Whether tied waypoints have the flange at one place, so that they can share all axes."""
-    first = waypoints[group[0]].X_WF
-    return all(np.abs(waypoints[k].X_WF - first).max() <= _SAME_PLACE for k in group[1:])
-
-
 def shared(axes: Axes, waypoints: Sequence[Waypoint], q: Sequence[Array], ties: Ties) -> list[Array]:
     """Of the axes q (n_k, axes) of every waypoint what tied ones must have in common: all of them where the tool is at
     one place, the rail position and what confdata says of the arm where it is at several."""
     out = list(q)
     known: dict[int, Array] = {}
     for group in ties:
-        if at_one_place(waypoints, group):
+        first = waypoints[group[0]].X_WF
+        if all(np.abs(waypoints[k].X_WF - first).max() <= _SAME_PLACE for k in group[1:]):
             continue
         for k in group:
             if id(q[k]) not in known:

@@ -19,7 +19,6 @@ from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.graph_search.shared_states import at_one_place
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, first_iterate, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
@@ -79,7 +78,6 @@ def refine(
         )
         return legal.problem, legal.draft, (why,)
     problem, merged = merge_via_points(axes, legal.problem, legal.draft, legal.detours)
-    problem = _with_settled_ties(axes, problem, merged)
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
@@ -90,7 +88,6 @@ def refine(
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
             with_stops = _with_stops(axes, legal.problem, legal.chain)
             bases = [merge_via_points(axes, *one, legal.detours) for one in with_stops]
-            bases = [(_with_settled_ties(axes, *one), one[1]) for one in bases]
         elif axes.layout.has_rail and problem.freedom.through_stops:
             chain = search(axes, problem)
             add(seconds, "search", perf_counter() - start)
@@ -132,20 +129,6 @@ def _tell_best(tell: Report, known: float, now: float) -> None:
 def _tell_whole(tell: Tell, rest: float, part: float) -> None:
     """Tell the cycle time [s] of a part and of the rest."""
     tell(rest + part)
-
-
-def _with_settled_ties(axes: Axes, problem: Problem, draft: Iterate) -> Problem:
-    """The problem with the rail where the motion at hand has it, at tied waypoints of several places: a solver that
-    moved it would not see when axes of one of them come into another quadrant of their confdata."""
-    waypoints = list(problem.waypoints)
-    settled = [group for group in problem.ties if not at_one_place(waypoints, group)]
-    for k in (k for group in settled for k in group if waypoints[k].q is None):
-        rail = float(axes.layout.place(draft.q[k]))
-        waypoints[k] = replace(waypoints[k], rail=(rail, rail))
-    left = [group for group in problem.ties if group not in settled]
-    if problem.steady and not any(group[0] == 0 for group in left):
-        left.append((0, len(problem.legs)))
-    return replace(problem, waypoints=tuple(waypoints), ties=tuple(left))
 
 
 def _with_stops(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
