@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,9 +14,10 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline import planning
 from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.study.place import RESOLUTION, Placed, place, spread, tried
+from trajopt_cli.study.place import RESOLUTION, Placed, Tried, place, spread, tried
 from trajopt_cli.study.places import Range, Site, parse_ranges, site_of
 from trajopt_cli.units import DEG, MM
 
@@ -226,3 +228,56 @@ def test_a_program_that_asks_where_the_robot_is_is_read_again(job: Job, tmp_path
     before, after = (site.at((x,)).program.motions[0] for x in (0.0, 0.25))
     assert after.X_WT[0, 3] - before.X_WT[0, 3] == pytest.approx(0.25)  # type: ignore[union-attr]
     assert replace(site, ranges=()).frame(()) == pytest.approx(np.eye(4))
+
+
+def of_function(monkeypatch: pytest.MonkeyPatch, cycle: Callable[[float], float]) -> list[tuple[float, bool]]:
+    """Cycle times by a function of the place instead of by plans; which places are asked for, and whether fully."""
+    asked = list[tuple[float, bool]]()
+
+    def tried(_: Site, offset: tuple[float, ...], target: Target, patience: Any, known: Any = None) -> Tried:
+        T = cycle(offset[0])
+        asked.append((offset[0], patience is not None))
+        return Tried(
+            offset, first=1.2 * T if target is Target.STREAM else T, estimate=T, planned=T if patience else None
+        )
+
+    monkeypatch.setattr("trajopt_cli.study.place.tried", tried)
+    return asked
+
+
+@pytest.mark.parametrize("target", list(Target))
+def test_the_present_place_is_planned_first_and_progress_counts_from_it(
+    job: Job, monkeypatch: pytest.MonkeyPatch, target: Target
+) -> None:
+    asked, told = of_function(monkeypatch, lambda x: 10 + abs(x - 0.13)), list[Progress]()
+    site = site_of(job, "base", parse_ranges(["x=-0.3..0.3"]))
+    found = place(site, target, lambda _, progress: told.append(progress), Patience(), 1, 12)
+    assert asked[:2] == [(0.0, False), (0.0, True)]
+    times = [one.incumbent for one in told if one.incumbent is not None]
+    assert max(times) <= 10.13
+    assert times == sorted(times, reverse=True)
+    assert found.gained == pytest.approx(0.13, abs=0.012)
+    assert any("less than today's" in one.phase for one in told)
+
+
+def test_the_search_ends_when_places_do_not_pay_and_says_after_which_rule(
+    job: Job, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = of_function(monkeypatch, lambda x: 10 + 0.004 * x * x)
+    found = place(site_of(job, "base", parse_ranges(["x=-4m..3m"])), Target.RAPID, lambda *_: None, Patience(), 1, 60)
+    assert found.best is found.present
+    assert sum(not full for _, full in asked) == 1 + 20
+    assert sum(full for _, full in asked) <= 1 + 4 + 2
+    assert len(found.ended) == 2
+    assert all(line in [*found.remarks] for line in found.ended)
+    assert found.steps is not None
+
+
+def test_places_are_cut_by_the_time_and_the_answer_is_what_was_found(job: Job) -> None:
+    site = site_of(job, "base", parse_ranges(["x=-0.1..0.1"]))
+    for ticks in (0, 60, 250):
+        clock = iter(range(1 << 30))
+        found = place(site, Target.STREAM, lambda *_: None, Patience(ticks, lambda: float(next(clock))), 1, 4)  # noqa: B023
+        assert found.present.first is not None
+        assert found.stopped is not None
+        assert found.best is not None

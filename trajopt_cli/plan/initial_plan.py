@@ -332,7 +332,7 @@ def initial_plan_of(
             if None not in blocked:
                 assert blocked[0] is not None
                 return blocked[0]
-            detoured = _with_detours(narrow, question, problems, known, runs)
+            detoured = _with_detours(narrow, question, problems, known, runs, patience)
             add(seconds, "ways around", perf_counter() - start)
             if isinstance(detoured, InitialPlan):
                 tell(Progress("timing", detoured.duration))
@@ -351,9 +351,10 @@ def initial_plan_of(
 
 
 def _with_detours(
-    axes: Axes, question: PlanRequest, problems: Sequence[Problem], known: Times, runs: Runs | None
+    axes: Axes, question: PlanRequest, problems: Sequence[Problem], known: Times, runs: Runs | None, patience: Patience
 ) -> InitialPlan | NoClearPath | None:
-    """The fastest motion found that touches nothing; or what the best one touches."""
+    """The fastest motion found that touches nothing, and where the time is over the first one; or what the best one
+    touches."""
     changes = question.changes or everything(question.program, question.plant)
     found: list[InitialPlan] = []
     failure: NoClearPath | None = None
@@ -369,10 +370,15 @@ def _with_detours(
                 axes, coordinated(problem), problem, changes.straight, changes.detours, question.detoured, shifted, runs
             ):
                 found.append(InitialPlan(one.problem, one.chain, one.draft, one.detours))
+                if question.target is Target.RAPID and question.freedom == EVERYTHING:
+                    patience.settle()
         except NoClearPath as said:
             failure = said
         except NotDriven:
             continue
+        except Stopped:
+            if not found:
+                raise
     return min(found, key=lambda one: one.duration, default=failure)
 
 

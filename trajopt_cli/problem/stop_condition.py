@@ -8,6 +8,7 @@ import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from copy import copy
 from time import monotonic, process_time
 
 _ANSWERED, _INTERRUPTED, _LEGAL = 0, 1, 2  # bytes that all processes of a run share
@@ -72,6 +73,15 @@ class Patience:
     def reserve(self, seconds: float) -> None:
         """Keep time [s] of the limit for what has to be done behind the search."""
         struct.pack_into("d", self._shared, _RESERVED, seconds)
+
+    def part(self, share: float) -> Patience:
+        """The same with a share of the time that is left, for one piece of work among several."""
+        if self.limit is None:
+            return self
+        out, (reserved,) = copy(self), struct.unpack_from("d", self._shared, _RESERVED)
+        left = max(self.limit - reserved - self.spent, 0.0)
+        out.limit = self.limit - left * (1 - min(share, 1.0))
+        return out
 
     def interrupt(self) -> None:
         """End the search in all processes."""

@@ -1,14 +1,14 @@
 """`place`: where the robot's base, its rail or a work object should stand for the shortest cycle, by search over plans.
 
-Coarsely over points spread evenly in the ranges, each by a first legal motion; then by full plans at the best of them
-and, in steps that halve, around the best.
+From the present place on, which is planned first: coarsely over points spread evenly in the ranges, each by a first
+legal motion; then by full plans at the best of them and, in steps that halve, around the best; as long as that pays.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import product
 from pathlib import Path
@@ -19,7 +19,7 @@ from trajopt_cli.pipeline.planning import Listener, may_change
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.study.answers import why_illegal
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
@@ -31,8 +31,12 @@ FEW = 4
 """Best points of the coarse search that are planned."""
 RESOLUTION, TURN = 0.01, 2 * DEG
 """m and rad: the last steps around the best place are no longer than that."""
+PAYS = 1e-3
+"""Share of the cycle time that further places have to gain, or the search ends."""
+_BATCH = 10  # places at least between two looks at whether the coarse search pays
 LEAST = 5e-4
 """s by which a place has to be better than another one to be preferred."""
+_WRITING = 1.0  # s of drawing and writing the answer
 _TOLD = 5  # places between two words of progress
 
 
@@ -57,13 +61,15 @@ class Tried:
 @dataclass(frozen=True, eq=False)
 class Placed:
     """The answer. places: by offset, in the order they were tried in, the present one first. steps: the last steps
-    [m, rad] by range, None where the search was cut short before them. stopped: what cut it short, if so."""
+    [m, rad] by range, None where the search was cut short before them. stopped: what cut it short, if so; ended: after
+    which rules it ended by itself before all places."""
 
     site: Site
     target: Target
     places: Mapping[Offset, Tried]
     steps: tuple[float, ...] | None
     stopped: str | None
+    ended: tuple[str, ...] = ()
 
     @property
     def present(self) -> Tried:
@@ -146,6 +152,7 @@ class Placed:
         ]
         if at_end:
             yield f"the best place lies at the end of the range of {', '.join(at_end)}: a wider one may gain more"
+        yield from self.ended
         if self.stopped is not None:
             what = "full plans" if self.planned else "first legal motions, which full plans shorten"
             yield f"{self.stopped}: the best found by then, compared by {what}"
@@ -167,17 +174,19 @@ def place(
     what was found by then is the answer.
     """
     search = _Search(site, target, listen, patience, jobs or cores(), {})
-    design = spread(site.ranges, points or EACH * len(site.ranges))
-    search.try_all([site.present], full=False)
+    count = points or EACH * len(site.ranges)
+    patience.reserve(_WRITING * patience.load)
+    search.try_all([site.present], False, patience)
     patience.answer()
-    search.try_all(design, full=False)
+    search.try_all([site.present], True, patience.part(0.25))
+    search.coarsely(spread(site.ranges, count))
     steps = None
     best = search.ranked()[:FEW]
     if best:
-        search.try_all([site.present, *best], full=True)
-        steps = search.around(points or EACH * len(site.ranges))
-    stopped = patience.why() if patience.over else None
-    return Placed(site, target, search.places, steps, stopped)
+        search.try_all([site.present, *best], True, patience.part(0.5))
+        steps = search.around(count)
+    stopped = patience.why() if patience.over or search.cut else None
+    return Placed(site, target, search.places, steps, stopped, tuple(search.ended))
 
 
 def spread(ranges: Sequence[Range], count: int) -> list[Offset]:
@@ -197,7 +206,7 @@ def spread(ranges: Sequence[Range], count: int) -> list[Offset]:
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Places that are tried, in processes, as long as there is patience."""
+    """Places that are tried, in processes, as long as there is patience; cut: those that there was none for."""
 
     site: Site
     target: Target
@@ -205,8 +214,29 @@ class _Search:
     patience: Patience
     workers: int
     places: dict[Offset, Tried]
+    ended: list[str] = field(default_factory=list)
+    cut: list[Offset] = field(default_factory=list)
 
-    def try_all(self, offsets: Sequence[Offset], full: bool) -> None:
+    def coarsely(self, design: Sequence[Offset]) -> None:
+        """Try the first legal motion at these places, the most different ones first, as long as that pays."""
+        steps = 4 if len(self.site.ranges) == 1 else 1  # those of several ranges are in such an order
+        order = [one for first in range(steps) for one in design[first::steps]]
+        size, half = max(_BATCH, len(order) // 3), self.patience.part(0.5)
+        for first in range(0, len(order), size):
+            before, some = self._foretold(), order[first : first + size]
+            self.try_all(some, full=False, patience=half)
+            left = 0 if self.cut else len(order) - first - size
+            if left > 0 and before - self._foretold() < PAYS * before < math.inf:
+                self.ended.append(
+                    f"the coarse search ended {left} places early: its last {len(some)} gained less than {PAYS:.1%}"
+                )
+                return
+
+    def _foretold(self) -> float:
+        """What the most promising place promises [s]."""
+        return min((score(one, self.target) for one in self.places.values() if one.first is not None), default=math.inf)
+
+    def try_all(self, offsets: Sequence[Offset], full: bool, patience: Patience) -> None:
         """Try places that were not tried so far, or were not planned where full plans are asked for."""
         known = self.places
         wanted = [
@@ -215,31 +245,46 @@ class _Search:
             if one not in known or (full and not known[one].why and known[one].planned is None)
         ]
         count = 0
+        now = known.get(self.site.present)
+        today = None if now is None else now.planned or now.first
+        least = min((T for one in known.values() if (T := self._comparable(one))), default=today)
 
-        def hear(_: Offset) -> None:
-            nonlocal count
+        def hear(one: Tried) -> None:
+            nonlocal count, least
             count += 1
+            least = min((T for T in (least, self._comparable(one)) if T), default=None)
             if count % _TOLD == 0 or full or len(wanted) <= _TOLD:
+                saved = f", {today - least:.3f} s less than today's" if today and least and least < today else ""
                 what = "planned" if full else "tried"
-                self.listen("place", Progress(f"{count} of {len(wanted)} places {what}", self._least()))
+                self.listen("place", Progress(f"{count} of {len(wanted)} places {what}{saved}", least))
 
-        tasks = {one: partial(self._try, one, full) for one in wanted}
+        tasks = {
+            one: partial(self._try, one, full, patience.part(self.workers / (len(wanted) - i)) if full else patience)
+            for i, one in enumerate(wanted)
+        }
         for offset, tried in in_turns(tasks, hear, self.workers).items():
-            if tried is not None:
+            if tried is None:
+                self.cut.append(offset)
+            else:
                 self.places[offset] = tried
 
-    def _try(self, offset: Offset, full: bool, tell: Callable[[Offset], None]) -> Tried | None:
-        """One place; None where there is no patience left. The present one is always tried, if not planned."""
-        if self.patience.over and (full or any(offset)):
-            return None
-        out = tried(self.site, offset, self.target, self.patience if full else None, self.places.get(offset))
-        tell(offset)
-        return out
+    def _comparable(self, one: Tried) -> float | None:
+        """What progress tells of a place [s]: its plan, which the RAPID controller's first motion nearly is."""
+        return one.planned or (one.first if self.target is Target.RAPID else None)
 
-    def _least(self) -> float | None:
-        plans = [one.planned for one in self.places.values() if one.planned is not None]
-        firsts = [one.first for one in self.places.values() if one.first is not None]
-        return min(plans or firsts, default=None)
+    def _try(self, offset: Offset, full: bool, patience: Patience, tell: Callable[[Tried], None]) -> Tried | None:
+        """One place; None where there is no patience left. The present one is always tried, if not planned."""
+        if patience.over and (full or any(offset)):
+            return None
+        try:
+            with patience.cutting():
+                out = tried(self.site, offset, self.target, patience if full else None, self.places.get(offset))
+        except Stopped:
+            return None
+        if out.first is not None:
+            self.patience.settle()
+        tell(out)
+        return out
 
     def ranked(self) -> list[Offset]:
         """The places that can be done, the most promising first."""
@@ -252,7 +297,11 @@ class _Search:
 
     def around(self, points: int) -> tuple[float, ...] | None:
         """Plan the neighbours of the best place in both ways of every range, in steps that halve where none of them is
-        better; the last steps, None where patience ended before them."""
+        better, as long as that pays; the last steps, None where patience ended before them.
+
+        Where no neighbour is better and all are hardly worse, no smaller step would gain more than they lose if cycle
+        times are convex in the place.
+        """
         ranges = self.site.ranges
         many = points ** (1 / len(ranges))
         steps = [one.width / many / 2 for one in ranges]
@@ -262,12 +311,18 @@ class _Search:
             if not planned:
                 return None
             best = min(planned, key=lambda one: one.planned or math.inf)
-            self.try_all(_neighbours(ranges, best.offset, steps), full=True)
+            near = _neighbours(ranges, best.offset, steps)
+            self.try_all(near, True, self.patience)
             now = min(one.planned for one in self.places.values() if one.planned is not None)
             assert best.planned is not None
             if now > best.planned - LEAST:
                 if all(step <= end for step, end in zip(steps, least, strict=True)):
                     return None if self.patience.over else tuple(steps)
+                beside = [one.planned for place in near if (one := self.places.get(place)) is not None]
+                worst = max((T or math.inf for T in beside), default=math.inf)
+                if len(beside) == len(near) and worst - best.planned < PAYS * best.planned:
+                    self.ended.append(f"the search ended where all neighbours are within {PAYS:.1%} of the best place")
+                    return tuple(steps)
                 steps = [max(step / 2, end) for step, end in zip(steps, least, strict=True)]
         return None
 
@@ -300,7 +355,9 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
         if agreed.infeasible is not None:
             return _refused(offset, agreed.infeasible)
         changes = agreed.changes[target]
-        limit = patience if patience is not None else Patience(0.0)
+        limit = patience or Patience()
+        if patience is None:
+            limit.interrupt()
         plan = optimize(job.program, job.plant, target, bounded=False, changes=changes, patience=limit)
     except (InputError, NoCleanPlan) as no:
         return Tried(offset, why=str(no))
