@@ -273,7 +273,7 @@ def test_what_was_exported_once_is_wrapped_once(plant: Plant) -> None:
 def test_a_wait_after_joints_becomes_a_line_to_where_they_are(plant: Plant) -> None:
     program = made("        MoveAbsJ home\\NoEOffs,v300,fine,tool0;\n        WaitTime\\InPos,0.5;\n" + J1)
     export = export_rapid(program, plan_for(program, plant, {0: 0.0, 1: 0.15, 2: 0.2}), plant)
-    line = "        MoveL RailAt(CRobT(\\Tool:=tool0),150\\conf:=[-1,0,-1,0]),v300\\T:=0.5,fine,tool0;\n"
+    line = "        MoveL RailAt(CRobT(\\Tool:=tool0\\WObj:=wobj0),150\\conf:=[-1,0,-1,0]),v300\\T:=0.5,fine,tool0;\n"
     assert line in export.texts["m.mod"]
     home_b = read_again(program, plant, Scenario(), export.texts).motions[1]
     assert isinstance(home_b, MoveL)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -29,7 +29,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveJ, PoseMove, Source, Span, Wait
 from trajopt_cli.problem.detours import JointMove, quoted
 from trajopt_cli.problem.editable_text import EditableText, Passes, confdata_counts
-from trajopt_cli.problem.move_call import MoveCall, last_argument, read_move
+from trajopt_cli.problem.move_call import last_argument, read_move
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.syntax import Call, Name
 from trajopt_cli.robot.inverse import confdata, confdata_admits
@@ -144,10 +144,9 @@ class _Writer:
             same = all((self._intents[i].drop, self._intents[i].fast) == (first.drop, first.fast) for i in indices)
             if not same or any(one != points[0] for one in points):
                 wrong.append(indices[0])
-        for group in self._groups(moving):
-            rails = {None if self._intents[i].rail is None else rail_text(self._intents[i].rail or 0.0) for i in group}
-            if len(rails) > 1 and self._needed(group):
-                wrong.append(group[0])
+            for group in [] if first.drop else self._grouped(indices):
+                if len({_shown(self._intents[i].rail) for i in group}) > 1 and self._needed(group):
+                    wrong.append(group[0])
         self._refuse(wrong)
 
     def _refuse(
@@ -164,24 +163,20 @@ class _Writer:
             found.routines = frozenset(one.name.lower() for one in routines if one is not None)
             raise found
 
-    def _groups(self, moving: Mapping[Span, Passes]) -> Iterator[Passes]:
-        for key, group in self._text.groups.items():
-            own = tuple(i for i in group if i in self._intents)
-            if own and key[0] in moving and not self._dropped(key[0]):
-                yield own
+    def _grouped(self, indices: Passes) -> Iterable[list[int]]:
+        """A statement's executions, those together that share one value."""
+        groups: dict[object, list[int]] = defaultdict(list)
+        for i in indices:
+            groups[self._text.key(i)].append(i)
+        return groups.values()
 
     def _wishes_of(self, indices: Passes) -> dict[int, Wish]:
         """What the target of a statement must say in each of its executions."""
         monitored = any(not self._intents[i].nearest for i in indices)
         out = dict[int, Wish]()
-        groups: dict[object, list[int]] = defaultdict(list)
-        for i in indices:
-            groups[self._text.key(i)].append(i)
-        for group in groups.values():
-            rails = [self._intents[i].rail for i in group]
-            rail = None if rails[0] is None else rail_text(rails[0])
-            if len({None if one is None else rail_text(one) for one in rails}) > 1:
-                rail = None  # where none of them needs to say it
+        for group in self._grouped(indices):
+            rails = {_shown(self._intents[i].rail) for i in group}
+            rail = rails.pop() if len(rails) == 1 else None  # where none of them needs to say it
             moves = [move for i in group if isinstance(move := self._program.motions[i], PoseMove)]
             arms = [arm for i in group if (arm := self._intents[i].arm) is not None]
             counts = bool(moves) and (monitored or confdata_counts(moves[0]))
@@ -324,8 +319,11 @@ class _Writer:
         assert isinstance(move, PoseMove | MoveAbsJ)
         said = any(wish.conf is not None for wish in wishes.values())
         call = read_move(move, self._edits.text(move.written.statement))
-        speed, tool, wobj = self._words(call)
-        here = None if isinstance(move, PoseMove) else rf"CRobT(\Tool:={tool}{wobj})"
+        assert call.tool is not None
+        speed, tool = self._edits.text(call.speed), self._edits.text(call.tool)
+        wobj = "" if call.wobj is None else self._edits.text(call.wobj)
+        frame = wobj or r"\WObj:=wobj0"
+        here = None if isinstance(move, PoseMove) else rf"CRobT(\Tool:={tool}{frame})"
         target = self._around(span, move, wishes, said, here)
         seconds = plain(wait.duration) if wait.condition else last_argument(wait, self._edits.text(span))
         line = rf"MoveL {target},{speed}\T:={seconds},fine,{tool}{wobj};"
@@ -338,25 +336,22 @@ class _Writer:
     def _wishes_of_wait(self, indices: Passes) -> dict[int, Wish]:
         """The same of lines that stand in for waits; a confdata only where that of the moves before does not do."""
         out = dict[int, Wish]()
-        groups: dict[object, list[int]] = defaultdict(list)
-        for i in indices:
-            groups[self._text.key(i)].append(i)
         said = [self._said_conf(self._text.dwells[i]) for i in indices]
         arms = [self._intents[i].arm for i in indices]
         counts = any(
             conf is not False and arm is not None and not (conf and confdata_admits(self._plant.robot, conf, arm))
             for conf, arm in zip(said, arms, strict=True)
         )
-        for group in groups.values():
-            rails = [self._intents[i].rail for i in group]
-            if rails[0] is None or len({rail_text(one or 0.0) for one in rails}) > 1:
+        for group in self._grouped(indices):
+            rails = {_shown(self._intents[i].rail) for i in group}
+            if len(rails) > 1 or None in rails:
                 self._refuse(group)
             conf = None
             if counts:
                 own = [arm for i in group if (arm := self._intents[i].arm) is not None]
                 if (conf := common_conf(self._plant, [], own)) is None:
                     self._refuse(group)
-            out |= dict.fromkeys(group, Wish(rail_text(rails[0] or 0.0), conf, counts))
+            out |= dict.fromkeys(group, Wish(rails.pop(), conf, counts))
         return out
 
     def _said_conf(self, index: int) -> ConfData | Literal[False] | None:
@@ -376,12 +371,6 @@ class _Writer:
         literal = self._literal(move.written.statement)
         wish = None if literal is None else self._in_place.get(literal)
         return move.conf if wish is None or wish.conf is None else wish.conf
-
-    def _words(self, call: MoveCall) -> tuple[str, str, str]:
-        r"""Speed, tool and `\WObj:=w` (or nothing) as a move writes them."""
-        assert call.tool is not None
-        wobj = "" if call.wobj is None else self._edits.text(call.wobj)
-        return self._edits.text(call.speed), self._edits.text(call.tool), wobj
 
     # ------------------------------------------------------------------------------------------- functions and arrays
 
@@ -462,12 +451,9 @@ class _Writer:
                 by_key = {key[:n] + key[n + 1 :]: value for key, value in by_key.items()}
         sizes = [counters[n].count for n in used]
         array = self._names.new(name)
-        size = ",".join(map(str, sizes))
-        self._declare(span, f"LOCAL CONST {type_} {array}{{{size}}}:={_nested(sizes, by_key, self._end(span))};")
+        size, gap = ",".join(map(str, sizes)), f"{self._edits.line_end(span.file)}{self._indentation(span)}    "
+        self._declare(span, f"LOCAL CONST {type_} {array}{{{size}}}:={_nested(sizes, by_key, gap)};")
         return f"{array}{{{','.join(counters[n].index for n in used)}}}"
-
-    def _end(self, span: Span) -> str:
-        return f"{self._edits.line_end(span.file)}{self._indentation(span)}    "
 
     def _indentation(self, span: Span) -> str:
         """How far the items of a statement's module stand in."""
@@ -488,6 +474,10 @@ class _Writer:
             )
         else:
             self._edits.insert(span.file, offset, f" {declaration}")
+
+
+def _shown(rail: float | None) -> str | None:
+    return None if rail is None else rail_text(rail)
 
 
 def _function(kind: str, name: str, type_: str, axis: str) -> list[str]:
