@@ -338,6 +338,11 @@ class _Move:
         return self.process is not None and self.process.instruction.startswith("Spot")
 
     @property
+    def searches(self) -> bool:
+        """Whether it ends where a signal comes (SearchL), which nobody knows before."""
+        return self.process is not None and self.process.instruction.startswith("Search")
+
+    @property
     def waits_for(self) -> str:
         """Whose time is the least one."""
         if self.partner is not None and self.partner >= self.least:

@@ -371,6 +371,17 @@ def test_a_program_that_moves_a_held_rail_itself_is_answered_with_both() -> None
     )
 
 
+@pytest.mark.parametrize(("ends", "moves"), [("p_low", False), ("[[500,600,390],[0,0,1,0],[0,0,0,0],[650{}]]", True)])
+def test_the_rail_stands_still_in_a_search_unless_the_program_drives_it(ends: str, moves: bool) -> None:
+    """Where it would be at the hit, nobody knows before."""
+    search = f"SearchL\\Stop,di1,p_hit,{ends.format(',9E9' * 5)},v50,tool0;"
+    program = rapid(
+        f"MoveJ p_in, v500, fine, tool0;\n{search}", Scenario(searches={"di1": 0.5}), "VAR robtarget p_hit;"
+    )
+    for target in Target:
+        assert [leg.rail_moves for leg in problem_of(program, plant_with_rail(), target).legs] == [True, moves]
+
+
 TURNS = ((30, "z50"), (54, "fine"))
 
 

@@ -544,7 +544,9 @@ class _Build:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
         X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
         v_tcp, v_ori, v_rail = caps
-        moves, v_rail = motion.hold is None and v_rail > 0, v_rail or np.inf
+        driven = abs(end.written - self.waypoints[-1].written) > _STILL
+        moves = motion.hold is None and v_rail > 0 and (driven or not motion.searches)  # else: at the hit, where is it?
+        v_rail = v_rail or np.inf
         tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
         v_tcp, a_tcp = min(v_tcp, tcp.speed), tcp_acceleration(motion, tcp)
         duration = None if motion.duration is None else max(motion.duration, motion.least)
