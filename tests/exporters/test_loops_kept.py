@@ -83,10 +83,12 @@ def test_the_loop_stays_and_its_targets_are_wrapped(plant: Plant) -> None:
         ("0 TO 4 STEP 2", "i DIV 2+1"),
         ("9 TO 3 STEP -3", "(9-i) DIV 3+1"),
         ("nLow TO nHigh", "i-1"),
+        ("0 TO nHigh-nLow", "i+1"),
+        ("Dim(rows,2) TO nLow*1 STEP -1", "5-i"),
     ],
 )
 def test_passes_take_their_values_from_an_array(plant: Plant, bounds: str, index: str) -> None:
-    data = "    CONST num nLow:=2;\n    CONST num nHigh:=4;\n"
+    data = "    CONST num nLow:=2;\n    CONST num nHigh:=nLow+2;\n    VAR num rows{2,nHigh};\n"
     body = f"        FOR i FROM {bounds} DO\n            MoveJ Offs(p1,0,i,0),v100,fine,tool0;\n        ENDFOR\n"
     program = made(body, data)
     rails = {0: 0.25, 1: 0.26, 2: 0.27}
@@ -124,10 +126,10 @@ def test_nested_loops_have_arrays_of_several_dimensions(plant: Plant) -> None:
     assert "rail1{i,j+1,k}" in text
 
 
-@pytest.mark.parametrize("bounds", ["1 TO n", "1 TO 3.5 STEP 1.5", "1 TO 2 STEP n"])
+@pytest.mark.parametrize("bounds", ["1 TO n", "1 TO 3.5 STEP 1.5", "1 TO 2 STEP n", "1 TO n+1", "1 TO Dim(rows,n)"])
 def test_passes_of_other_loops_are_tied(plant: Plant, bounds: str) -> None:
     body = f"        FOR i FROM {bounds} DO\n            MoveJ p1,v100,fine,tool0;\n        ENDFOR\n"
-    found = changes(made(body, "    VAR num n:=1;\n"), plant)
+    found = changes(made(body, "    VAR num n:=1;\n    VAR num rows{2};\n"), plant)
     assert len(found.ties) == (1 if bounds != "1 TO n" else 0)
     assert found.ties in (((0, 1),), ())
 

@@ -8,6 +8,7 @@ several times have a copy for each call.
 
 from __future__ import annotations
 
+import operator
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
@@ -32,7 +33,7 @@ from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.scopes import Scopes
 from trajopt_cli.problem.unrolled import unrolled
-from trajopt_cli.rapid.language.syntax import Expression, Name, Number
+from trajopt_cli.rapid.language.syntax import Binary, Call, Expression, Name, Number
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
 
@@ -42,6 +43,7 @@ _SAME = 1e-9  # m and entries of rotations: the same place
 _SAME_RAIL = 1e-3  # mm
 _MOST = 1000  # elements of an array
 _DIMENSIONS = 3  # of a RAPID array
+_WHOLE = {"+": operator.add, "-": operator.sub, "*": operator.mul}
 
 Passes = tuple[int, ...]
 Key = tuple[Span, tuple[int, ...]]  # a statement, and the elements of an array that its execution takes
@@ -109,7 +111,8 @@ class EditableText:
             found: list[Counter] = []
             size = 1
             for at in reversed(range(len(loops))):
-                bounds = [self._constant(one, span) for one in (loops[at].first, loops[at].last, loops[at].step)]
+                written = loops[at].first, loops[at].last, loops[at].step
+                bounds = [self._constant(one, span.file, span.start) for one in written]
                 hidden = names[at] in names[at + 1 :]
                 if hidden or None in bounds[:2] or (loops[at].step is not None and bounds[2] is None):
                     continue
@@ -122,11 +125,21 @@ class EditableText:
             self._counters[span] = tuple(reversed(found))
         return self._counters[span]
 
-    def _constant(self, node: Expression | None, span: Span) -> int | None:
-        """A whole number that a bound is in every run; None for none."""
+    def _constant(self, node: Expression | None, path: str, offset: int) -> int | None:
+        """A whole number that an expression at a place is in every run; None for none."""
         if isinstance(node, Name):
-            data = self.scopes.declared(node.name, span.file, span.start)
-            node = data[1].value if data is not None and data[1].storage == "CONST" else None
+            data = self.scopes.declared(node.name, path, offset)
+            known = data is not None and data[1].storage == "CONST"
+            return self._constant(data[1].value, data[0], data[1].start) if data is not None and known else None
+        if isinstance(node, Binary) and node.operator in _WHOLE:
+            sides = self._constant(node.left, path, offset), self._constant(node.right, path, offset)
+            return None if sides[0] is None or sides[1] is None else _WHOLE[node.operator](sides[0], sides[1])
+        if isinstance(node, Call) and node.name.lower() == "dim" and "dim" not in self.scopes.procedures:
+            array, number = [one.value for one in node.args]
+            data = self.scopes.declared(array.name, path, offset) if isinstance(array, Name) else None
+            at = self._constant(number, path, offset)
+            sizes = () if data is None or at is None else data[1].sizes[at - 1 : at]
+            return self._constant(sizes[0], path, offset) if sizes else None
         return int(node.value) if isinstance(node, Number) and node.value == int(node.value) else None
 
     def key(self, index: int) -> Key:
