@@ -141,13 +141,20 @@ def at_cycle(program: Program, plant: Plant) -> Plant:
     joints there, with those of its own start. plant: as the program finds it when it is started."""
     if program.before is None:
         return plant
-    whole = replace(program.from_start, motions=(*program.from_start.motions, *program.motions))
-    given = (plant.rail_value(motion.extax) for motion in reversed(whole.motions) if isinstance(motion, Move))
+    moves = [one for one in (*program.from_start.motions, *program.motions) if isinstance(one, Move)]
+    given = (plant.rail_value(move.extax) for move in reversed(moves))
     rail = next((one for one in given if one is not None), float(plant.layout.place(plant.start)))
-    last = max(i for i, motion in enumerate(whole.motions) if isinstance(motion, Move))
-    arm = arms_as_written(whole, plant)[last]
+    known = (i for i in reversed(range(len(moves))) if _alone(moves[i], plant))
+    walked = replace(program, motions=tuple(moves[next(known, 0) :]), before=None)
+    arm = arms_as_written(walked, plant)[len(walked.motions) - 1]
     start = plant.layout.join(rail, np.asarray(plant.start[plant.layout.arm] if arm is None else arm))
     return replace(plant, start=readonly(start), home=plant.start)
+
+
+def _alone(move: Move, plant: Plant) -> bool:
+    """Whether a move itself says where the rail and the arm's joints are at its end."""
+    fixed = isinstance(move, MoveAbsJ) or (isinstance(move, PoseMove) and demands_configuration(move, plant.robot))
+    return fixed and (plant.rail_eax is None or plant.rail_value(move.extax) is not None)
 
 
 def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> Iterator[str]:

@@ -20,7 +20,7 @@ from trajopt_cli.rapid.execution.passes import Cycle, Passes, State
 from trajopt_cli.warnings import WarningKind
 
 _SEEN = 26  # passes that are run at most to see whether they repeat: enough for a period of twelve
-_MOTIONS = 4000  # in them, beyond which one pass behind the cycle must do
+_MOTIONS = 4000  # in them, beyond which no pass is run behind the cycle
 _UNLEFT = 200  # passes after which a loop with a way out whose passes repeat is taken as one that never takes it
 
 
@@ -39,7 +39,7 @@ def add_pass(run: Context, passes: Passes) -> bool:
             run.position.place()
             passes.repeats = _period([_key(motion) for motion in run.motions], passes.marks) is not None
         return passes.repeats and passes.count >= _UNLEFT
-    return passes.count >= wanted + 2 and (many or passes.count >= _SEEN)
+    return passes.count > wanted and (many or passes.count >= max(_SEEN, wanted + 2))
 
 
 def cycle_of(run: Context, passes: Passes, failure: InputError | None = None) -> Cycle:
