@@ -506,8 +506,9 @@ class Program:
 
     passes: of a loop that never ends in the motions, 0 without one. before: what runs before that loop's steady cycle,
     which the motions are then: they begin at rest where the last move of them ends. None: they begin where the cell
-    says. entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
-    uncalled: the routines that never ran, with their kind: "PROC Reset". refusals: what no motion stands for.
+    says. beyond: what runs behind the cycle until the passes repeat, where they differ. entry: the procedure that was
+    run. ignored: instructions without effect on motion, with how often they ran. uncalled: the routines that never ran,
+    with their kind: "PROC Reset". refusals: what no motion stands for.
     """
 
     name: str
@@ -519,6 +520,7 @@ class Program:
     uncalled: tuple[str, ...] = ()
     refusals: tuple[Refusal, ...] = ()
     before: tuple[Motion, ...] | None = None
+    beyond: tuple[Motion, ...] = ()
     passes: int = 0
 
     @property
@@ -531,7 +533,7 @@ class Program:
     @property
     def from_start(self) -> Program:
         """The program from where the cell says, with what runs before its steady cycle."""
-        return replace(self, motions=(*(self.before or ()), *self.motions), before=None)
+        return replace(self, motions=(*(self.before or ()), *self.motions), before=None, beyond=())
 
     @property
     def without_effect(self) -> tuple[str, ...]:

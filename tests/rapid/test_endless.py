@@ -84,6 +84,7 @@ def test_passes_that_differ_are_told_with_the_number_that_covers_them(
     moves = [one for one in program.motions if isinstance(one, Move)]
     assert [round(one.X_WT[1, 3] * 10) for one in moves[::2]] == rows
     assert program.passes == len(rows)
+    assert told(program.beyond) == {1: "1212", 2: "12"}.get(len(rows), "")
     assert ("repeat after 3: 'endless_passes: 3' covers all of them" in warning(program)) == said
 
 

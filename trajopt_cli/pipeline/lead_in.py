@@ -26,14 +26,15 @@ def lead_in(job: Job) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
     return outside, inside
 
 
-def led_in(job: Job, plan: Plan) -> tuple[Motion, ...]:
-    """The lead-in to the targets of a plan: each has one rail position and configuration, wherever it is gone to."""
+def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motion, ...]:
+    """Motions outside the cycle to the targets of its plan: each has one rail position and configuration, wherever it
+    is gone to."""
     ends: dict[Span | None, Array] = {}
     for planned in reversed(plan.motions):
         motion = job.program.motions[planned.index]
         ends |= {key: planned.q_1 for key in (_literal(motion), _text(motion)) if key is not None}
     out: list[Motion] = []
-    for motion in (*lead_in(job)[0], *lead_in(job)[1]):
+    for motion in motions:
         q = ends.get(_text(motion), ends.get(_literal(motion)))
         if q is not None and isinstance(motion, PoseMove):
             extax = list(motion.extax)

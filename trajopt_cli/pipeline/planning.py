@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TextIO
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Motion, MoveJ, Program
-from trajopt_cli.pipeline.lead_in import kept_for, lead_in, led_in
+from trajopt_cli.pipeline.lead_in import kept_for, lead_in, to_targets
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Changes, Loops, everything
@@ -216,27 +216,34 @@ def plan_all(
 
 def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes], Answer]) -> Answer:
     """A plan of a loop's cycle to whose targets what runs before can be driven as well: the one found, or one that
-    again makes of less that may change."""
+    again makes of less that may change. Where passes differ, a note on one that cannot."""
+    from trajopt_cli.plan import PlanCache
 
-    def why_not(motions: tuple[Motion, ...]) -> str | None:
-        program, plant = replace(job.program, motions=motions, before=None), job.plant.at_home
+    outside, inside = lead_in(job)
+
+    def why_not(motions: tuple[Motion, ...], plant: Plant) -> str | None:
+        program = replace(job.program, motions=motions, before=None, beyond=())
         alone = replace(job, program=program, plant=plant)
         answer = as_written(alone, everything(program, plant), Clock(), PlanCache())
         return answer if isinstance(answer, str) else None
 
-    from trajopt_cli.plan import PlanCache
+    def barred(plan: Plan) -> str | None:
+        return why_not(to_targets(job, plan, (*outside, *inside)), job.plant.at_home)
 
-    def noted(one: Judged, note: str) -> Judged:
-        return replace(one, plan=replace(one.plan, notes=(*one.plan.notes, note)))
+    def noted(one: Judged, note: str = "") -> Judged:
+        notes, q = [note] if note else [], one.plan.motions[0].q_0
+        beyond = to_targets(job, one.plan, job.program.beyond)
+        if beyond and (why := why_not(beyond, replace(job.plant, start=q))) is not None:
+            notes.append(f"passes behind the cycle cannot be driven to its targets: {why}")
+        return replace(one, plan=replace(one.plan, notes=(*one.plan.notes, *notes)))
 
-    if (why := why_not(led_in(job, found.plan))) is None:
-        return found
-    outside, inside = lead_in(job)
-    if why_not((*outside, *inside)) is not None:
+    if (why := barred(found.plan)) is None:
+        return noted(found)
+    if why_not((*outside, *inside), job.plant.at_home) is not None:
         return noted(found, f"what runs before the loop cannot be driven, as written neither: {why}")
     for motions in (outside, (*outside, *inside)):
         less = again(kept_for(job, changes, motions))
-        if isinstance(less, Judged) and why_not(led_in(job, less.plan)) is None:
+        if isinstance(less, Judged) and barred(less.plan) is None:
             return noted(less, f"targets on the way into the loop stay as programmed; else it cannot be driven: {why}")
     return NoPlan(Target.RAPID, f"what runs before the loop cannot be driven to its targets: {why}")
 

@@ -132,8 +132,9 @@ def try_program(
     if run.cycle is not None:
         program = replace(program, passes=run.cycle.passes)
         if run.cycle.closed:
-            before, motions = program.motions[: run.cycle.first], program.motions[run.cycle.first :]
-            program = replace(program, motions=motions, before=before)
+            first, last = run.cycle.first, run.cycle.last
+            before, motions, beyond = program.motions[:first], program.motions[first:last], program.motions[last:]
+            program = replace(program, motions=motions, before=before, beyond=beyond)
     run.external.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()

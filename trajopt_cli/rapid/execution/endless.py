@@ -60,13 +60,16 @@ def cycle_of(run: Context, passes: Passes, failure: InputError | None = None) ->
     before = passes.ends[0].counts if cycle else {}
     run.ignored = whole.ignored
     run.counts = {node: often - before.get(node, 0) or often for node, often in end.counts.items()}
-    told = "; ".join(_told(motions, cycle, count, _period(keys, marks), len(passes.ends)))
+    period = _period(keys, marks)
+    told = "; ".join(_told(motions, cycle, count, period, len(passes.ends)))
     if not any(isinstance(motion, Move) for motion in motions[marks[0] : end.motions]):
         told = "it moves nothing"
     if failure is not None:
         told += f"; pass {passes.count + 1} cannot be run: {failure}"
     run.warn(WarningKind.ENDLESS, f"{passes.loop} never ends by itself: {told}", passes.source)
-    return cycle or Cycle(0, end.motions, count, closed=False)
+    if cycle is None:
+        return Cycle(0, end.motions, count, closed=False)
+    return cycle._replace(beyond=marks[period + 1] if period and count % period else cycle.last)
 
 
 def _told(motions: Sequence[Motion], cycle: Cycle | None, count: int, period: int | None, seen: int) -> Iterator[str]:

@@ -66,7 +66,8 @@ class Execution(Context):
             for sentence in self.external.unused():
                 self.warn(WarningKind.UNUSED, sentence)
         if self.cycle is not None:
-            del self.motions[self.cycle.last :], self.links[self.cycle.last :]
+            end = max(self.cycle.last, self.cycle.beyond)
+            del self.motions[end:], self.links[end:]
 
     def store(self, place: Place, target: Expression, value: Value) -> None:
         """As assign, for data that is located already; target is where errors are placed."""

@@ -38,9 +38,10 @@ class Passes:
 
 
 class Cycle(NamedTuple):
-    """Motions from first up to, not including, last, in so many passes."""
+    """Motions from first up to, not including, last, in so many passes. beyond: where those end that are other ones."""
 
     first: int
     last: int
     passes: int
     closed: bool = True
+    beyond: int = 0
