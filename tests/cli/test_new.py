@@ -32,7 +32,7 @@ def test_a_new_program_is_planned_at_once(
     assert run(["optimize", "first.mod", "--time-limit", "0", "--json", "--quiet", "--jobs", "1"]) == 0
     answer = json.loads(capsys.readouterr().out)
     assert answer["as_written"]["cycle_time_s"] >= answer["plans"]["rapid"]["cycle_time_s"] > 1.0
-    assert not answer["warnings"]
+    assert not [line for line in answer["warnings"] if "waits: {rail: free}" not in line]
 
 
 @pytest.mark.parametrize("robot", ["irb1200_5_90", "irb6700_200_260"])

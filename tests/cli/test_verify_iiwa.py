@@ -135,7 +135,7 @@ def test_what_a_rapid_program_says_is_not_checked_and_said(tmp_path: Path, capsy
         (["FILE", "--robot", "irb140"], "the file's axes are joint_1, joint_2"),
         (["FILE", "--robot", "iiwa8"], "unknown robot 'iiwa8'"),
         (["FILE", "--task", "nowhere.yaml"], "nowhere.yaml: cannot read the task file"),
-        (["TASK", "--robot", "iiwa7"], "the first column is"),
+        (["TASK", "--robot", "iiwa7"], "is a task file of the iiwa, not a CSV file"),
     ],
 )
 def test_mistakes_are_one_line(arguments: list[str], said: str, made: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -232,8 +232,8 @@ def test_all_of_these_are_the_same_table(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "place", "said"),
     [
-        (respelled("when;rail [m];joint_1 [rad]", str, ";", ","), (1, 1), "';'"),
-        (respelled("t [s];rail [m];joint_1", str, ";", ","), (1, 16), "';'"),
+        (respelled("when;rail [m];joint_1 [rad]", str, ";", ","), (1, 1), "semicolons"),
+        (respelled("t [s];rail [m];joint_1", str, ";", ","), (1, 16), "semicolons"),
         (respelled("t [min],rail [m],joint_1 [rad]", str), (1, 1), "'min'"),
         (respelled("t [s],time [ms],joint_1 [rad]", str), (1, 1), "'t [s]' and 'time [ms]'"),
         (respelled("time,rail [m],joint_1 [rad]", lambda t: f"{t * 1000:.0f}"), (1, None), "every 4 s"),

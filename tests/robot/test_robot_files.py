@@ -94,9 +94,9 @@ def test_every_number_has_a_source_and_a_grade(mounted):
 
 def test_an_unknown_robot_or_profile_lists_the_known():
     with pytest.raises(InputError) as error:
-        load_robot("irb_140")
+        load_robot("irb41")
     assert str(error.value) == (
-        "unknown robot 'irb_140'; did you mean 'irb140'? 'trajopt robot list' shows all, or give the path of a robot's"
+        "unknown robot 'irb41'; did you mean 'irb140'? 'trajopt robot list' shows all, or give the path of a robot's"
         " .yaml file"
     )
     with pytest.raises(
