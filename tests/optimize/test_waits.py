@@ -38,7 +38,8 @@ def solved(wait: float, target: Target, plant: Plant) -> Plan:
 
 
 def test_the_rail_of_a_stream_moves_at_both_ends_of_a_day_and_that_of_a_controller_not_at_all() -> None:
-    stream, controller = (problem_of(freed("86400"), plant_with_rail(), target=target) for target in Target)
+    at = {target: problem_of(freed("86400"), plant_with_rail(), target=target) for target in Target}
+    stream, controller = at[Target.STREAM], at[Target.RAPID]
     parts = stream.legs[1:-1]
     assert [leg.rail_moves for leg in parts] == [True, False, True]
     assert sum(leg.duration or 0.0 for leg in parts) == pytest.approx(DAY, abs=1e-10)
