@@ -105,3 +105,16 @@ def test_a_rapid_plan_that_is_faster_is_the_stream_plan() -> None:
         f"an error in trajopt: the stream plan takes {slow.duration:.6f} s, the rapid plan, which may change less, "
         f"{fast.duration:.6f} s"
     )
+
+
+@pytest.mark.parametrize(("saved", "kept"), [(0.0, True), (4e-4, True), (6e-4, False)])
+def test_a_saving_that_is_shown_as_none_changes_no_program(saved: float, kept: bool) -> None:
+    plan = known(0, EVERYTHING)
+    assert isinstance(plan, Plan)
+    t = plan.trajectory.t / (1 - saved)
+    written = replace(plan, trajectory=replace(plan.trajectory, t=t))
+    taken = instead_of(plan, written, Target.RAPID)
+    assert (taken is not None) == kept
+    if taken is not None:
+        assert taken.duration == written.duration
+        assert instead_of(plan, written, Target.STREAM) is None  # a stream changes no program

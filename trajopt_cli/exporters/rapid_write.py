@@ -88,6 +88,7 @@ class _Writer:
         self._notes: list[ProgramWarning] = []
         self._monitored: list[Source] = []
         self._functions: dict[tuple[str, int, str], str] = {}  # by module and kind
+        self._arrays: dict[tuple[str, int, str], str] = {}  # by module and what it holds
         self._chosen: dict[str, str] = {}  # names of new ones, by kind
         self._wrapped: list[Source] = []
         self._wishes: dict[Span, dict[int, Wish]] = {}  # of the executions of each statement that moves
@@ -99,7 +100,8 @@ class _Writer:
         written = {
             span: tuple(i for i in indices if i in self._intents) for span, indices in self._text.statements.items()
         }
-        moving = {span: indices for span, indices in written.items() if indices and self._moves(span)}
+        moves = {i for i, motion in enumerate(self._program.motions) if isinstance(motion, Move)}
+        moving = {span: indices for span, indices in written.items() if indices and indices[0] in moves}
         self._check(moving)
         self._wishes = {span: self._wishes_of(indices) for span, indices in moving.items() if not self._dropped(span)}
         self._choose_literals()
@@ -109,25 +111,18 @@ class _Writer:
             if new != self._edits.text(literal):
                 self._edits.replace(literal, new)
         for span, indices in written.items():
-            if not indices:
-                continue
-            if isinstance(self._program.motions[indices[0]], Wait):
-                self._wait(span, indices)
-            else:
+            if span in moving:
                 self._move(span, indices)
-        if self._wrapped:
-            count = len(dict.fromkeys(self._wrapped))
-            what = "another rail position or configuration is said around the target's expression"
-            more = f" and {count - 1} more" if count > 1 else ""
-            self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{self._wrapped[0]}{more}"))
-        if self._monitored:
-            more = f" and {len(self._monitored) - 1} more" if len(self._monitored) > 1 else ""
-            what = "ConfJ \\On added: the plan needs a configuration other than the nearest"
-            self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{self._monitored[0]}{more}"))
+            elif indices:
+                self._wait(span, indices)
+        for places, what in (
+            (self._wrapped, "another rail position or configuration is said around the target's expression"),
+            (self._monitored, "ConfJ \\On added: the plan needs a configuration other than the nearest"),
+        ):
+            more = f" and {len(places) - 1} more" if len(places) > 1 else ""
+            if places:
+                self._notes.append(ProgramWarning(WarningKind.CHANGED, what, f"{places[0]}{more}"))
         return RapidExport(self._edits.result(), (*dict.fromkeys(self._notes),))
-
-    def _moves(self, span: Span) -> bool:
-        return isinstance(self._program.motions[self._text.statements[span][0]], Move)
 
     def _dropped(self, span: Span) -> bool:
         return any(i in self._intents and self._intents[i].drop for i in self._text.statements[span])
@@ -406,8 +401,7 @@ class _Writer:
 
     def _function(self, span: Span, kind: str, type_: str) -> str:
         """The name of the function in a statement's module, which is added where it is not there."""
-        module = self._scopes.module(span.file, span.start)
-        key = (span.file, module.start if module else 0, kind)
+        key = (*self._module(span), kind)
         if key not in self._functions:
             axis = "" if self._plant.rail_eax is None else "abcdef"[self._plant.rail_eax]
             for text in self._scopes.wrappers.values():
@@ -419,6 +413,10 @@ class _Writer:
                 name = self._functions[key] = self._chosen.setdefault(kind, self._names.new(kind))
                 self._add(span, [f"! {_ABOUT[kind]}", *_function(kind, name, type_, axis)])
         return self._functions[key]
+
+    def _module(self, span: Span) -> tuple[str, int]:
+        module = self._scopes.module(span.file, span.start)
+        return span.file, module.start if module else 0
 
     def _add(self, span: Span, lines: Sequence[str]) -> None:
         """A routine at the end of a statement's module."""
@@ -450,10 +448,13 @@ class _Writer:
                 used.remove(n)
                 by_key = {key[:n] + key[n + 1 :]: value for key, value in by_key.items()}
         sizes = [counters[n].count for n in used]
-        array = self._names.new(name)
         size, gap = ",".join(map(str, sizes)), f"{self._edits.line_end(span.file)}{self._indentation(span)}    "
-        self._declare(span, f"LOCAL CONST {type_} {array}{{{size}}}:={_nested(sizes, by_key, gap)};")
-        return f"{array}{{{','.join(counters[n].index for n in used)}}}"
+        said = f"{{{size}}}:={_nested(sizes, by_key, gap)};"
+        key = (*self._module(span), said)
+        if key not in self._arrays:
+            self._arrays[key] = self._names.new(name)
+            self._declare(span, f"LOCAL CONST {type_} {self._arrays[key]}{said}")
+        return f"{self._arrays[key]}{{{','.join(counters[n].index for n in used)}}}"
 
     def _indentation(self, span: Span) -> str:
         """How far the items of a statement's module stand in."""

@@ -121,7 +121,8 @@ class _Copies:
                     now = {**counters, node.name.lower(): value}
                     edits = [*self._block(node.body, path, around, first, now), *_counted(text, node, now)]
                     start, end = _body(text, node)
-                    parts.append(_edited(text[start:end], edits, start).strip())
+                    inner, outer = _gap(text, node.body[0].start), _gap(text, node.start)
+                    parts.append(_edited(text[start:end], edits, start).replace(inner, outer).strip())
                     self._size += end - start
                 yield node.start, node.end, _gap(text, node.start).join(parts)
             elif isinstance(node, ProcedureCall):
