@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from trajopt_cli.cli.compare_runs import runs
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram, Quiet
+from trajopt_cli.cli.options import (
+    AsJson,
+    AssumeIdentity,
+    CellPath,
+    Entry,
+    LoopsOfProgram,
+    Quiet,
+    TimeLimit,
+    patience_of,
+)
 from trajopt_cli.cli.process import reading, wrote
 
 if TYPE_CHECKING:
@@ -64,6 +73,7 @@ def baseline(
     v_area: Annotated[
         float | None, typer.Option(min=1e-3, metavar="M/S", help="Row thesis: rail speed inside a functional area.")
     ] = None,
+    time_limit: TimeLimit = None,
 ) -> None:
     """Compare the optimum with today's practice and textbook methods, and split its saving by cause.
 
@@ -89,14 +99,16 @@ def baseline(
     from trajopt_cli.study.comparison_record import comparison_record, rows_csv
     from trajopt_cli.units import DEG
 
+    patience = patience_of(time_limit)
     with reading(program):
         wanted = Loops(loops) if loops else None
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     _check_places(csv, plots)
     folder = output or Path("results") / f"{job.program.name}_comparison"
     check_replaceable(folder)
-    with ProgressView(quiet=quiet) as view:
-        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), made_of_loops)
+    with ProgressView(patience, quiet) as view:
+        rule = RailRule(phi_min * DEG, v_transfer, v_area)
+        answer = compare(job, view.show, rule, made_of_loops, patience)
     record = comparison_record(answer)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())

@@ -7,7 +7,17 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Jobs, LoopsOfProgram, Quiet
+from trajopt_cli.cli.options import (
+    AsJson,
+    AssumeIdentity,
+    CellPath,
+    Entry,
+    Jobs,
+    LoopsOfProgram,
+    Quiet,
+    TimeLimit,
+    patience_of,
+)
 from trajopt_cli.cli.process import reading
 
 
@@ -39,6 +49,7 @@ def sensitivity(
     quiet: Quiet = False,
     everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
     jobs: Jobs = None,
+    time_limit: TimeLimit = None,
 ) -> None:
     """Tell how much of PROGRAM's cycle time each limit, speed, wait and place of the cell is worth.
 
@@ -62,13 +73,14 @@ def sensitivity(
 
     if output is not None:
         check_replaceable(output)
+    patience = patience_of(time_limit)
     with reading(program):
         wanted = Loops(loops) if loops else None
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     results = program[0] if is_results(program[0]) else None
     targets = tuple(Target) if target == "both" else (Target(target),)
-    with ProgressView(quiet=quiet) as view:
-        answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search)
+    with ProgressView(patience, quiet) as view:
+        answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search, patience)
     if not isinstance(answer, Sensitivity):
         answer_no(answer, as_json)
     name, plans = program[0].name or job.title, answer.plans

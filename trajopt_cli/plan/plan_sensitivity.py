@@ -33,7 +33,7 @@ from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import in_force
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg, check_legs
 from trajopt_cli.trajectories.iterate import Iterate
@@ -249,7 +249,7 @@ class _SolvedWindow:
     def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _SolvedWindow | None:
         """The window solved from the motion at hand; None where that does not converge."""
         refiner = MeshRefinement(
-            axes, formulation, window.problem, Patience(), grids, collision_scene_of(window.problem)
+            axes, formulation, window.problem, in_force(), grids, collision_scene_of(window.problem)
         )
         try:
             draft = refiner.run(window.draft)
@@ -307,7 +307,7 @@ class _SolvedWindow:
         key = replace(after.part(self.span)[0], draft=draft).key()
         if key not in found:
             refiner = MeshRefinement(
-                after.axes, self.formulation, problem, Patience(), self.grids, collision_scene_of(problem)
+                after.axes, self.formulation, problem, in_force(), self.grids, collision_scene_of(problem)
             )
             try:
                 draft = refiner.again(draft, self.program, self.answer)

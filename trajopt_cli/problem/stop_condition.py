@@ -127,6 +127,11 @@ class Patience:
 _CUTTING: ContextVar[Patience | None] = ContextVar("cutting", default=None)
 
 
+def in_force() -> Patience:
+    """The patience that checkpoints ask now; endless patience for none."""
+    return _CUTTING.get() or Patience()
+
+
 def checkpoint() -> None:
     """Asked in every loop that may take long. Raises Stopped where the time for what is under way is over."""
     patience = _CUTTING.get()

@@ -18,6 +18,7 @@ from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
 from trajopt_cli.workers import in_turns
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from trajopt_cli.study.case import Answer, Attempt, Case, RailRule, Solve
     from trajopt_cli.study.table import Baseline
 
+_WRITING = 2.0  # s of writing the comparison
 _EQUAL = 1e-6  # s: two plans this close are equally fast
 
 
@@ -79,15 +81,24 @@ class Comparison:
     notices: tuple[str, ...] = ()
 
 
-def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loops = Loops.KEEP) -> Comparison:
+def compare(
+    job: Job,
+    listen: Listener,
+    rule: RailRule | None = None,
+    loops: Loops = Loops.KEEP,
+    patience: Patience | None = None,
+) -> Comparison:
     """Every baseline on this job, judged, in the table's order, and the saving by cause.
 
-    rule: of the row `thesis`. loops: as in optimize_job.
+    rule: of the row `thesis`. loops: as in optimize_job. patience: once a row is legal its end cuts the others short;
+    with a time limit the program as written comes first, then those that take least.
     """
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES
 
-    study = _Study(job, rule, loops)
+    patience = patience or Patience()
+    patience.reserve(_WRITING * patience.load)
+    study = _Study(job, rule, loops, patience)
     passed = bool(corners_of(job.program, job.plant).passed)
     reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable), passed)
     names = {study.question(cause.target, cause.freedom, cause.stops): cause.name for cause in reasons}
@@ -95,7 +106,10 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     names |= {question: name for name, question in asks.items()}
 
     tasks: dict[str, Callable[[Tell], dict[Question | str, Result]]] = {}
-    for question, name in sorted(names.items(), key=_effort):
+    order = sorted(names.items(), key=_effort)
+    if patience.limit is not None:
+        order = sorted(reversed(order), key=lambda item: item[1] != "as-written")
+    for question, name in order:
         following = [later for later, one in BASELINES.items() if one.after and asks[one.after] == question]
         tasks[name] = partial(study.answer, name, question, following)
     limited = job.plant.limits.binding_jerk is not None
@@ -178,11 +192,11 @@ def _effort(item: tuple[Question, str]) -> int:
 class _Study:
     """What is asked of the optimiser about one job, and what it answered. changes: what may change, by target."""
 
-    def __init__(self, job: Job, rule: RailRule | None, loops: Loops):
+    def __init__(self, job: Job, rule: RailRule | None, loops: Loops, patience: Patience):
         from trajopt_cli.study.case import RailRule
         from trajopt_cli.study.causes import with_stops
 
-        self.job, self.rule = job, rule or RailRule()
+        self.job, self.rule, self.patience = job, rule or RailRule(), patience
         self.stopping = with_stops(job.program)
         agreed = may_change(job, loops)
         self.changes, self.notices = agreed.changes, agreed.notices
@@ -277,9 +291,13 @@ class _Study:
         from trajopt_cli.study.case import Case, NotApplicable
 
         try:
-            answer = make(Case(program, self.job.plant, self._solver(name, tell), self.rule))
+            with self.patience.cutting():
+                checkpoint()
+                answer = make(Case(program, self.job.plant, self._solver(name, tell), self.rule))
         except NoCleanPlan as failure:
             return NoPlan(name, str(failure))
+        except Stopped:
+            return f"not made: {self.patience.why()}"
         if isinstance(answer, NotApplicable):
             return f"n/a: {answer.why}"
         if isinstance(answer, Infeasible):
@@ -293,7 +311,10 @@ class _Study:
         text = write_csv_text(answer.trajectory)
         detours = () if answer.plan is None else answer.plan.detours
         program, dropped = held_against(answer.program, self.job.plant, target, detours, answer.dropped)
-        return Tried(answer, judge(self.job.plant, program, text, name, dropped, target, advice=False))
+        report = judge(self.job.plant, program, text, name, dropped, target, advice=False)
+        if report.legal:
+            self.patience.settle()
+        return Tried(answer, report)
 
     def _solver(self, name: str, tell: Tell) -> Solve:
         """The optimiser, that does not answer twice; a plan gets a bound where everything is free."""
@@ -312,7 +333,8 @@ class _Study:
             bounded = program is self.job.program and question == self.question(target, EVERYTHING)
             listen = lambda progress: tell((name, progress))  # noqa: E731
             changes = self.changes[target] if program in (self.job.program, self.stopping) else None
-            return optimize(program, self.job.plant, target, freedom, listen, bounded, changes)
+            plant, patience = self.job.plant, self.patience
+            return optimize(program, plant, target, freedom, listen, bounded, changes, patience=patience)
 
         return solve
 

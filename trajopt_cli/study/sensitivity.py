@@ -21,7 +21,7 @@ from trajopt_cli.problem.objective import LEAST_TIME
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import SENSITIVITY
 from trajopt_cli.runs.record import RunRecord, as_json
@@ -38,6 +38,7 @@ APART = 0.3
 """Share by which first order and the plan solved again may differ before that is reported."""
 WORTH = 1e-3
 """s; less is reported as next to nothing."""
+_WRITING = 1.0  # s of writing the answer
 _TOLD = 10  # levers between two words of progress
 
 
@@ -111,11 +112,13 @@ def sensitivity(
     listen: Listener,
     jobs: int | None = None,
     search: bool = False,
+    patience: Patience | None = None,
 ) -> Sensitivity | Infeasible | NoPlan | Illegal | Collides:
     """Every lever on the plans of these targets.
 
     results: the folder that holds the plans, None to plan them now. search: the program is also planned anew with each
     lever that saves something. jobs: processes, by default one for every core; the answer is the same for any number.
+    patience: half of its time is for the plans; levers that there is none left for are told as not asked.
     """
     if job.plant.limits.binding_jerk is not None:
         text = "jerk_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
@@ -123,7 +126,7 @@ def sensitivity(
     if job.plant.limits.binding_torque is not None:
         text = "torque_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
         raise InputError(text, file=job.cell.file)
-    workers = jobs or cores()
+    workers, patience = jobs or cores(), patience or Patience()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:
         return agreed.infeasible
@@ -132,7 +135,7 @@ def sensitivity(
         plans = plans_of_results(results, job)
     else:
         question, kept = dict.fromkeys(Target, LEAST_TIME), {one: RowsFile() for one in Target}
-        answers, _, _ = plan_all(job, listen, Clock(), changes, Patience(), workers, question, kept)
+        answers, _, _ = plan_all(job, listen, Clock(), changes, patience.part(0.5), workers, question, kept)
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
@@ -140,7 +143,9 @@ def sensitivity(
             if not answer.report.legal:
                 return refused(target, answer.report)
             plans[target] = answer.plan
-    return asked(job, changes, {one: plans[one] for one in targets}, listen, workers, search)
+    patience.settle()
+    patience.reserve(_WRITING * patience.load)
+    return asked(job, changes, {one: plans[one] for one in targets}, listen, workers, search, patience)
 
 
 def asked(
@@ -150,6 +155,7 @@ def asked(
     listen: Listener,
     workers: int,
     search: bool,
+    patience: Patience,
 ) -> Sensitivity:
     """Every lever on plans at hand."""
     from trajopt_cli.plan.plan_sensitivity import NotResolvable, PlanSensitivity
@@ -162,7 +168,10 @@ def asked(
         try:
             numbering = Numbering(len(job.program.motions), plan.detours)
             there = with_detours(job.program, job.plant, plan.detours)
-            at_hand[target] = PlanSensitivity(there, job.plant, unfolded(plan), numbering.changes(changes[target]))
+            with patience.cutting():
+                at_hand[target] = PlanSensitivity(there, job.plant, unfolded(plan), numbering.changes(changes[target]))
+        except Stopped:
+            failed[target] = f"no lever was asked: {patience.why()}"
         except NotResolvable as no:
             failed[target] = f"the plan cannot be solved again: {no}"
     tasks = {
@@ -179,12 +188,12 @@ def asked(
 
     rows: dict[Target, list[Row]] = {one: [] for one in at_hand}
     for (target, i), answer in in_turns(
-        {name: partial(_told, name[0], task) for name, task in tasks.items()}, hear, workers
+        {name: partial(_told, name[0], task, patience) for name, task in tasks.items()}, hear, workers
     ).items():
         rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.active, answer.why))
     if search:
         for target, found in rows.items():
-            rows[target] = _searched(job, changes[target], plans[target], found, listen, workers)
+            rows[target] = _searched(job, changes[target], plans[target], found, listen, workers, patience)
     ordered: dict[Target, tuple[Row, ...] | str] = {}
     for target in plans:
         ordered[target] = failed.get(target) or tuple(sorted(rows[target], key=lambda row: -row.best))
@@ -192,8 +201,15 @@ def asked(
     return Sensitivity(job, plans, ordered, again, not_asked(job.program, job.plant))
 
 
-def _told(target: Target, task: Callable[[], Effect], tell: Callable[[Target], None]) -> Effect:
-    answer = task()
+def _told(target: Target, task: Callable[[], Effect], patience: Patience, tell: Callable[[Target], None]) -> Effect:
+    from trajopt_cli.plan.plan_sensitivity import Effect
+
+    try:
+        with patience.cutting():
+            checkpoint()
+            answer = task()
+    except Stopped:
+        answer = Effect(None, None, why=f"not asked: {patience.why()}")
     tell(target)
     return answer
 
@@ -206,7 +222,9 @@ def _row(again: PlanSensitivity, lever: Lever, detours: Sequence[Detour]) -> Eff
     return again.answer(change, lever.loosens)
 
 
-def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, workers: int) -> list[Row]:
+def _searched(
+    job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, workers: int, patience: Patience
+) -> list[Row]:
     """The rows with what is saved where the program is planned anew."""
 
     def anew(lever: Lever, tell: Callable[[str], None]) -> float | None:
@@ -215,8 +233,10 @@ def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: L
         tell(lever.name)
         program, plant = lever.change(1.0)
         try:
-            found = optimize(program, plant, plan.target, bounded=False, changes=changes)
-        except NoCleanPlan:
+            with patience.cutting():
+                checkpoint()
+                found = optimize(program, plant, plan.target, bounded=False, changes=changes, patience=patience)
+        except (NoCleanPlan, Stopped):
             return None
         return None if isinstance(found, Infeasible) else plan.duration - found.duration
 
