@@ -14,7 +14,7 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import read_run
-from trajopt_cli.study.order import Ordered, OrderRecord, order_of
+from trajopt_cli.study.order import Ordered, OrderRecord, order_of, order_record
 from trajopt_cli.study.order_text import group_of
 
 PLACES = {1: -0.5, 2: 0.5, 3: -0.4, 4: 0.4}  # rad of joint 1: the written order goes to and fro
@@ -131,3 +131,16 @@ def test_a_search_that_is_stopped_tells_what_it_would_have_planned(tiny: Path) -
     assert len(told) == 1
     assert float(told[0].split()[-2]) < found.written.planned  # type: ignore[operator]
     assert found.new_text is None
+
+
+@pytest.mark.parametrize("limit", [0, 100])
+def test_a_time_limit_leaves_the_written_order_planned(tiny: Path, limit: float) -> None:
+    clock = iter(range(1 << 30))
+    patience = Patience(limit, lambda: float(next(clock)))
+    found = order_of(group_of(read_job(tiny)), Target.RAPID, lambda *_: None, patience, 1)
+    assert isinstance(found, Ordered)
+    assert found.stopped == f"stopped by the time limit after {limit} s"
+    assert found.written.planned is not None
+    assert found.best is not None
+    assert any("times between stations were not found" in line for line in found.remarks) == (limit == 0)
+    json.dumps(order_record(found), allow_nan=False)

@@ -67,8 +67,8 @@ TimeLimit = Annotated[
     typer.Option(
         "--time-limit",
         metavar="S",
-        help="Stop improving S seconds after the start; 0 takes the first legal answer. Two such runs may differ. "
-        "Ctrl-C stops improving, too; a second one gives up.",
+        help="Be done S seconds after the start, judging and writing included; 0 takes the first legal answer. Two "
+        "such runs may differ. Ctrl-C stops improving, too; a second one gives up.",
         show_default=False,
     ),
 ]

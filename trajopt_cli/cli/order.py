@@ -130,7 +130,7 @@ def _table(program: str, answer: Ordered) -> TextTable:
         [answer.found[order] for order in names],
         {
             "": lambda tour: ", ".join(names[tour.order]),
-            ">model [s]": lambda tour: seconds(tour.model),
+            ">model [s]": lambda tour: seconds(tour.model if tour.model < float("inf") else None, "-"),
             ">planned [s]": lambda tour: seconds(tour.planned, "-"),
             ">saves [s]": lambda tour: seconds(saved(tour)),
             ">of it": lambda tour: "" if (gain := saved(tour)) is None or not now else percent(gain / now),

@@ -41,8 +41,8 @@ class Patience:
 
     @property
     def load(self) -> float:
-        """Seconds gone by for each that this process worked, 1 at least: what others take of the machine."""
-        return max(1.0, self.spent / max(process_time() - self._worked, 1e-3))
+        """Seconds gone by for each that this process worked, from 1 to 10: what others take of the machine."""
+        return min(max(1.0, self.spent / max(process_time() - self._worked, 1e-3)), 10.0)
 
     def answer(self) -> None:
         """Say that there is an answer now."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
@@ -18,7 +18,7 @@ from trajopt_cli.pipeline.planning import Listener, may_change
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import ORDER
 from trajopt_cli.runs.record import RunRecord, as_json
@@ -29,6 +29,7 @@ from trajopt_cli.workers import cores, in_turns
 
 Order = tuple[int, ...]
 
+_WRITING = 1.0  # s of writing the answer
 PLANNED = 3
 """Orders that are planned besides the written one, that of the nearest neighbour and the best of the model."""
 _NEAR = 8  # orders one step away from the best that are searched whole
@@ -102,7 +103,9 @@ class Ordered:
         """What is exact, what is a plan, and what was left out."""
         n = len(self.group.parts)
         model = self.found[self.best_of_model].model
-        if self.exact:
+        if not math.isfinite(model):
+            yield "model: the search's times between stations were not found in the time"
+        elif self.exact:
             yield (
                 f"model: {model:.3f} s is the least of all {math.factorial(n):,} orders by the search's times between "
                 "stations, exact on its grid of rail positions"
@@ -140,8 +143,9 @@ def order_of(
 ) -> Ordered | Infeasible:
     """The fastest order of a group's parts on one target. jobs: processes; the answer is the same for any number.
 
-    patience: ends the search, and what was found by then is the answer. Raises InputError for parts that do not begin
-    with a joint move. Infeasible: no order is connected, or the motion that cannot be done in any.
+    patience: ends the search, and what was found by then is the answer; with a time limit the written order is planned
+    first, in a third of it. Raises InputError for parts that do not begin with a joint move. Infeasible: no order is
+    connected, or the motion that cannot be done in any.
     """
     from trajopt_cli.graph_search import sequence
     from trajopt_cli.plan.initial_plan import PlanRequest
@@ -154,17 +158,28 @@ def order_of(
     if agreed.infeasible is not None:
         return agreed.infeasible
     changes = agreed.changes[target]
-    listen("order", Progress("search"))
     axes = Axes.of(job.plant)
     problem = PlanRequest(job.program, job.plant, target, EVERYTHING, changes).unchecked()[0]
     if not isinstance(problem, Problem):
         return problem
-    try:
-        steps = sequence.steps_of(axes, problem, [part.motions for part in group.parts])
-    except sequence.NotApart as no:
-        raise job.cell.error(f"order.{group.name}", _not_apart(group, no.station)) from no
     n = len(group.parts)
     written = tuple(range(n))
+    work, planned = _Work(group, target, changes, listen, patience, jobs or cores()), dict[Order, Tour]()
+    if patience.limit is not None:
+        patience.reserve(_WRITING * patience.load)
+        planned = work.all_of([Tour(written, math.inf)], patience.part(1 / 3))
+        if planned[written].planned is not None:
+            patience.settle()
+    listen("order", Progress("search"))
+    try:
+        with patience.cutting():
+            steps = sequence.steps_of(axes, problem, [part.motions for part in group.parts])
+    except sequence.NotApart as no:
+        raise job.cell.error(f"order.{group.name}", _not_apart(group, no.station)) from no
+    except Stopped:
+        if planned[written].planned is None:
+            return Infeasible(0, job.program.motions[0].source, f"the written order: {planned[written].why}")
+        return Ordered(group, target, planned, written, written, False, 0.0, patience.why(), None)
     nearest = written if steps is None else sequence.nearest_order(steps)
     exact = n <= axes.settings.exact_stations
     best, top = (math.inf, written) if steps is None else _best(sequence, steps, written, nearest, exact)
@@ -176,11 +191,12 @@ def order_of(
     bound = best if exact else sequence.least_time(steps)
     tried = dict.fromkeys([written, nearest, top, *sequence.near_orders(steps, top, _NEAR)])
     found = {one: Tour(one, steps.cost(one)) for one in tried}
-    work = _Work(group, target, changes, listen, patience, jobs or cores())
     patience.answer()
-    found |= work.all_of([found[one] for one in tried], full=False)
+    found |= work.all_of([found[one] for one in tried])
+    found |= {one: replace(found[one], planned=tour.planned, why=tour.why) for one, tour in planned.items()}
     ranked = sorted(found, key=lambda one: found[one].estimate or math.inf)[:PLANNED]
-    found |= work.all_of([found[one] for one in dict.fromkeys([written, nearest, top, *ranked])], full=True)
+    left = [one for one in dict.fromkeys([written, nearest, top, *ranked]) if one not in planned]
+    found |= work.all_of([found[one] for one in left], patience)
     stopped = patience.why() if patience.over else None
     answer = Ordered(group, target, found, nearest, top, exact, bound, stopped, None)
     fastest = answer.best
@@ -219,19 +235,27 @@ class _Work:
     patience: Patience
     workers: int
 
-    def all_of(self, orders: Sequence[Tour], full: bool) -> dict[Order, Tour]:
-        """Each with its estimate or its plan; those that there was no patience for are left out."""
-        count = 0
+    def all_of(self, orders: Sequence[Tour], full: Patience | None = None) -> dict[Order, Tour]:
+        """Each with its estimate or, with patience, its plan; those that there was no patience for are left out."""
+        count, n = 0, len(orders)
 
         def hear(_: object) -> None:
             nonlocal count
             count += 1
             self.listen("order", Progress(f"{count} of {len(orders)} orders {'planned' if full else 'searched'}"))
 
-        tasks = {one.order: partial(self._one, one, full) for one in orders}
+        shares = [None if full is None else full.part(self.workers / (n - i)) for i in range(n)]
+        tasks = {one.order: partial(self._one, one, share) for one, share in zip(orders, shares, strict=True)}
         return {order: one for order, one in in_turns(tasks, hear, self.workers).items() if one is not None}
 
-    def _one(self, one: Tour, full: bool, tell: Callable[[object], None]) -> Tour | None:
+    def _one(self, one: Tour, full: Patience | None, tell: Callable[[object], None]) -> Tour | None:
+        try:
+            with (full or self.patience).cutting():
+                return self._made(one, full, tell)
+        except Stopped:
+            return None
+
+    def _made(self, one: Tour, full: Patience | None, tell: Callable[[object], None]) -> Tour | None:
         """The written order is always planned."""
         from trajopt_cli.plan import NoCleanPlan, optimize, search_estimate
 
@@ -239,12 +263,12 @@ class _Work:
             return None
         job, target = self.group.job, self.target
         program, changes = self.group.program(one.order), self.group.changes(one.order, self.changes)
-        if not full:
+        if full is None:
             estimate = search_estimate(program, job.plant, target, changes)
             tell(None)
             return Tour(one.order, one.model, estimate)
         try:
-            plan = optimize(program, job.plant, target, bounded=False, changes=changes, patience=self.patience)
+            plan = optimize(program, job.plant, target, bounded=False, changes=changes, patience=full)
         except NoCleanPlan as no:
             return Tour(one.order, one.model, one.estimate, why=f"no plan found: {no}")
         if isinstance(plan, Infeasible):
