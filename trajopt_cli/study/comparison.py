@@ -91,7 +91,7 @@ def compare(
     """Every baseline on this job, judged, in the table's order, and the saving by cause.
 
     rule: of the row `thesis`. loops: as in optimize_job. patience: once a row is legal its end cuts the others short;
-    with a time limit the program as written comes first, then those that take least.
+    with a time limit the program as written and the RAPID optimum come first, then those that take least.
     """
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES
@@ -108,7 +108,8 @@ def compare(
     tasks: dict[str, Callable[[Tell], dict[Question | str, Result]]] = {}
     order = sorted(names.items(), key=_effort)
     if patience.limit is not None:
-        order = sorted(reversed(order), key=lambda item: item[1] != "as-written")
+        first = ["as-written", "optimum rapid"]
+        order = sorted(reversed(order), key=lambda item: first.index(item[1]) if item[1] in first else len(first))
     for question, name in order:
         following = [later for later, one in BASELINES.items() if one.after and asks[one.after] == question]
         tasks[name] = partial(study.answer, name, question, following)
@@ -274,10 +275,12 @@ class _Study:
         names = {stream: "optimum stream", rapid: "optimum rapid", written: "as-written"}
         plans = {one: plan for one in names if (plan := _legal_plan(results.get(one))) is not None}
         out: dict[Question | str, Result] = {}
+        found = results.get(stream)
+        cut = found if isinstance(found, str) else None
         if (
             stream in results
             and rapid in plans
-            and (plan := instead_of(plans.get(stream), plans[rapid], Target.STREAM))
+            and (plan := instead_of(plans.get(stream), plans[rapid], Target.STREAM, cut))
         ):
             out[stream] = self._judged(names[stream], Target.STREAM, Attempt(self.job.program, plan.trajectory, plan))
             plans = {stream: plan} | plans | {stream: plan}
