@@ -486,14 +486,7 @@ def _seam(axes: Axes, problem: Problem, avoid: EdgeChecks | None) -> tuple[Array
     n, some = len(problem.legs), 2 * axes.settings.overlapping_legs
     last = next(k for _, k in problem.stations if k >= some)
     first = max((k for _, k in problem.stations if k <= n - some), default=last)
-    stations = [(max(a, first) - first, b - first) for a, b in problem.stations if b >= first]
-    stations += [(a + n - first, b + n - first) for a, b in problem.stations if b <= last]
-    middle = next(i for i, (_, b) in enumerate(stations) if b == n - first)
-    stations[middle : middle + 2] = [(stations[middle][0], stations[middle + 1][1])]
-    waypoints = (*problem.waypoints[first:], *problem.waypoints[1 : last + 1])
-    legs = (replace(leg, start=k) for k, leg in enumerate((*problem.legs[first:], *problem.legs[:last])))
-    around = replace(problem, waypoints=waypoints, legs=tuple(legs), stations=tuple(stations), ties=())
-    chain = _search(axes, around, avoid)
+    chain = _search(axes, problem.around_end(first, last), avoid)
     return None if chain is None else (chain.q[n - first], chain.labels[n - first])
 
 

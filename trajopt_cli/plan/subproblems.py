@@ -95,12 +95,9 @@ class Seam:
         if first is None:
             return None
         last = max((k for k in _possible_borders(problem, first - 1, n) if k <= max(n - half, first)), default=first)
-        points = [*problem.waypoints[last:], *problem.waypoints[1 : first + 1]]
-        points[n - last] = replace(points[n - last], motion=problem.waypoints[0].motion)
-        legs = [replace(leg, start=k) for k, leg in enumerate((*problem.legs[last:], *problem.legs[:first]))]
         mine = draft.part(*_around(n, first, last))
         asked = _share(problem.objective, mine, draft)
-        own = replace(problem, waypoints=tuple(points), legs=tuple(legs), stations=(), ties=(), objective=asked)
+        own = replace(problem.around_end(last, first), stations=(), objective=asked)
         return cls(first, last, ends_held(own, mine), mine)
 
     def put(self, found: Iterate, draft: Iterate) -> Iterate:

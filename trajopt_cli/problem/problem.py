@@ -214,6 +214,12 @@ class Problem:
         """Whether it ends where it begins, wherever that is."""
         return any(group[0] == 0 and len(self.legs) in group for group in self.ties)
 
+    def around_end(self, last: int, first: int) -> Problem:
+        """Of a cycle the legs from waypoint last on, and behind them those up to waypoint first."""
+        waypoints = (*self.waypoints[last:], *self.waypoints[1 : first + 1])
+        legs = [replace(leg, start=k) for k, leg in enumerate((*self.legs[last:], *self.legs[:first]))]
+        return replace(self, waypoints=waypoints, legs=tuple(legs), stations=_stations(legs, len(waypoints)), ties=())
+
     def passes(self, k: int) -> bool:
         """Whether waypoint k is a fly-by."""
         return self.waypoints[k].fly_by is not None
