@@ -1,14 +1,18 @@
-"""The way into a loop that never ends: driven once, to the targets that its plan for the RAPID controller leaves."""
+"""What a loop that never ends drives outside its planned cycle, to the targets that the plan for the RAPID controller
+leaves: the way into it, once, and passes that differ."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from trajopt_cli.geometry import Array
+import numpy as np
+
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Motion, Move, PoseMove, Span, Wait
 from trajopt_cli.problem.editable import Changes
-from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.nearest import is_nearest
+from trajopt_cli.problem.plan import Plan, PlannedMotion
+from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
 
@@ -26,22 +30,40 @@ def lead_in(job: Job) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
     return outside, inside
 
 
+def differing(job: Job) -> tuple[Motion, ...]:
+    """The moves behind the cycle that go elsewhere than in it, by the same text."""
+    ends = [(_text(one), one.X_WT) for one in job.program.motions if isinstance(one, PoseMove)]
+    return tuple(
+        one
+        for one in job.program.beyond
+        if isinstance(one, PoseMove) and not any(_text(one) == text and np.allclose(one.X_WT, X) for text, X in ends)
+    )
+
+
+def starting(plant: Plant, plan: Plan) -> Plant:
+    """The plant from where a motion outside a plan begins: where the program does, or else the plan."""
+    return plant if plant.home is None else replace(plant, start=plan.motions[0].q_0)
+
+
 def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motion, ...]:
     """Motions outside the cycle to the targets of its plan: each has one rail position and configuration, wherever it
     is gone to."""
-    ends: dict[Span | None, Array] = {}
+    ends: dict[Span | None, PlannedMotion] = {}
     for planned in reversed(plan.motions):
         motion = job.program.motions[planned.index]
-        ends |= {key: planned.q_1 for key in (_literal(motion), _text(motion)) if key is not None}
+        ends |= {key: planned for key in (_literal(motion), _text(motion)) if key is not None}
     out: list[Motion] = []
     for motion in motions:
-        q = ends.get(_text(motion), ends.get(_literal(motion)))
-        if q is not None and isinstance(motion, PoseMove):
-            extax = list(motion.extax)
+        end = ends.get(_text(motion)) or ends.get(_literal(motion))
+        if end is not None and isinstance(motion, PoseMove):
+            q, extax, settings = end.q_1, list(motion.extax), motion.settings
+            if not is_nearest(job.plant, end):  # as an export says it
+                settings = replace(settings, conf_j=True, conf_l=True)
             if (eax := job.plant.rail_eax) is not None:
                 extax[eax] = float(job.plant.layout.place(q)) / MM
             a, b, c, d, e, f = extax
-            motion = replace(motion, extax=(a, b, c, d, e, f), conf=confdata(job.plant.robot, q[job.plant.layout.arm]))
+            conf = confdata(job.plant.robot, np.asarray(q[job.plant.layout.arm]))
+            motion = replace(motion, extax=(a, b, c, d, e, f), conf=conf, settings=settings)
         out.append(motion)
     return tuple(out)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TextIO
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Motion, MoveJ, Program
-from trajopt_cli.pipeline.lead_in import kept_for, lead_in, to_targets
+from trajopt_cli.pipeline.lead_in import differing, kept_for, lead_in, starting, to_targets
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Changes, Loops, everything
@@ -215,37 +215,39 @@ def plan_all(
 
 
 def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes], Answer]) -> Answer:
-    """A plan of a loop's cycle to whose targets what runs before can be driven as well: the one found, or one that
-    again makes of less that may change. Where passes differ, a note on one that cannot."""
+    """A plan of a loop's cycle to whose targets what runs before can be driven as well, and passes that differ: the one
+    found, or one that again makes of less that may change."""
     from trajopt_cli.plan import PlanCache
 
     outside, inside = lead_in(job)
+    # what runs, from where, and of which motions targets stay as programmed, one set after the other, where it cannot
+    ways = {
+        "the way into the loop": ((*outside, *inside), job.plant.at_home, [outside, (*outside, *inside)]),
+        "a pass behind the cycle": (job.program.beyond, job.plant, [differing(job), job.program.beyond]),
+    }
+    notes: list[str] = []
+    kept: tuple[Motion, ...] = ()
 
     def why_not(motions: tuple[Motion, ...], plant: Plant) -> str | None:
         program = replace(job.program, motions=motions, before=None, beyond=())
         alone = replace(job, program=program, plant=plant)
-        answer = as_written(alone, everything(program, plant), Clock(), PlanCache())
+        answer = as_written(alone, everything(program, plant), Clock(), PlanCache()) if motions else None
         return answer if isinstance(answer, str) else None
 
-    def barred(plan: Plan) -> str | None:
-        return why_not(to_targets(job, plan, (*outside, *inside)), job.plant.at_home)
-
-    def noted(one: Judged, note: str = "") -> Judged:
-        notes, q = [note] if note else [], one.plan.motions[0].q_0
-        beyond = to_targets(job, one.plan, job.program.beyond)
-        if beyond and (why := why_not(beyond, replace(job.plant, start=q))) is not None:
-            notes.append(f"passes behind the cycle cannot be driven to its targets: {why}")
-        return replace(one, plan=replace(one.plan, notes=(*one.plan.notes, *notes)))
-
-    if (why := barred(found.plan)) is None:
-        return noted(found)
-    if why_not((*outside, *inside), job.plant.at_home) is not None:
-        return noted(found, f"what runs before the loop cannot be driven, as written neither: {why}")
-    for motions in (outside, (*outside, *inside)):
-        less = again(kept_for(job, changes, motions))
-        if isinstance(less, Judged) and barred(less.plan) is None:
-            return noted(less, f"targets on the way into the loop stay as programmed; else it cannot be driven: {why}")
-    return NoPlan(Target.RAPID, f"what runs before the loop cannot be driven to its targets: {why}")
+    for name, (motions, plant, sets) in ways.items():
+        while (why := why_not(to_targets(job, found.plan, motions), starting(plant, found.plan))) is not None:
+            if why_not(motions, plant) is not None:
+                notes.append(f"{name} cannot be driven, as written neither: {why}")
+                break
+            if not sets:
+                return NoPlan(Target.RAPID, f"{name} cannot be driven to its targets: {why}")
+            kept = (*kept, *sets.pop(0))
+            less = again(kept_for(job, changes, kept))
+            if not isinstance(less, Judged):
+                return less
+            found = less
+            notes.append(f"targets stay as programmed, as {name} could not be driven to others: {why}")
+    return replace(found, plan=replace(found.plan, notes=(*found.plan.notes, *dict.fromkeys(notes))))
 
 
 def _slow_plan(job: Job, target: Target, changes: Changes, clock: Clock, why: str) -> Plan | None:
