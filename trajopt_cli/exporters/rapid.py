@@ -62,29 +62,39 @@ def export_rapid(
         raise ValueError("motions faster than programmed need a plant with free_speed")
     scenario = scenario or Scenario()
     intents = intents_of(program, plan, plant, faster)
-    export = written(program, plant, scenario, intents, loops)
     there, parts = with_detours(program, plant, plan.detours), unfolded(plan)
     numbering = Numbering(len(program.motions), plan.detours)
     faster = frozenset(k for k in range(numbering.with_points) if numbering.own(k) in faster)
-    try:
-        read = read_again(program, plant, scenario, export.texts)
-    except InputError as error:
-        raise InputError(f"the plan cannot be written into this program; edited, it reads: {error}") from error
-    for mismatch in mismatches(there, parts, plant, read, faster):
-        raise mismatch
-    return export
+    unsure: frozenset[int] = frozenset()
+    while True:
+        export = written(program, plant, scenario, intents, loops, unsure)
+        try:
+            read = read_again(program, plant, scenario, export.texts)
+        except InputError as error:
+            raise InputError(f"the plan cannot be written into this program; edited, it reads: {error}") from error
+        found = [*mismatches(there, parts, plant, read, faster)]
+        places = {(one.file, one.line, one.column) for one in found}
+        moves = ((i, one.source) for i, one in enumerate(program.motions) if isinstance(one, Move))
+        # What depends on where the robot is (CRobT) may say otherwise in the edited program than in the given one.
+        again = unsure.union(i for i, source in moves if (source.file, source.line, source.column) in places)
+        if not found:
+            return export
+        if again == unsure:
+            raise found[0]
+        unsure = again
 
 
 def written(
-    program: Program, plant: Plant, scenario: Scenario, intents: dict[int, Intent], loops: Loops
-) -> RapidExport:
+    program: Program, plant: Plant, scenario: Scenario, intents: dict[int, Intent], loops: Loops,
+    unsure: frozenset[int] = frozenset(),
+) -> RapidExport:  # fmt: skip
     """The program's files with what shall become of its motions; copies of routines only where executions of one
-    statement disagree. Raises InputError, with the place, for what cannot be written."""
+    statement disagree. unsure: as write has it. Raises InputError, with the place, for what cannot be written."""
     routines: frozenset[str] = frozenset()
     text = EditableText(program, plant, scenario)
     while True:
         try:
-            return write(text, intents)
+            return write(text, intents, unsure)
         except Disagreement as error:
             if loops is Loops.KEEP or error.routines <= routines:
                 raise

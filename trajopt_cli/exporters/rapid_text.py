@@ -88,6 +88,15 @@ class Edits:
             where = Span(span.file, span.end, span.end + gap)
             self.replace(where, self.line_end(span.file) + self.indentation(span))
 
+    def remove(self, span: Span) -> None:
+        """Take a declaration out, with its lines where it has them for itself."""
+        text, end = self._texts[span.file], self.line_of(span.file, span.end)[1]
+        if self.before(span).strip() or self.behind(span).strip():
+            self.replace(span, "")
+        else:
+            end += len(self.line_end(span.file)) * (end < len(text))
+            self.replace(Span(span.file, self.line_of(span.file, span.start)[0], end), "")
+
     def result(self) -> dict[str, str]:
         """All texts with the edits made."""
         out = {}

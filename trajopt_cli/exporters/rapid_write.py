@@ -4,8 +4,8 @@ arrays beside the code, so that every target's expression stays as written."""
 from __future__ import annotations
 
 import re
-from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Literal
 
@@ -30,6 +30,7 @@ from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveJ, PoseMove, Source
 from trajopt_cli.problem.detours import JointMove, quoted
 from trajopt_cli.problem.editable_text import EditableText, Passes, confdata_counts
 from trajopt_cli.problem.move_call import last_argument, read_move
+from trajopt_cli.problem.scopes import nodes
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.syntax import Call, Name
 from trajopt_cli.robot.inverse import confdata, confdata_admits
@@ -75,15 +76,21 @@ class Disagreement(InputError):
     routines: frozenset[str] = frozenset()
 
 
-def write(text: EditableText, intents: Mapping[int, Intent]) -> RapidExport:
-    """The edited program. Raises Disagreement, with the place, for a statement that cannot do what is wished."""
-    return _Writer(text, intents).result()
+def write(text: EditableText, intents: Mapping[int, Intent], unsure: Set[int] = frozenset()) -> RapidExport:
+    """The edited program. Raises Disagreement, with the place, for a statement that cannot do what is wished.
+
+    unsure: moves whose targets may say otherwise in the edited program than in the given one.
+    """
+    return _Writer(text, intents, unsure).result()
 
 
 class _Writer:
-    def __init__(self, text: EditableText, intents: Mapping[int, Intent]):
+    def __init__(self, text: EditableText, intents: Mapping[int, Intent], unsure: Set[int]):
         self._text, self._program, self._plant, self._scopes = text, text.program, text.plant, text.scopes
-        self._intents = intents
+        self._intents, self._unsure = intents, unsure
+        before = (*self._program.motions, *(self._program.before or ()))
+        self._ran = {(one.written.statement.file, one.written.statement.start) for one in before}
+        self._freed: Counter[Span] = Counter()  # uses of declared arrays that are no more
         self._edits, self._names = Edits(self._program.files), Names(self._program.files)
         self._notes: list[ProgramWarning] = []
         self._monitored: list[Source] = []
@@ -115,6 +122,9 @@ class _Writer:
                 self._move(span, indices)
             elif indices:
                 self._wait(span, indices)
+        for declaration, count in self._freed.items():
+            if count == self._scopes.named(declaration):
+                self._edits.remove(declaration)
         for places, what in (
             (self._wrapped, "another rail position or configuration is said around the target's expression"),
             (self._monitored, "ConfJ \\On added: the plan needs a configuration other than the nearest"),
@@ -195,6 +205,8 @@ class _Writer:
     def _says_otherwise(self, index: int) -> bool:
         move, intent, eax = self._program.motions[index], self._intents[index], self._plant.rail_eax
         assert isinstance(move, Move)
+        if index in self._unsure:
+            return True
         if intent.rail is not None and eax is not None:
             said = move.extax[eax]
             taken = offsets(move, self._edits.text(move.written.statement))[eax]
@@ -239,7 +251,7 @@ class _Writer:
         base = self._scopes.base(node)
         if isinstance(base, Name):
             there = Name(target.start + base.start, target.start + base.end, base.name)
-            return self._scopes.serves_moves(there, span.file)
+            return self._scopes.serves_moves(there, span.file, self._ran)
         return None if base is None else Span(span.file, target.start + base.start, target.start + base.end)
 
     # -------------------------------------------------------------------------------------------------- the statements
@@ -265,7 +277,7 @@ class _Writer:
         if self._literal(span) not in self._in_place and self._needed(indices):
             assert move.written.target is not None
             said = any(isinstance(m := self._program.motions[i], PoseMove) and wishes[i].conf not in (None, m.conf)
-                       for i in indices)  # fmt: skip
+                       for i in indices) or not self._unsure.isdisjoint(indices)  # fmt: skip
             self._wrapped.append(move.source)
             edits.replace(move.written.target, self._around(span, move, wishes, said))
         if intent.fast:
@@ -361,7 +373,7 @@ class _Writer:
         assert isinstance(move, PoseMove)
         assert move.written.target is not None
         node = parse_expression(self._edits.text(move.written.target), move.source.file)
-        if isinstance(node, Call) and node.name.lower() in self._scopes.wrappers:
+        if self._wrapper(move.written.statement, node) is not None:
             return None
         literal = self._literal(move.written.statement)
         wish = None if literal is None else self._in_place.get(literal)
@@ -377,10 +389,16 @@ class _Writer:
         assert move.written.target is not None
         text = here or self._edits.text(move.written.target)
         node = parse_expression(text, span.file)
-        if isinstance(node, Call) and node.name.lower() in self._scopes.wrappers and node.args[0].value is not None:
-            inner = node.args[0].value
+        if (known := self._wrapper(span, node)) is not None:
+            inner, *others = (one.value for one in known.args)
+            assert inner is not None
             text = text[inner.start : inner.end]
             says_conf = says_conf or any(wish.counts for wish in wishes.values())
+            own = span == move.written.statement
+            for name in (one for one in nodes(tuple(others)) if isinstance(one, Name) and own):
+                data = self._scopes.declared(name.name, span.file, span.start)
+                if data is not None and data[1].scope == "LOCAL" and data[1].sizes:
+                    self._freed[Span(data[0], data[1].start, data[1].end)] += 1
         rails = {i: wish.rail for i, wish in wishes.items()}
         base = base_name(text)
         given = {i: one for i, one in rails.items() if one is not None}
@@ -395,19 +413,26 @@ class _Writer:
                 self._refuse([next(i for i, wish in wishes.items() if wish.conf is None)])
             conf = self._value(span, "confdata", f"conf{_titled(base)}", confs)
             parts.append(conf if not parts else rf"{parts.pop()}\conf:={conf}")
+        if not parts:  # its target says nothing
+            self._refuse(list(wishes))
         type_ = "robtarget" if here else type_of(move)
         kind = "ConfAt" if not given else "RailAt" if type_ == "robtarget" else "RailAtJ"
         return f"{self._function(span, kind, type_)}({text},{parts[0]})"
+
+    def _wrapper(self, span: Span, node: object) -> Call | None:
+        """A target's call of a function that an export has written for this rail; None where it is none."""
+        text = self._scopes.wrappers(span).get(node.name.lower(), "") if isinstance(node, Call) else ""
+        axis = None if self._plant.rail_eax is None else f"eax_{'abcdef'[self._plant.rail_eax]}:="
+        return node if isinstance(node, Call) and text and ("extax" not in text or (axis or "-") in text) else None
 
     def _function(self, span: Span, kind: str, type_: str) -> str:
         """The name of the function in a statement's module, which is added where it is not there."""
         key = (*self._module(span), kind)
         if key not in self._functions:
             axis = "" if self._plant.rail_eax is None else "abcdef"[self._plant.rail_eax]
-            for text in self._scopes.wrappers.values():
+            for text in self._scopes.wrappers(span).values():
                 known = text.split("(")[0].split()[-1]
-                owner = self._scopes.owner(known, span.file, span.start)
-                if owner == key[:2] and text.lower() == " ".join(_function(kind, known, type_, axis)).lower():
+                if text.lower() == " ".join(_function(kind, known, type_, axis)).lower():
                     self._functions[key] = known
             if key not in self._functions:
                 name = self._functions[key] = self._chosen.setdefault(kind, self._names.new(kind))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 
@@ -43,7 +43,7 @@ Owner = tuple[str, int] | None
 _MOVES = re.compile(r"(Move|Trigg)\w*|(Arc|Disp|Paint|Cap)[LC]\w*|Spot(ML|[JL])\w*", re.IGNORECASE)
 # The functions that an export writes: a target with the rail or the configuration elsewhere.
 _WRAPPERS = re.compile(
-    r"FUNC (robtarget|jointtarget) (?P<name>\w+)\(\1 p,(num rail(\\confdata conf)?|confdata conf)\) "
+    r"LOCAL FUNC (robtarget|jointtarget) (?P<name>\w+)\(\1 p,(num rail(\\confdata conf)?|confdata conf)\) "
     r"(p\.extax\.eax_[a-f]:=rail; )?((IF Present\(conf\) )?p\.robconf:=conf; )?RETURN p; ENDFUNC"
 )
 _PURE = frozenset(("offs", "reltool", "abs", "sqrt", "sin", "cos", "round", "trunc"))
@@ -79,7 +79,7 @@ class Scopes:
         self._paths: dict[int, str] = {}  # of routines
         self.places: dict[tuple[str, int], Place] = {}  # of statements, by file and offset
         self.procedures: dict[str, list[Routine]] = {}
-        self.wrappers: dict[str, str] = {}  # texts of functions that an export has written, by name in lower case
+        self._wrappers: dict[tuple[Owner, str], str] = {}  # texts of functions that an export has written
         for path, file in files.items():
             self._modules[path] = [self._read(path, node) for node in parse_module(file.text, path).modules]
 
@@ -91,9 +91,9 @@ class Scopes:
                 self.procedures.setdefault(item.name.lower(), []).append(item)
                 self._paths[id(item)] = path
                 if item.kind == "FUNC":
-                    text = " ".join(self.files[path].text[item.start : item.end].split()).removeprefix("LOCAL ")
+                    text = " ".join(self.files[path].text[item.start : item.end].split())
                     if _WRAPPERS.fullmatch(text):
-                        self.wrappers[item.name.lower()] = text
+                        self._wrappers[(path, node.start), item.name.lower()] = text.removeprefix("LOCAL ")
                 for block in (item.body, *(handler.body for handler in item.handlers)):
                     self._place(path, item, block, ())
             if isinstance(item, DataDeclaration):
@@ -221,30 +221,42 @@ class Scopes:
             target = first
         return target if isinstance(target, Name | Aggregate) else None
 
+    def wrappers(self, place: Span) -> Mapping[str, str]:
+        """The functions that an export has written into the module around a place: texts by names in lower case."""
+        module = self._module(place.file, place.start)
+        owner = None if module is None else (place.file, module.node.start)
+        return {name: text for (one, name), text in self._wrappers.items() if one == owner}
+
     @cached_property
-    def _others(self) -> set[tuple[str, int]]:
-        """The declarations, by file and offset, of data that serve anything else than targets of moves."""
-        targets: set[int] = set()
-        found: set[tuple[str, int]] = set()
+    def _uses(self) -> Mapping[tuple[str, int], list[tuple[str, int]]]:
+        """Where data is named, by its declaration's file and offset: the moves whose target it is, as places of
+        statements; for any other use, and in texts, a place that is none."""
+        targets: dict[int, int] = {}
+        found: dict[tuple[str, int], list[tuple[str, int]]] = defaultdict(list)
         for path, several in self._modules.items():
             for node in (one for module in several for one in nodes(module.node.items)):
                 if isinstance(node, ProcedureCall) and _MOVES.fullmatch(node.name):
                     given = [one.value for one in node.args if one.name is None and one.value is not None][:2]
-                    targets |= {id(self.base(one)) for one in given}
-                elif isinstance(node, Name | String) and id(node) not in targets:
-                    # a text may be what SetDataVal asks for
+                    targets |= {id(self.base(one)): node.start for one in given}
+                elif isinstance(node, Name | String):  # a text may be what SetDataVal asks for
                     name = node.name if isinstance(node, Name) else node.value
                     if (data := self.declared(name, path, node.start)) is not None:
-                        found.add((data[0], data[1].start))
+                        found[data[0], data[1].start].append((path, targets.get(id(node), -1)))
         return found
 
-    def serves_moves(self, name: Name, path: str) -> Span | None:
-        """The literal in the declaration of a name that nothing but moves refer to, as target or as what Offs and
-        RelTool shift; None where it is none."""
+    def named(self, declaration: Span) -> int:
+        """How often data is named."""
+        return len(self._uses[declaration.file, declaration.start])
+
+    def serves_moves(self, name: Name, path: str, ran: Set[tuple[str, int]]) -> Span | None:
+        """The literal in the declaration of a name that nothing but moves that ran refer to, as target or as what Offs
+        and RelTool shift; None where it is none. ran: places of statements."""
         data = self.declared(name.name, path, name.start)
         if data is None or data[1].sizes or not isinstance(data[1].value, Aggregate):
             return None
-        if data[1].type.lower() not in ("robtarget", "jointtarget") or (data[0], data[1].start) in self._others:
+        if data[1].type.lower() not in ("robtarget", "jointtarget"):
+            return None
+        if not all(use in ran for use in self._uses[data[0], data[1].start]):
             return None
         return Span(data[0], data[1].value.start, data[1].value.end)
 
