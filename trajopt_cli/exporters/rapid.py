@@ -1,21 +1,10 @@
 r"""A plan written back into its RAPID program: edits in place, every other character as it was.
 
-- A target's expression stays as written; only its rail position (eax) and configuration (confdata) change. Where one
-  declaration, which nothing but moves refer to, serves one value, its numbers change in place.
-- Else the expression is wrapped where it stands, by a function that is added to the module:
-  `MoveL RailAt(Offs(pChuck,-40,0,0),812.5),v800,z5,tool0;`. Executions of one statement share one value, but those
-  that counters of FOR loops tell apart: they take theirs from an array, `RailAt(pPick,railPick{i})`. What EOffs adds
-  is taken out again. So whoever teaches a point anew moves all that is written by it.
-- With loops unrolled, routines that are called several times get a copy for each call, where the plan wants that.
-- A dropped motion becomes a comment, `! dropped by trajopt: MoveJ ...;`.
-- `WaitTime t;` in which the rail moves becomes `MoveL RailAt(p,900),v500\T:=t,fine,tool0;`: the tool stands still, the
-  rail takes the time of the wait. A wait for a signal stays, with such a MoveL of its least duration before it.
-- A move with confdata switched off (ConfJ, ConfL \Off), which ends in the nearest configuration, gets
-  `ConfJ \On;` before it and `ConfJ \Off;` behind it where the plan wants another.
-- A way around obstacles becomes a MoveJ (before a MoveAbsJ a MoveAbsJ) for each additional point, on a line of its own
-  before the move, `MoveJ pVia_10, v1000, z20, tool0 \WObj:=wobj0; ! trajopt: way around 'column'`, to a constant at the
-  head of the module.
-- With free_speed the speed of a motion planned faster than programmed becomes vmax.
+A target's expression stays as written: rail and configuration change in the numbers of a declaration, or by a function
+around the target, which is added to the module. A dropped motion becomes a comment, a wait in which the rail moves a
+MoveL in its place. A move with confdata switched off (ConfJ \Off) has `ConfJ \On;` before it and `ConfJ \Off;` behind
+it where the plan wants another configuration than the nearest. A way around obstacles is a joint move to a constant for
+each point; with free_speed a motion planned faster than programmed has vmax. docs/exports.md shows all of it.
 
 The edited text is read again and held against the plan, motion by motion, before anybody sees it.
 """

@@ -88,8 +88,8 @@ class _Writer:
     def __init__(self, text: EditableText, intents: Mapping[int, Intent], unsure: Set[int]):
         self._text, self._program, self._plant, self._scopes = text, text.program, text.plant, text.scopes
         self._intents, self._unsure = intents, unsure
-        before = (*self._program.motions, *(self._program.before or ()))
-        self._ran = {(one.written.statement.file, one.written.statement.start) for one in before}
+        spans = (one.written.statement for one in self._program.motions)
+        self._ran = {(span.file, span.start) for span in spans}  # in the cycle, of a program that never ends
         self._freed: Counter[Span] = Counter()  # uses of declared arrays that are no more
         self._edits, self._names = Edits(self._program.files), Names(self._program.files)
         self._notes: list[ProgramWarning] = []

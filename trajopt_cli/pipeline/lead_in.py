@@ -11,7 +11,7 @@ from trajopt_cli.job import Job
 from trajopt_cli.motion import Motion, Move, PoseMove, Span, Wait
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.nearest import is_nearest
-from trajopt_cli.problem.plan import Plan, PlannedMotion
+from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
@@ -48,13 +48,10 @@ def starting(plant: Plant, plan: Plan) -> Plant:
 def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motion, ...]:
     """Motions outside the cycle to the targets of its plan: each has one rail position and configuration, wherever it
     is gone to."""
-    ends: dict[Span | None, PlannedMotion] = {}
-    for planned in reversed(plan.motions):
-        motion = job.program.motions[planned.index]
-        ends |= {key: planned for key in (_literal(motion), _text(motion)) if key is not None}
+    ends = {_text(job.program.motions[planned.index]): planned for planned in reversed(plan.motions)}
     out: list[Motion] = []
     for motion in motions:
-        end = ends.get(_text(motion)) or ends.get(_literal(motion))
+        end = ends.get(_text(motion))
         if end is not None and isinstance(motion, PoseMove):
             q, extax, settings = end.q_1, list(motion.extax), motion.settings
             if not is_nearest(job.plant, end):  # as an export says it
@@ -70,8 +67,8 @@ def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motio
 
 def kept_for(job: Job, changes: Changes, motions: tuple[Motion, ...]) -> Changes:
     """What a plan may change that leaves the targets of some motions of the lead-in as programmed."""
-    texts = {key for motion in motions for key in (_text(motion), _literal(motion))} - {None}
-    shared = frozenset(i for i, one in enumerate(job.program.motions) if {_text(one), _literal(one)} & texts)
+    texts = {_text(motion) for motion in motions}
+    shared = frozenset(i for i, one in enumerate(job.program.motions) if _text(one) in texts)
     ties = (tuple(i for i in group if i not in shared) for group in changes.ties)
     return replace(
         changes,
@@ -81,9 +78,5 @@ def kept_for(job: Job, changes: Changes, motions: tuple[Motion, ...]) -> Changes
     )
 
 
-def _text(motion: Motion) -> Span | None:
+def _text(motion: Motion) -> Span:
     return motion.written.statement
-
-
-def _literal(motion: Motion) -> Span | None:
-    return motion.written.aggregate

@@ -8,10 +8,10 @@ program reads at run time it reads as before.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from trajopt_cli.motion import Motion, Program
+from trajopt_cli.motion import Program
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.problem.scopes import Scopes, nodes
@@ -41,13 +41,8 @@ def unrolled(program: Program, plant: Plant, scenario: Scenario, routines: Colle
     same = len(read.motions) == len(program.motions)
     if not same or any(type(a) is not type(b) for a, b in zip(program.motions, read.motions, strict=True)):
         return program  # a routine that looks at its own name, or the like
-    before = None if program.before is None else _placed(program.before, read.before or ())
-    return replace(program, files=read.files, motions=_placed(program.motions, read.motions), before=before)
-
-
-def _placed(motions: Sequence[Motion], read: Sequence[Motion]) -> tuple[Motion, ...]:
-    """Motions with their places in the text with the copies."""
-    return tuple(replace(one, written=other.written) for one, other in zip(motions, read, strict=False))
+    pairs = zip(program.motions, read.motions, strict=True)
+    return replace(program, files=read.files, motions=tuple(replace(a, written=b.written) for a, b in pairs))
 
 
 @dataclass
