@@ -116,6 +116,7 @@ def test_wherever_the_time_ends_both_plans_are_legal_and_in_order(job: Job, tmp_
     assert times == pytest.approx(sorted(times))
     assert all(plan.lower_bound is None or plan.lower_bound <= plan.duration for plan in plans)
     assert any("time limit" in note for note in plans[0].notes)
+    assert not any("already the fastest" in note for plan in plans for note in plan.notes)
 
 
 @pytest.mark.parametrize("job", [1], indirect=True)

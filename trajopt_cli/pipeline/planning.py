@@ -31,10 +31,12 @@ if TYPE_CHECKING:
     from trajopt_cli.problem.plant import Plant
 
 _PER_MOTION = 0.06  # s of judging and writing for each motion of a program, where nothing was judged yet
-_JUDGED = 2.5  # times what judging the program as written took: two plans, side by side or not, and a page
+_JUDGED = 3.5  # times what judging the program as written took: two plans, side by side or not, and a page
 _COPIES = "routines have copies as with --loops unroll, as without them no plan could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
+# What the judge said of rows for the RAPID controller, by their digest (Plan.own_rows).
+_Verdicts = dict[str, "findings.Report"]
 # Of one target: a plan that was judged, why the program cannot be done, or why no plan was found.
 Answer = Judged | Infeasible | NoPlan
 
@@ -137,7 +139,7 @@ def plan_all(
         if not isinstance(found, Judged):
             tell(Progress("judge"))
         slow = partial(_slow_plan, job, target, changes[target], clock)
-        return first_legal(target, found, below, lambda plan: _judged(job, rows.keep(plan), rows, clock), slow)
+        return first_legal(target, found, below, lambda plan: _judged(job, rows.keep(plan), rows, clock, said), slow)
 
     def plan_stream(listen: Listener, max_workers: Callable[[], int]) -> Answer:
         return solve(
@@ -151,7 +153,7 @@ def plan_all(
         own = Clock()
         found = solve(
             job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, kept[rapid], memory,
-            objective=asked[rapid],
+            objective=asked[rapid], said=said,
         )  # fmt: skip
         if isinstance(found, Judged) and job.program.before is not None:
 
@@ -176,11 +178,11 @@ def plan_all(
             return answer, written, None, own.seconds
         return (without_rows(answer.plan), answer.report), written, estimate, own.seconds
 
-    memory, first = PlanCache(), None
+    memory, first, said = PlanCache(), None, _Verdicts()
     if patience.limit is not None:
         listen(rapid.value, Progress("as written"))
         patience.reserve(_PER_MOTION * len(job.program.motions) * patience.load)
-        first = as_written(job, changes[rapid], clock, memory, kept_written, patience)
+        first = as_written(job, changes[rapid], clock, memory, kept_written, patience, said=said)
         if isinstance(first, Plan):
             patience.settle()
     with ExitStack() as stack:
@@ -268,6 +270,7 @@ def solve(
     memory: PlanCache | None = None,
     max_workers: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
+    said: _Verdicts | None = None,
 ) -> Answer:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
     meanwhile where another process may work. kept: where the rows go."""
@@ -300,7 +303,7 @@ def solve(
         with clock.phase(f"{label}: judge"):
             plan = kept.keep(plan)
         give_back()
-        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers)
+        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers, said)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
     except Stopped:
@@ -320,6 +323,7 @@ def _bounded_and_judged(
     clock: Clock,
     patience: Patience,
     max_workers: Callable[[], int],
+    said: _Verdicts | None,
 ) -> Judged:
     """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
     where the plan refutes the bound."""
@@ -338,14 +342,16 @@ def _bounded_and_judged(
         beside = stack.enter_context(Worker(bound, tell)) if asked and max_workers() > 1 else None
         known = bounded(plan, *bound(tell)) if asked and beside is None else plan
         tell(Progress("judge", known.duration, known.lower_bound))
-        judged = _judged(job, known, kept, clock)
+        judged = _judged(job, known, kept, clock, said)
         return judged if beside is None else replace(judged, plan=bounded(plan, *beside.answer()))
 
 
-def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
+def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock, said: _Verdicts | None = None) -> Judged:
     """A plan with what the judge says of its text. Advice is for who asks `trajopt verify`: its libraries take longer
     to load than a short program to judge, and on a long one more than all that decides."""
     with clock.phase(f"{plan.target.value}: judge"):
+        if plan.target is Target.RAPID and said and (known := said.get(plan.own_rows)) is not None:
+            return Judged(plan, kept, known)
         left_out = [motion.index for motion in plan.motions if motion.dropped]
         program, dropped = held_against(job.program, job.plant, plan.target, plan.detours, left_out)
         report = judge(job.plant, program, kept.text, CSV[plan.target], dropped, plan.target, advice=False)
@@ -359,14 +365,14 @@ class _Interrupted(Exception):
 
 def as_written(
     job: Job, changes: Changes, clock: Clock, memory: PlanCache, kept: RowsFile | None = None,
-    patience: Patience | None = None, rapid: Judged | None = None,
+    patience: Patience | None = None, rapid: Judged | None = None, said: _Verdicts | None = None,
 ) -> Plan | str:  # fmt: skip
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line;
     NOT_TIMED where the user says to stop before a motion is known.
 
     The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found. kept:
     where its rows go. patience: its end leaves out what is done only to drive the program faster. rapid: the plan for
-    that controller; where it has the same rows and is legal, so is the program as written.
+    that controller; where it has the same rows and is legal, so is the program as written. said: hears of the verdict.
     """
     from trajopt_cli.plan import NoCleanPlan, optimize
 
@@ -404,6 +410,8 @@ def as_written(
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, False, as_written=True)
         patience.reserve(_JUDGED * (patience.spent - start))
+        if said is not None and report.legal and plan.own_rows:
+            said[plan.own_rows] = report
     return plan if report.legal else f"not legal: {report.worst.message}"
 
 

@@ -99,12 +99,16 @@ def instead_of(plan: Plan | None, below: Plan, target: Target, failure: str | No
         return None
     word = "faster" if below.eased is None else "gentler"
     note = f"the plan is the {BELOW[target]}: {failure or f'nothing {word} was found'}"
-    if failure is None and target is Target.RAPID and below.eased is None:
+    cut = plan is not None and plan.stopped
+    if failure is None and target is Target.RAPID and below.eased is None and not cut:
         note = "the program as written is already the fastest under these limits"
     if plan is None:
         return replace(below, target=target, lower_bound=None, notes=(note,))
-    notes = (note, *plan.notes) if target is Target.STREAM else (note,)
-    return replace(below, target=target, lower_bound=plan.lower_bound, seconds=plan.seconds, notes=notes)
+    notes = (note, *plan.notes) if target is Target.STREAM or cut else (note,)
+    bound, bound_cut = plan.lower_bound, plan.bound_cut
+    return replace(
+        below, target=target, lower_bound=bound, bound_cut=bound_cut, seconds=plan.seconds, notes=notes, stopped=cut
+    )
 
 
 def out_of_order(plans: Mapping[str, Plan]) -> str | None:

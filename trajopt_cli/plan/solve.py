@@ -162,7 +162,13 @@ def optimize(
     estimate = memory.estimates.get((target, freedom))
     plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
     plan = replace(
-        plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate, bound_cut=_CUT_BOUND in notes
+        plan,
+        lower_bound=bound,
+        seconds=seconds,
+        eased=eased,
+        estimate=estimate,
+        stopped=(target, freedom) in memory.stopped,
+        bound_cut=_CUT_BOUND in notes,
     )
     return _with_detours(folded(plan, program, legal.detours), driven)
 

@@ -128,7 +128,7 @@ class Plan:
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
     estimate: what the chain takes that the search began with [s], None where there was no search.
-    bound_cut: the time for the bound was over before it was all that can be proved.
+    stopped: the search was; bound_cut: the time for the bound was over before it was all that can be proved.
     detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
     """
 
@@ -142,6 +142,7 @@ class Plan:
     eased: Eased | None = None
     detours: tuple[Detour, ...] = ()
     estimate: float | None = None
+    stopped: bool = False
     bound_cut: bool = False
 
     @property
