@@ -301,6 +301,8 @@ def test_a_wait_for_a_signal_stays_behind_a_line_of_its_least_duration(plant: Pl
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, scenario=scenario)
     line = "        MoveL RailAt(p1,300\\conf:=[-1,0,-1,0]),v100\\T:=0.6,fine,tool0;\n"
     lines = line + "        WaitDI di_ready,1; ! hand over\n"
+    read = read_again(program, plant, scenario, export.texts).motions
+    assert [one.duration for one in read[1:] if isinstance(one, MoveL | Wait)] == [0.6, 0.0]  # not counted twice
     assert lines in export.texts["m.mod"]
 
 

@@ -443,3 +443,28 @@ def test_a_motion_knows_the_counters_of_the_loops_around_it(
     body: str, rest: str, counters: list[tuple[float, ...]]
 ) -> None:
     assert [motion.written.counters for motion in run(body, "", rest).motions] == counters
+
+
+P = "[[500,200,450],[0,0,1,0],[0,0,0,0],[{},{},9E9,9E9,9E9,9E9]]"
+
+
+@pytest.mark.parametrize(
+    ("line", "least"),
+    [
+        ("MoveL {}\\T:=0.5,fine,tool0;", 0.2),  # the rail goes on in the wait
+        ("MoveL {}\\T:=0.9,fine,tool0;", 0.0),
+        ("MoveL {},fine,tool0;", 0.7),
+        ("MoveL Offs({},0,0,1),v100\\T:=0.5,fine,tool0;", 0.7),
+        ("MoveL {}\\T:=0.5,fine,tool0; Set do1;", 0.7),
+    ],
+)
+def test_a_wait_is_not_counted_again_behind_a_line_that_stands_in_its_place(line: str, least: float) -> None:
+    there = P.format(300, 0)
+    text = line.format(there) if "Offs" in line else line.format(f"{there},v100")
+    body = f"MoveJ {P.format(200, 0)},v100,fine,tool0; {text} WaitDI di1,1;"
+    wait = run(body, scenario=Scenario(waits={"di1": 0.7})).motions[-1]
+    assert isinstance(wait, Wait)
+    assert wait.duration == pytest.approx(least)
+    both = run(body.replace(there, P.format(300, 5)), scenario=Scenario(waits={"di1": 0.7})).motions[-1]
+    assert isinstance(both, Wait)
+    assert both.duration == 0.7  # another axis turns, too

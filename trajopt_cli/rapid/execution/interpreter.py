@@ -20,6 +20,7 @@ from trajopt_cli.rapid.execution.endless import cycle_of
 from trajopt_cli.rapid.execution.instructions.settings import publish
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.recursion_limit import room
+from trajopt_cli.rapid.execution.rests import count_rests
 from trajopt_cli.rapid.language.syntax import Expression, Node, Routine
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.warnings import WarningKind
@@ -59,6 +60,7 @@ class Execution(Context):
                 raise
             failure = error
         self.position.place()
+        count_rests(self.motions)
         endless = (one for one in reversed(self.endless.values()) if one.count >= wanted and not one.leaves)
         if (passes := next(endless, None)) is not None:
             self.cycle = cycle_of(self, passes, failure)
