@@ -126,9 +126,12 @@ def test_without_a_legal_program_the_first_legal_motion_is_looked_for_and_told(j
     def listen(label: str, progress: Progress) -> None:
         told.append(f"{label} {progress.phase}")
 
-    answer = optimize_job(job, None, tmp_path / "out", listen, patience=Patience(1.0, Ticks()), jobs=1)
+    patience = Patience(1.0, Ticks())
+    answer = optimize_job(job, None, tmp_path / "out", listen, plots=True, patience=patience, jobs=1)
     assert isinstance(answer, OptimizedJob)
     assert isinstance(answer.written, str)
     assert all(one.report.legal for one in answer.judged.values())
     assert any("the first legal motion was there after" in line for line in answer.summary.warnings)
+    assert any("no pictures" in line for line in answer.summary.warnings)
+    assert not (tmp_path / "out/plots").exists()
     assert "stream stopped" in told

@@ -153,6 +153,8 @@ def optimize_job(
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged), *late_first(patience))
         placed = map(str, export.notes) if export is not None else ()
+        draw = plots and (patience.limit is None or patience.spent < patience.limit)
+        notices = (*notices, *(["no pictures were drawn: the time limit was over"] if plots and not draw else []))
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
         lead = target or (Target.RAPID if export is not None else Target.STREAM)
@@ -185,7 +187,7 @@ def optimize_job(
     )
     with clock.phase("page"):
         files[REPORT] = _page(job, lead, told, judged, written, inputs, options, kept_speed, changed)
-    if plots:
+    if draw:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
             files |= plan_pictures(job, judged[chosen].plan)
