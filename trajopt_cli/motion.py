@@ -30,18 +30,13 @@ class Span(NamedTuple):
 class Written:
     """Where an instruction's parts stand in the text, so that an export can edit them in place.
 
-    statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement; of a
-    wait in a function both statement and target are the call.
-    aggregate: the literal `[...]` that gives the target's value, in the statement or in a declaration. declaration: the
-    whole data declaration that holds it. None where the value is computed or given elsewhere. counters: the values of
-    the FOR loops around the statement in its routine, the outermost first.
+    statement reaches from the instruction's name to its semicolon. target: the argument in the statement; of a wait in
+    a function both are the call. counters: the values of the FOR loops around the statement in its routine, the
+    outermost first.
     """
 
     statement: Span
     target: Span | None = None
-    speed: Span | None = None
-    aggregate: Span | None = None
-    declaration: Span | None = None
     counters: tuple[float, ...] = ()
 
 

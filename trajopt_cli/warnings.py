@@ -30,7 +30,6 @@ class WarningKind(Enum):
     NOT_CHECKED = "not checked"  # what the user would expect to be; told before all else
     DOUBTFUL = "doubtful"  # the cell does not suit the program
     CHANGED = "changed"  # by an export
-    NEW_MODULE = "new module"  # of an export
 
 
 @dataclass(frozen=True)

@@ -57,19 +57,10 @@ def test_every_span_is_exactly_the_text_it_names() -> None:
         "MoveAbsJ j\\NoEOffs,v50,fine,tool0;"
     )
     program = run_main(body)
-    one, two, three = (m for m in program.motions if isinstance(m, MOVES))
+    one, two, _ = (m for m in program.motions if isinstance(m, MOVES))
     assert stretch(program, one.written.statement) == "MoveJ\n  p ,v100\\V:=50,z10,tool0 \\WObj:=wobj0 ;"
     assert stretch(program, one.written.target) == "p"
-    assert stretch(program, one.written.speed) == "v100"
-    assert stretch(program, one.written.aggregate) == "[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    assert stretch(program, one.written.declaration) == DATA.splitlines()[0]
     assert stretch(program, two.written.target) == "ps{1+1}"
-    assert stretch(program, two.written.aggregate) == "[[4,5,6],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    assert stretch(program, two.written.declaration).startswith("LOCAL VAR robtarget ps{2} := [\n[[1,2,3], ")
-    assert stretch(program, two.written.declaration).endswith("9E9]]];")
-    assert stretch(program, three.written.speed) == "v50"
-    assert stretch(program, three.written.declaration) == DATA.splitlines()[3]
-    assert stretch(program, three.written.aggregate) == DATA.splitlines()[3].partition(":=")[2][:-1]
 
 
 def test_waits_and_events_know_their_statement() -> None:
@@ -77,32 +68,6 @@ def test_waits_and_events_know_their_statement() -> None:
     texts = [stretch(program, m.written.statement) for m in program.motions]
     assert texts == ["Set do1;", "WaitTime 0.5 ;", "WaitDI di1,1;"]
     assert [type(m) for m in program.motions] == [SignalEvent, Wait, Wait]
-
-
-def test_a_literal_in_the_statement_has_no_declaration() -> None:
-    literal = "[[1,2,3],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    program = run_main(f"MoveL {literal},v100,fine,tool0;")
-    (move,) = (m for m in program.motions if isinstance(m, MOVES))
-    assert stretch(program, move.written.aggregate) == stretch(program, move.written.target) == literal
-    assert move.written.declaration is None
-
-
-@pytest.mark.parametrize("target", ["Offs(p,0,0,1)", "RelTool(p,0,0,1)", "given(p)"])
-def test_a_computed_target_has_no_literal(target: str) -> None:
-    rest = "FUNC robtarget given(robtarget a)\na.trans.x:=1;\nRETURN a;\nENDFUNC\n"
-    (move,) = (m for m in run_main(f"MoveL {target},v100,fine,tool0;", rest=rest).motions if isinstance(m, MOVES))
-    assert (move.written.aggregate, move.written.declaration) == (None, None)
-
-
-def test_a_literal_is_followed_through_copies_until_something_changes() -> None:
-    body = (
-        "VAR robtarget q; q:=p; MoveL q,v100,fine,tool0; q.trans.z:=1; MoveL q,v100,fine,tool0;"
-        "ps{1}.trans.z:=2; MoveL ps{1},v100,fine,tool0; go p;"
-    )
-    program = run_main(body, rest="PROC go(robtarget a)\nMoveL a,v100,fine,tool0;\nENDPROC\n")
-    whole = "[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    written = [m.written.aggregate for m in program.motions if isinstance(m, MOVES)]
-    assert [span and stretch(program, span) for span in written] == [whole, None, None, whole]
 
 
 # -------------------------------------------------------------------------------------------------------- encodings

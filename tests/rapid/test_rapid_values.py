@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import MoveL, Program, TextFile, Wait
+from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     DNUM,
@@ -306,17 +306,6 @@ LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' 
 FILE = "Else give the file that declares it"
 NEITHER = "is neither a procedure of the files read nor a known instruction"
 STUB = "give the file that declares it, or ignore it: the line 'stubs: [{}]' in the cell file"
-
-
-def test_the_literal_of_a_target_stays_known_through_assignments() -> None:
-    target = "[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    data = f"CONST robtarget a{{2}}:=[{target},{target.replace('1,2,3', '4,5,6')}]; VAR robtarget b;"
-    program = run("b:=a{2}; MoveL b,v100,fine,tool0; b.trans.x:=9; MoveL b,v100,fine,tool0;", data)
-    text = program.files["m.mod"].text
-    spans = [m.written.aggregate for m in program.motions if isinstance(m, MoveL)]
-    assert spans[0] is not None
-    assert text[spans[0].start : spans[0].end] == target.replace("1,2,3", "4,5,6")
-    assert spans[1] is None
 
 
 def test_data_that_every_controller_has() -> None:

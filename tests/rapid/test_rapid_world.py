@@ -181,17 +181,6 @@ def test_answers_of_another_type(declared: str, answer: Answer, message: str) ->
     assert error("ReadAnyBin d,v;", f"VAR iodev d; {declared}", answers={"v": answer}) == f"m.mod:4:14: {message}"
 
 
-def test_an_answer_is_no_literal_of_the_program() -> None:
-    target = "[[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    _, move = run(
-        "ReadAnyBin d,p; MoveJ p,v100,fine,tool0;",
-        "VAR iodev d; VAR robtarget p;",
-        Scenario(answers={"p": target}),
-    ).motions
-    assert not isinstance(move, (Wait, SignalEvent))
-    assert move.written.aggregate is None
-
-
 def test_arrays_are_asked_for_in_full_as_long_as_a_cell_file_can_hold_them() -> None:
     _, (lack,) = try_program(text_of("ReadAnyBin d,v;", "VAR iodev d; VAR num v{500};"))
     assert lack.value == f'"[{",".join("0" * 500)}]"'

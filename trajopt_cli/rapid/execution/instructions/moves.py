@@ -156,7 +156,7 @@ def _of_joints(
     number, partner = together(run, node, args)
     return {
         "source": run.source(node),
-        "written": written(run, node, point, args.required[1], target),
+        "written": written(run, node, point),
         "target": run.text(point),
         "speed": speed,
         "zone": zone,
@@ -192,7 +192,7 @@ def to_pose(
         target = robtarget(run, point)
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     number, partner = together(run, node, args)
-    place, conf, extax, value = target
+    place, conf, extax, _ = target
     extax = driven_axes(run, point, extax)
     _check_unit(run, node, setup)
     units: tuple[UnitMove, ...] = ()
@@ -209,7 +209,7 @@ def to_pose(
     settings = run.settings
     parts = {
         "source": run.source(node),
-        "written": written(run, node, point, asked.speed, value),
+        "written": written(run, node, point),
         "target": run.text(point),
         "speed": caps,
         "zone": zone,
@@ -299,17 +299,14 @@ def _check_circle(
         )
 
 
-def written(run: Context, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
+def written(run: Context, node: ProcedureCall, point: Expression) -> Written:
     """Where the parts of an instruction stand in the text."""
-    file, origin = run.file, target.origin
+    file = run.file
     return made(
         Written,
         {
             "statement": _span((file, node.start, node.end)),
             "target": _span((file, point.start, point.end)),
-            "speed": _span((file, speed.start, speed.end)),
-            "aggregate": _span((origin.file, origin.literal.start, origin.literal.end)) if origin else None,
-            "declaration": origin.declaration if origin else None,
             "counters": run.frame.counters,
         },
     )
