@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator
+from contextlib import suppress
 
 import pytest
 
@@ -41,8 +42,9 @@ def test_what_a_loop_lacks_is_looked_up_once(body: str, monkeypatch: pytest.Monk
 
     monkeypatch.setattr(context, "get_close_matches", counted)
     declared = "VAR num x:=0;\nVAR robtarget p;"
-    with pytest.raises(InputError, match="di_go"):
+    with suppress(InputError):  # where something moves or waits the loop is one that never ends, and is over
         try_program(program(f"WHILE di_go = 0 DO\n{body}\nENDWHILE", declared), Scenario(pass_limit=300))
+    assert looked
     assert looked.count("no_such") <= 2, "once as what the loop reads, at most once more as another type"
 
 

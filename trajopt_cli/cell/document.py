@@ -554,8 +554,8 @@ class CellDocument(_Section):
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
-    constant_speed: tuple[Part, ...] = ()
     rail_at: dict[StrictStr, Length] = Field(default_factory=dict)
+    constant_speed: tuple[Part, ...] = ()
     order: dict[StrictStr, Annotated[tuple[Part, ...], Field(min_length=2)]] = Field(default_factory=dict)
     free_speed: StrictBool = False
     jerk_limits: StrictBool = False

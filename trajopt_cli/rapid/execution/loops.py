@@ -126,10 +126,8 @@ def count_pass(run: Context, node: Statement, passes: int) -> None:
 
 def _too_many(run: Context, node: Statement) -> InputError:
     message = f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
-    signals: dict[str, None] = {}
-    values: dict[str, str] = {}
-    if isinstance(node, While):
-        _reads(run, node.condition, signals, values)
+    signals, data = _reads(run, node.condition) if isinstance(node, While) else ([], {})
+    values = {name: text for name, one in data.items() if (text := _plain(one.value.data))}
     if signals:
         message += f"its condition reads {', '.join(signals)}: give a sequence of values that ends it under signals"
     elif values:
@@ -140,23 +138,27 @@ def _too_many(run: Context, node: Statement) -> InputError:
     return run.error(node, f"{message}, or raise pass_limit in the cell file")
 
 
-def _reads(run: Context, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
-    """The names that a condition reads: signals, and data with their plain values; each once, as spelled."""
-    if isinstance(node, Binary):
-        _reads(run, node.left, signals, values)
-        _reads(run, node.right, signals, values)
-    elif isinstance(node, Unary):
-        _reads(run, node.operand, signals, values)
-    elif isinstance(node, Name):
+def _reads(run: Context, *conditions: Expression) -> tuple[list[str], dict[str, Datum]]:
+    """The names that conditions read: signals, and data that may change; each once, as spelled. No value is asked for:
+    what the cell file gives in turn is used up by that."""
+    signals: dict[str, None] = {}
+    data: dict[str, Datum] = {}
+    for node in walk(conditions):
+        if not isinstance(node, Name):
+            continue
         place = run.find(node.name)
         if place is None or (isinstance(place, Datum) and place.type.name in SIGNALS):
             signals[node.name] = None
         elif isinstance(place, Datum) and place.constant is None:
-            data = place.value.data
-            if isinstance(data, bool):
-                values[node.name] = "TRUE" if data else "FALSE"
-            elif isinstance(data, float):
-                values[node.name] = f"{data:.6g}"
+            data[node.name] = place
+    return [*signals], data
+
+
+def _plain(data: object) -> str:
+    """A truth value or a number as RAPID writes it; "" for anything else."""
+    if isinstance(data, bool):
+        return "TRUE" if data else "FALSE"
+    return f"{data:.6g}" if isinstance(data, float) else ""
 
 
 def count_endless(
@@ -184,11 +186,8 @@ def count_endless(
 
 def asks_signals(run: Context, *conditions: Expression) -> bool:
     """Whether conditions read signals and nothing that the program changes."""
-    signals: dict[str, None] = {}
-    values: dict[str, str] = {}
-    for condition in conditions:
-        _reads(run, condition, signals, values)
-    return bool(signals) and not values
+    signals, data = _reads(run, *conditions)
+    return bool(signals) and not data
 
 
 def always(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:
