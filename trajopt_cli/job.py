@@ -10,7 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind, printable
-from trajopt_cli.file_kinds import refuse_other
+from trajopt_cli.file_kinds import kind_of, refuse_other
 from trajopt_cli.motion import Move, Program
 from trajopt_cli.runs import RUN
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -59,8 +59,8 @@ class Job:
 def cell_path_for(programs: Sequence[Path]) -> Path:
     """Where a program's cell file stands unless the user says otherwise.
 
-    Beside the first file or folder, same name, .yaml; for a folder also cell.yaml inside it. Raises InputError where
-    both exist.
+    Beside the first file or folder, same name, .yaml; for a folder also cell.yaml or the only cell file inside it.
+    Raises InputError where both exist.
     """
     first = programs[0]
     if not first.is_dir():
@@ -71,6 +71,9 @@ def cell_path_for(programs: Sequence[Path]) -> Path:
     else:
         beside = first.with_name(f"{first.name}.yaml")
     inside = first / _INSIDE
+    if not inside.exists() and not beside.exists():
+        cells = [path for path in sorted(first.glob("*.y*ml")) if kind_of(path) == "cell file"]
+        inside = cells[0] if len(cells) == 1 else inside
     if inside.exists() and beside.exists():
         raise InputError(
             f"has two cell files, {beside} and {inside}; say which by --cell", file=str(first), kind=ErrorKind.CELL

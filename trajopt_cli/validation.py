@@ -77,8 +77,9 @@ def short(text: str) -> str:
 
 
 def hint(name: str, known: Sequence[str]) -> str:
-    """What to do about an unknown name: the closest known one, else all of them."""
-    close = get_close_matches(name, known, n=1)
+    """What to do about an unknown name: the one that begins so, else the closest known one, else all of them."""
+    longer = [one for one in known if len(name) > 3 and one.lower().startswith(name.lower())]
+    close = longer or get_close_matches(name, known, n=1)
     return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known) or 'none'}"
 
 

@@ -14,6 +14,7 @@ from trajopt_cli.cell.loader import load_cell, parse_cell
 from trajopt_cli.cell.model import minimal_cell
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
+from trajopt_cli.job import cell_path_for
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.robot.catalogue import find_robot, robot_names
@@ -145,3 +146,41 @@ def test_an_option_that_is_like_none_suggests_none(capsys: pytest.CaptureFixture
     assert run(["optimize", str(MOD), "--tool", "x"]) == 2
     assert "--loops" not in capsys.readouterr().err
     assert load_cell(CELL).rail is not None  # the file itself is fine
+
+
+def test_an_export_never_writes_over_the_program(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for path in (PROGRAMS / "bench_irb140.mod", PROGRAMS / "bench_irb140.yaml"):
+        shutil.copy(path, tmp_path)
+    before = Path("bench_irb140.mod").read_bytes()
+    assert run(["optimize", "bench_irb140.mod", "--export", "./bench_irb140.mod", "-q"]) == 2
+    assert "--in-place" in capsys.readouterr().err
+    assert not Path("results").exists()
+    assert run(["optimize", "bench_irb140.mod", "--time-limit", "0", "-q"]) == 0
+    assert run(["export", "rapid", "results/bench_irb140", "--output", "bench_irb140.mod"]) == 2
+    assert Path("bench_irb140.mod").read_bytes() == before
+
+
+def test_the_only_cell_file_of_a_folder_is_its_cell(tmp_path: Path) -> None:
+    shutil.copy(MOD, tmp_path)
+    shutil.copy(CELL, tmp_path / "other_name.yaml")
+    shutil.copy(CUBE, tmp_path)
+    assert cell_path_for([tmp_path]) == tmp_path / "other_name.yaml"
+    shutil.copy(CELL, tmp_path / "third.yaml")
+    assert cell_path_for([tmp_path]).parent == tmp_path.parent  # which of them, nobody says
+
+
+@pytest.mark.parametrize("name", ["irb4600", "irb6700"])
+def test_the_beginning_of_a_robots_name_finds_it(name: str) -> None:
+    with pytest.raises(InputError, match=f"did you mean '{name}_"):
+        find_robot(name)
+
+
+def test_speeds_that_are_estimates_are_told_like_accelerations() -> None:
+    """The rail of hinge_cell has the cell's own speed; without that it is a guess of the robot's file."""
+    text = CELL.read_text()
+    own, guess = (build_plant(parse_cell(one, "c.yaml")) for one in (text, text.replace("velocity: 1.0, ", "")))
+    assert not any("speeds of rail" in note for note in own.notes)
+    assert any("speeds of rail" in note for note in guess.notes)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -317,9 +318,11 @@ def rapid(
 
 def write_rapid(files: RapidFiles, output: Path, results: Path, option: str = "--output") -> list[str]:
     """Write the optimised modules to where output says, all or none; their places."""
+    from trajopt_cli.runs.results import beside_results
     from trajopt_cli.runs.transaction import write_together
 
-    places = rapid_places(output, results, [Path(one.place) for one in files.modules], option)
+    own = [one.path for one in beside_results(files.modules, results)]
+    places = rapid_places(output, results, [Path(one.place) for one in files.modules], own, option)
     write_together({path: one.content for path, one in zip(places, files.modules, strict=True)})
     return [str(path) for path in places]
 
@@ -375,7 +378,7 @@ def _write(
     rows, at = len(trajectory.t), "as recorded" if rate is None else f"at {rate:g} Hz"
     line = f"{output}: {motion.name}, {rows} rows {at}, T = {trajectory.duration:.4f} s{f'; {note}' if note else ''}"
     record = {**_record(output, motion, rows, trajectory.duration, rate), "note": note or None}
-    _tell(line, _holds(motion), record, as_json, quiet)
+    _tell(line, [_begins(trajectory), *_holds(motion)], record, as_json, quiet)
 
 
 def _record(output: Path, motion: Recorded, rows: int, duration: float, rate: float | None) -> dict[str, Any]:
@@ -388,6 +391,14 @@ def _record(output: Path, motion: Recorded, rows: int, duration: float, rate: fl
         "cycle_time_s": duration,
         "holds": holds,
     }
+
+
+def _begins(trajectory: Trajectory) -> str:
+    """Where the machine has to be before the first row."""
+    at = dict(zip(trajectory.names, map(float, trajectory.q[0]), strict=True))
+    rail = f"rail {at.pop('rail'):.4f} m, " if "rail" in at else ""
+    joints = " ".join(f"{math.degrees(value):.2f}" for value in at.values())
+    return f"begins at {rail}joints {joints} deg: drive there first"
 
 
 def _holds(motion: Recorded) -> list[str]:
@@ -423,11 +434,22 @@ def check_output(output: Path, results: Path, option: str = "--output") -> None:
         raise InputError(f"is what is played; {option} names another file", file=str(output))
 
 
-def rapid_places(output: Path, results: Path, names: Sequence[Path], option: str = "--output") -> list[Path]:
+def rapid_places(
+    output: Path, results: Path, names: Sequence[Path], own: Iterable[Path], option: str = "--output"
+) -> list[Path]:
     """Where the modules of a program go: one to the file output, several by their names into the folder output.
 
-    Raises InputError where that cannot be.
+    own: the program's files. Raises InputError where that cannot be, and for a place that is one of them.
     """
+    places = _places(output, results, names, option)
+    for place in places:
+        if any(place.exists() and one.exists() and place.samefile(one) for one in own):
+            text = "is the program itself; 'trajopt export rapid RESULTS --in-place' writes over it and keeps NAME.bak"
+            raise InputError(text, file=str(place))
+    return places
+
+
+def _places(output: Path, results: Path, names: Sequence[Path], option: str) -> list[Path]:
     from trajopt_cli.runs.results import MODULES
 
     if len(names) == 1:

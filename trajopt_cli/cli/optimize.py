@@ -102,9 +102,9 @@ def optimize(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     if export is not None:
-        rapid_places(
-            export, folder, [Path(name) for name in distinct_names(list(job.program.files)).values()], "--export"
-        )
+        own = list(job.program.files)
+        names = [Path(name) for name in distinct_names(own).values()]
+        rapid_places(export, folder, names, map(Path, own), "--export")
     with ProgressView(patience, quiet) as view:
         answer = optimize_job(
             job, Target(target) if target else None, folder, view.show, plots, Loops(loops), patience, jobs, objective

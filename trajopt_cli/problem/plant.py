@@ -281,16 +281,17 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
 
 
 def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...]:
-    """How sure the limits are: estimated accelerations with their grade, TCP caps with their source."""
-    graded = {axis: limits.grades.get(f"{axis}.acceleration", "") for axis in limits.names}
-    estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
+    """How sure the limits are: estimated speeds and accelerations with their grade, TCP caps with their source."""
     notes = []
-    if estimated:
-        about = robot.notes[f"profiles.{cell.profile}"]
-        notes.append(
-            f"accelerations of {', '.join(estimated)} are estimates of grade {max(estimated.values())} "
-            f"(profile {cell.profile}: {about}); a measured value belongs in {cell.file}"
-        )
+    for key, what in (("velocity", "speeds"), ("acceleration", "accelerations")):
+        graded = {axis: limits.grades.get(f"{axis}.{key}", "") for axis in limits.names}
+        estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
+        if estimated:
+            about = f" (profile {cell.profile}: {robot.notes[f'profiles.{cell.profile}']})" if what != "speeds" else ""
+            notes.append(
+                f"{what} of {', '.join(estimated)} are estimates of grade {max(estimated.values())}{about}; "
+                f"a measured value belongs in {cell.file}"
+            )
     caps = cell.tcp or robot.tcp
     source = cell.tcp_source or f"{robot.notes['tcp.speed']}, as the robot's file has it"
     notes.append(f"TCP caps {caps.speed:g} m/s and {caps.acceleration:g} m/s²: {source}")
