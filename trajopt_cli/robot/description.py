@@ -155,7 +155,8 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
             | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names}
             | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
             np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
-            grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names},
+            grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names}
+            | {f"{n}.velocity": data.axes[n].velocity.grade for n in names},
             torque=torque if any(known) else None,
             coupled=coupled,
         )
