@@ -221,7 +221,7 @@ def test_a_target_that_two_moves_want_otherwise_stays_and_each_says_its_own(plan
     assert "+        MoveL RailAt(p1,300\\conf:=[-1,0,-1,0]),v100,fine,tool0;" in changes
     assert J1 in export.texts["m.mod"]  # says what is planned
     assert [str(note) for note in export.notes] == [
-        "m.mod:8:9: another rail position or configuration is said around the target's expression"
+        "m.mod:8:9: a function around the target sets another rail position or configuration"
     ]
 
 

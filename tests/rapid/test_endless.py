@@ -68,7 +68,7 @@ def warning(program: Program) -> str:
 def test_the_cycle_is_a_pass_that_ends_where_it_begins(body: str, rest: str, before: str, cycle: str) -> None:
     program = run(body, rest, signals={"di0": 0.0, "di1": 0.0})
     assert (told(program.before), told(program.motions), program.passes) == (before, cycle, 1)
-    assert "never ends by itself: its pass in steady state is planned" in warning(program)
+    assert "never ends by itself: one pass in steady state is planned" in warning(program)
 
 
 ROWS = "WHILE TRUE DO MoveL Offs(p1,0,100*n,0),v100,fine,tool0; to 2 fine; n:=(n+1) MOD 3; ENDWHILE"

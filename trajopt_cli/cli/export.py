@@ -58,7 +58,8 @@ def joint(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Joint positions and speeds at a fixed rate, the exact end as last row: trajectory.csv's target, or joints.csv.
+    """Joint positions and speeds at a fixed rate, the exact end as last row: of trajectory.csv, by default
+    the stream plan, or of an iiwa's joints.csv.
 
     \b
     Example:

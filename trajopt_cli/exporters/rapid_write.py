@@ -126,7 +126,7 @@ class _Writer:
             if count == self._scopes.named(declaration):
                 self._edits.remove(declaration)
         for places, what in (
-            (self._wrapped, "another rail position or configuration is said around the target's expression"),
+            (self._wrapped, "a function around the target sets another rail position or configuration"),
             (self._monitored, "ConfJ \\On added: the plan needs a configuration other than the nearest"),
         ):
             more = f" and {len(places) - 1} more" if len(places) > 1 else ""

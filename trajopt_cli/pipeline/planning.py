@@ -239,7 +239,7 @@ def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes]
     for name, (motions, plant, sets) in ways.items():
         while (why := why_not(to_targets(job, found.plan, motions), starting(plant, found.plan))) is not None:
             if why_not(motions, plant) is not None:
-                notes.append(f"{name} cannot be driven, as written neither: {why}")
+                notes.append(f"{name} cannot be driven, nor can it as written: {why}")
                 break
             if not sets:
                 return NoPlan(Target.RAPID, f"{name} cannot be driven to its targets: {why}")

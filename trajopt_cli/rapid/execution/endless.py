@@ -78,7 +78,7 @@ def _told(motions: Sequence[Motion], cycle: Cycle | None, count: int, period: in
         many = "one pass is" if count == 1 else f"{count} passes are"
         yield f"{many} planned from the start pose on, without a way back, as no pass seen ends where another one does"
     elif count == 1:
-        yield "its pass in steady state is planned, which ends where it begins"
+        yield "one pass in steady state is planned; it ends where it begins"
     else:
         yield f"{count} passes in steady state are planned, which end where they begin"
     if cycle is not None and not _stops(motions, max(k for k in range(cycle.last) if isinstance(motions[k], Move))):
