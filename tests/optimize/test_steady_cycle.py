@@ -10,23 +10,27 @@ from small_cells import DATA, plant_with_rail
 
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program, TextFile
-from trajopt_cli.plan import optimize, slow_plan
+from trajopt_cli.plan import check_feasible, optimize, slow_plan
 from trajopt_cli.problem.configurations import at_cycle
-from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL
+from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.editable import everything
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import Scenario
 from trajopt_cli.timing.double_integrator import trapezoid_time
 
 EAX = ",9E9,9E9,9E9,9E9,9E9]];"
 HOME = "MoveAbsJ j_home, v1000, fine, tool0;"
 
 
-def loop(body: str, data: str = DATA) -> tuple[Program, Plant]:
+def loop(body: str, data: str = DATA, passes: int | None = None) -> tuple[Program, Plant]:
     """A loop behind a move home, on the plant with a rail, which begins where the cycle does as written."""
     lines = ["MODULE T", data.replace("\n", " "), "PROC main()", "ConfL\\Off; ConfJ\\Off;", HOME, "WHILE TRUE DO", body]
-    program = run_program([TextFile("t.mod", "\n".join([*lines, "ENDWHILE", "ENDPROC", "ENDMODULE"]), "utf-8")])
+    program = run_program(
+        [TextFile("t.mod", "\n".join([*lines, "ENDWHILE", "ENDPROC", "ENDMODULE"]), "utf-8")],
+        Scenario(endless_passes=passes),
+    )
     return program, at_cycle(program, plant_with_rail())
 
 
@@ -105,3 +109,47 @@ def test_the_plain_plan_of_a_cycle_ends_where_it_begins() -> None:
     assert plan is not None
     assert np.abs(plan.trajectory.q[-1] - plan.trajectory.q[0]).max() <= 1e-9
     assert verify(program, plant, plan.trajectory, target=Target.RAPID, advice=False).legal
+
+
+@pytest.mark.parametrize("freedom", [AS_WRITTEN, EVERYTHING], ids=["as written", "free"])
+@pytest.mark.parametrize(
+    ("last", "rail"),
+    [
+        ("MoveJ p_far, v1000, fine, tool0;", 600),
+        ("MoveL p_far, v1000, fine, tool0;", 600),
+        ("MoveC Offs(p_low,90,0,0), p_far, v1000, fine, tool0;", 600),
+        ("MoveJ p_far, v1000, z10, tool0;", 600),
+        ("MoveL p_far, v1000, fine, tool0; WaitTime 1;", 600),
+        ("n:=1-n; IF n=0 MoveL p_far, v1000, fine, tool0;", 600),
+        ("MoveAbsJ j_out, v1000, fine, tool0;", 600),
+        ("MoveAbsJ j_off, v1000, fine, tool0;", 600),
+        ("MoveJ p_in, v1000, fine, tool0;", 6000),
+        ("MoveL p_in, v1000, z10, tool0;", 6000),
+        ("n:=1-n; IF n=0 MoveJ p_in, v1000, fine, tool0;", 6000),
+    ],
+)
+def test_a_last_place_that_cannot_be_is_told_as_without_the_loop(last: str, rail: int, freedom: Freedom) -> None:
+    """The same motion, the same reason: once through the loop's text tells which. Where rails may move a place off the
+    stroke is none."""
+    data = f"""{DATA.replace("[600,", f"[{rail},", 1)}
+    CONST robtarget p_far:=[[500,6600,450],[0,0,1,0],[0,0,0,0],[600{EAX}
+    CONST jointtarget j_out:=[[400,0,0,0,30,0],[0{EAX} CONST jointtarget j_off:=[[0,0,0,0,30,0],[-9000{EAX}
+    VAR num n;"""
+    first = "MoveJ p_low, v1000, fine, tool0;"
+    passes = 2 if "n=0" in last else 1
+    program, plant = loop(f"{first}\n{last}", data, passes)
+    body = "\n".join([first, last])
+    lines = ["MODULE T", data.replace("\n", " "), "PROC main()", "ConfL\\Off; ConfJ\\Off;", HOME,
+             f"FOR i FROM 1 TO {passes} DO", body, "ENDFOR", "ENDPROC", "ENDMODULE"]  # fmt: skip
+    once = run_program([TextFile("t.mod", "\n".join(lines), "utf-8")])
+    wanted, found = (
+        check_feasible(one, where, Target.RAPID, freedom)
+        for one, where in ((once, plant_with_rail()), (program, plant))
+    )
+    if freedom is EVERYTHING and rail > 600:
+        assert found is wanted is None
+        return
+    assert isinstance(wanted, Infeasible)
+    assert isinstance(found, Infeasible)
+    assert (str(found), found.source.line) == (str(wanted), 8)
+    assert optimize(program, plant, Target.RAPID, freedom) == found

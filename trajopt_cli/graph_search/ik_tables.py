@@ -18,7 +18,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.graph_search.singular_start import SingularStart, usable
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveL, motion_name
+from trajopt_cli.motion import MoveL, Wait, motion_name
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.configurations import Misfit, check_configurations, listed, reachable_confdata, shown
 from trajopt_cli.problem.decision_scope import EVERYTHING
@@ -382,7 +382,8 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         out = _unserved(axes, problem, first, last)
         if out is not None:
             return out
-        served.add(key)
+        if problem.waypoints[first].motion >= 0:  # else what is wrong where it begins is told where it ends
+            served.add(key)
     return _dead_end(problem)
 
 
@@ -448,9 +449,13 @@ def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasi
     return None
 
 
-def _first_failure(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
+def _first_failure(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible | None:
     """What ends a station that no configuration serves: a waypoint out of reach, or the first line that none of those
-    serves which served everything before it."""
+    serves which served everything before it. Where a cycle begins is told where it ends."""
+    start = problem.waypoints[first]
+    begins = start.motion < 0 or isinstance(problem.motion(start.motion), Wait)  # which stands where it begins
+    if begins and _out_of_reach(axes, problem, first, d):
+        return _unserved(axes, problem, first + 1, last) if first < last else None
     for k in range(first, last + 1):
         if _out_of_reach(axes, problem, k, d):
             return _unreachable(axes, problem, k, d)
@@ -473,7 +478,7 @@ def _first_failure(axes: Axes, problem: Problem, first: int, last: int, d: Array
 def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
     """Whether no rail position and branch reach a waypoint, whatever stands around it."""
     stop = problem.waypoints[k]
-    if stop.q is not None or stop.motion < 0:
+    if stop.q is not None:
         return False
     return not station_table(axes, problem_at(problem, k), 0, 0, d).labels
 

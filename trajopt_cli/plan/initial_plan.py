@@ -94,6 +94,14 @@ class PlanRequest:
         """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
         return [(check_reach(axes, one) or one) if isinstance(one, Problem) else one for one in self.unchecked()]
 
+    def in_first_pass(self, axes: Axes, out: Infeasible) -> Infeasible:
+        """Why a cycle cannot be done, as the program meets it from its start on: that comes first to who runs it."""
+        if not self.program.before:
+            return out
+        once = replace(self.program, motions=self.program.before, before=None, beyond=())
+        first = replace(self, program=once, plant=self.plant.at_home, changes=None).problems(axes)[0]
+        return replace(first, index=out.index) if isinstance(first, Infeasible) else out
+
     def unchecked(self) -> list[Problem | Infeasible]:
         """The same, of which some may be out of reach: where that shows anyhow."""
         changes = self.changes or everything(self.program, self.plant)
@@ -152,7 +160,7 @@ def find_initial_plan(
     add(seconds, "reach", perf_counter() - start)
     if not open_:
         assert isinstance(problems[0], Infeasible)
-        return problems[0]
+        return question.in_first_pass(axes, problems[0])
     own: InitialPlan | Infeasible | NoCleanPlan | Stopped
     tell(Progress("search"))
     others = [*question.restricted()]

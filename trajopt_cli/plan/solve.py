@@ -70,13 +70,15 @@ def check_feasible(
 
     changes: as in optimize. Motions that the user lets go are left out where that helps.
     """
-    problems = PlanRequest(program, plant, target, freedom, changes).problems(Axes.of(plant))
+    question, axes = PlanRequest(program, plant, target, freedom, changes), Axes.of(plant)
+    problems = question.problems(axes)
     first = problems[0]
     if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
         return None
     held = getattr(program.motions[first.index], "hold", None)
     hint = _HELD.get(held) if held is not None and plant.robot.has_rail else None
-    return first if hint is None else replace(first, message=f"{first.message}; {hint}")
+    first = first if hint is None else replace(first, message=f"{first.message}; {hint}")
+    return question.in_first_pass(axes, first)
 
 
 def optimize(

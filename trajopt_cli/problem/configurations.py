@@ -50,6 +50,7 @@ from trajopt_cli.robot.inverse import (
 from trajopt_cli.robot.turns import ON_LIMIT
 
 _SAME = 1e-5  # rad between two ways to the same joints
+_ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
 _CHUNK = 4000  # poses at once: 60 MB of work arrays
 _LISTED = 6  # confdata in a message; the finding has them all
 _TOLD = 20  # changed configurations in an answer; the files have them all
@@ -138,7 +139,8 @@ def arms_as_written(program: Program, plant: Plant) -> Mapping[int, Array | None
 
 def at_cycle(program: Program, plant: Plant) -> Plant:
     """The plant with its start where the steady cycle of a program begins as written; where nobody knows the arm's
-    joints there, with those of its own start. plant: as the program finds it when it is started."""
+    joints there, with those of its own start; there, where that is no place the axes can be at. plant: as the program
+    finds it when it is started."""
     if program.before is None:
         return plant
     moves = [one for one in (*program.from_start.motions, *program.motions) if isinstance(one, Move)]
@@ -148,6 +150,9 @@ def at_cycle(program: Program, plant: Plant) -> Plant:
     walked = replace(program, motions=tuple(moves[next(known, 0) :]), before=None)
     arm = arms_as_written(walked, plant)[len(walked.motions) - 1]
     start = plant.layout.join(rail, np.asarray(plant.start[plant.layout.arm] if arm is None else arm))
+    limits = plant.limits
+    if np.abs(start - start.clip(limits.lower, limits.upper)).max() > _ON_LIMIT or not limits.couplings.within(start):
+        start = plant.start
     return replace(plant, start=readonly(start), home=plant.start)
 
 

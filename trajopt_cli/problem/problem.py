@@ -420,7 +420,7 @@ class _Build:
         match move:
             case MoveAbsJ():
                 self._take_rail(index, move)
-                start = self._at_joints(-1, self._axes(move.q))
+                start = replace(self._at_joints(index, self._axes(move.q)), motion=-1)
             case PoseMove():
                 start = replace(self._at_pose(index, move), motion=-1, rest=True, nearest=False)
                 known = np.abs(self._plant.robot.forward(self._plant.start) - start.X_WF).max() < _STILL
