@@ -113,3 +113,32 @@ def test_the_plant_of_a_job_stands_where_its_cycle_begins(tmp_path: Path) -> Non
     X_WF = job.plant.robot.forward(job.plant.start)
     assert X_WF[:3, 3] == pytest.approx([0.5, 0.6, 0.45], abs=1e-9)
     assert job.plant.at_home.start == pytest.approx([1.5, 0, 0, 0, 0, np.pi / 6, 0])
+
+
+@pytest.mark.parametrize(
+    ("given", "instead", "line"),
+    [
+        ("MoveAbsJ j_home", "MoveJ Offs(p_a,0,5000,0),v1000,fine,tool0; MoveAbsJ j_home", 16),
+        ("j_home:=[[0,", "j_home:=[[400,", 16),
+        ("],[600,", "],[6000,", 16),
+        (
+            "MoveJ p_b,",
+            "MoveJ Offs(p_b,0,n DIV 2*5000,0),",
+            9,
+        ),  # of three passes the last is driven only behind the cycle
+    ],
+)
+def test_what_cannot_be_driven_outside_the_cycle_is_told(
+    rails: object, capsys: pytest.CaptureFixture[str], given: str, instead: str, line: int
+) -> None:
+    text = PROGRAM.replace(given, instead, 1).replace("n:=1-n", "n:=(n+1) MOD 3")
+    Path("cycle.mod").write_text(text, encoding="utf-8")
+    Path("cycle.yaml").write_text(CELL, encoding="utf-8")
+    assert run(["check", "cycle.mod", "--json"]) == 1
+    told = json.loads(capsys.readouterr().out)
+    assert [one["state"] for one in told["checks"][:2]] == ["ok", "NO"]
+    assert f"cycle.mod:{line}:" in told["worst"]
+    assert run(["estimate", "cycle.mod", "--quiet"]) == 0
+    assert f"cannot be driven as written: cycle.mod:{line}:" in capsys.readouterr().err
+    assert run(["optimize", "cycle.mod", "--quiet"]) == 0
+    assert f"; legal; {told['worst']}" in capsys.readouterr().out

@@ -43,6 +43,7 @@ def estimate(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.measured.align import align
     from trajopt_cli.measured.log_csv import read_log
+    from trajopt_cli.pipeline.planning import undriven
     from trajopt_cli.sheet import missing_rows
     from trajopt_cli.study.estimate import doubts, estimate, estimate_record, uncalibrated
 
@@ -54,7 +55,7 @@ def estimate(
     answer = estimate(job)
     if isinstance(answer, str):
         no([f"as written it cannot be driven: {answer}"], as_json)
-    for line in job.program.warnings:
+    for line in (*undriven(job), *job.program.warnings):
         warn(f"warning: {line}")
     compared = None
     if measured is not None:

@@ -86,7 +86,7 @@ def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
         ),
         "no_rapid": answer.no_rapid,
         "interrupted": interrupted,
-        **told.model_dump(include={"warnings", "limits", "unchecked", "notes"}),
+        **told.model_dump(include={"warnings", "limits", "unchecked", "undriven", "notes"}),
     }
 
 

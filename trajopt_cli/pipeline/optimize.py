@@ -16,7 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Finding, Report, collisions
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Wait
-from trajopt_cli.pipeline.planning import Clock, Listener, changes_of, may_change, plan_all
+from trajopt_cli.pipeline.planning import Clock, Listener, changes_of, may_change, plan_all, undriven
 from trajopt_cli.problem.constant_speed import Stretch, constant_speed
 from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
 from trajopt_cli.problem.editable import Changes, Loops
@@ -171,6 +171,7 @@ def optimize_job(
             notices,
             notes,
             changes[Target.RAPID].kept,
+            undriven(job),
         )
         files = _files(job, told, judged, inputs, export)
         changed = no_rapid or ""

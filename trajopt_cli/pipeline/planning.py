@@ -219,26 +219,12 @@ def plan_all(
 def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes], Answer]) -> Answer:
     """A plan of a loop's cycle to whose targets what runs before can be driven as well, and passes that differ: the one
     found, or one that again makes of less that may change."""
-    from trajopt_cli.plan import PlanCache
-
-    outside, inside = lead_in(job)
-    # what runs, from where, and of which motions targets stay as programmed, one set after the other, where it cannot
-    ways = {
-        "the way into the loop": ((*outside, *inside), job.plant.at_home, [outside, (*outside, *inside)]),
-        "a pass behind the cycle": (job.program.beyond, job.plant, [differing(job), job.program.beyond]),
-    }
     notes: list[str] = []
     kept: tuple[Motion, ...] = ()
 
-    def why_not(motions: tuple[Motion, ...], plant: Plant) -> str | None:
-        program = replace(job.program, motions=motions, before=None, beyond=())
-        alone = replace(job, program=program, plant=plant)
-        answer = as_written(alone, everything(program, plant), Clock(), PlanCache()) if motions else None
-        return answer if isinstance(answer, str) else None
-
-    for name, (motions, plant, sets) in ways.items():
-        while (why := why_not(to_targets(job, found.plan, motions), starting(plant, found.plan))) is not None:
-            if why_not(motions, plant) is not None:
+    for name, (motions, plant, sets) in _outside(job).items():
+        while (why := _why_not(job, to_targets(job, found.plan, motions), starting(plant, found.plan))) is not None:
+            if _why_not(job, motions, plant) is not None:
                 notes.append(f"{name} cannot be driven, nor can it as written: {why}")
                 break
             if not sets:
@@ -250,6 +236,32 @@ def _led_in(job: Job, found: Judged, changes: Changes, again: Callable[[Changes]
             found = less
             notes.append(f"targets stay as programmed, as {name} could not be driven to others: {why}")
     return replace(found, plan=replace(found.plan, notes=(*found.plan.notes, *dict.fromkeys(notes))))
+
+
+def undriven(job: Job) -> tuple[str, ...]:
+    """What a loop that never ends drives outside its cycle and cannot as written, and why, a line each."""
+    whys = {name: _why_not(job, motions, plant) for name, (motions, plant, _) in _outside(job).items()}
+    return tuple(f"{name} cannot be driven as written: {why}" for name, why in whys.items() if why is not None)
+
+
+def _outside(job: Job) -> dict[str, tuple[tuple[Motion, ...], Plant, list[tuple[Motion, ...]]]]:
+    """What runs outside the cycle, from where, and of which motions targets stay as programmed, one set after the
+    other, where it cannot."""
+    outside, inside = lead_in(job)
+    return {
+        "the way into the loop": ((*outside, *inside), job.plant.at_home, [outside, (*outside, *inside)]),
+        "a pass behind the cycle": (job.program.beyond, job.plant, [differing(job), job.program.beyond]),
+    }
+
+
+def _why_not(job: Job, motions: tuple[Motion, ...], plant: Plant) -> str | None:
+    """Why motions cannot be driven as written from where a plant starts; None where they can."""
+    from trajopt_cli.plan import PlanCache
+
+    program = replace(job.program, motions=motions, before=None, beyond=())
+    alone = replace(job, program=program, plant=plant)
+    answer = as_written(alone, everything(program, plant), Clock(), PlanCache()) if motions else None
+    return answer if isinstance(answer, str) else None
 
 
 def _slow_plan(job: Job, target: Target, changes: Changes, clock: Clock, why: str) -> Plan | None:

@@ -157,8 +157,9 @@ class Written(Section):
 
 class Summary(Section):
     """The whole answer. passes: of a loop that never ends in the cycle, whose times all others are. limits: how sure
-    they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the RAPID text
-    changes, and what it could not; kept: those of the latter."""
+    they are. unchecked: what the judge was given nothing to hold the motion against. undriven: what runs
+    outside a loop's cycle and cannot be driven as written, and why. notes: what the RAPID text changes, and what it
+    could not; kept: those of the latter."""
 
     target: Annotated[Target, Field(strict=False)]
     plans: Plans
@@ -169,14 +170,16 @@ class Summary(Section):
     warnings: list[str] = Field(default_factory=list)
     limits: list[str] = Field(default_factory=list)
     unchecked: list[str] = Field(default_factory=list)
+    undriven: list[str] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
     kept: list[str] = Field(default_factory=list)
 
     @property
     def verdict(self) -> str:
-        """The judge's word on both plans, with what was not looked at."""
+        """The judge's word on both plans, with what cannot be driven besides and what was not looked at."""
         bad = [str(one) for one in Target if not self.plans.of(one).judge.legal]
-        return "; ".join([f"the {' and the '.join(bad)} plan: NOT LEGAL" if bad else "legal", *self.unchecked])
+        word = f"the {' and the '.join(bad)} plan: NOT LEGAL" if bad else "legal"
+        return "; ".join([word, *self.undriven, *self.unchecked])
 
     @property
     def written_times(self) -> dict[int, float]:
@@ -220,6 +223,7 @@ def summary(
     warnings: Iterable[str],
     notes: Iterable[str] = (),
     kept: Iterable[str] = (),
+    undriven: Iterable[str] = (),
 ) -> Summary:
     """The same for the same inputs. written: the program as it stands, or why it cannot be driven so, or NOT_TIMED.
     kept_speed: the stretches that should keep their programmed speed, by target. corners: of the whole program. passed:
@@ -242,6 +246,7 @@ def summary(
         warnings=list(warnings),
         limits=list(plant.notes),
         unchecked=list(plant.unchecked),
+        undriven=list(undriven),
         notes=list(notes),
         kept=list(kept),
     )

@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding, Report, closeness, good_side
 from trajopt_cli.job import Job
-from trajopt_cli.pipeline.planning import changes_of, judge
+from trajopt_cli.pipeline.planning import changes_of, judge, undriven
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.runs.rows import RowsFile
@@ -66,6 +66,9 @@ def check(job: Job) -> Checked:
     if isinstance(plan, Infeasible):
         behind = (Light(name, State.OPEN, "no motion reaches every point") for name in ("limits", "collisions"))
         return Checked((reads, Light("reaches", State.NO, str(plan)), *behind), None, str(plan))
+    if whys := undriven(job):
+        behind = (Light(name, State.OPEN, "not every motion can be driven") for name in ("limits", "collisions"))
+        return Checked((reads, Light("reaches", State.NO, whys[0]), *behind), None, whys[0])
     plan = rows.keep(plan)
     report = judge(job.plant, job.program, rows.text, "as written", (), Target.RAPID, advice=False)
     reaches = Light("reaches", State.OK, "every point and line, as programmed")
