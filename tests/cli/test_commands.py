@@ -263,7 +263,9 @@ def test_export_joint_carries_the_chosen_target_to_its_exact_end(
     trajectory, _ = read_csv_text(Path("joints.csv").read_text(), "joints.csv")
     assert trajectory.duration == pytest.approx(CYCLE[Target.RAPID], abs=1e-12)
     rows = len(trajectory.t)
-    assert said == f"joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s\n"
+    line, begins = said.splitlines()
+    assert line == f"joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s"
+    assert begins.startswith("begins at joints 0.00 0.00 0.00 0.00 30.00 0.00 deg")
 
 
 def test_export_rapid_gives_the_module_and_its_difference(

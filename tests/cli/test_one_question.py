@@ -22,9 +22,9 @@ def asked(compared_once: None, monkeypatch: pytest.MonkeyPatch) -> list[Loops]:
     found: list[Loops] = []
     made = comparison.compare
 
-    def compare(job: Any, listen: Any, rule: Any, loops: Loops) -> comparison.Comparison:
+    def compare(job: Any, listen: Any, rule: Any, loops: Loops, patience: Any) -> comparison.Comparison:
         found.append(loops)
-        return made(job, listen, rule, loops)
+        return made(job, listen, rule, loops, patience)
 
     monkeypatch.setattr(comparison, "compare", compare)
     return found
