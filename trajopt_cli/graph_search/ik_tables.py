@@ -382,7 +382,8 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         out = _unserved(axes, problem, first, last)
         if out is not None:
             return out
-        if problem.waypoints[first].motion >= 0:  # else what is wrong where it begins is told where it ends
+        begin = problem.waypoints[first]
+        if begin.motion >= 0 or begin.q is not None:  # else what is wrong where a cycle begins is told where it ends
             served.add(key)
     return _dead_end(problem)
 
