@@ -71,8 +71,9 @@ def test_a_program_that_cannot_be_driven_as_written_is_told_so(
 
     monkeypatch.setattr("trajopt_cli.plan.optimize", Picky())
     assert run(["optimize", str(program)]) == 0
-    first = capsys.readouterr().out.splitlines()[0]
-    assert first.startswith("as written it cannot be driven (tiny.mod:6:9: MoveAbsJ j_side cannot be reached) → ")
+    out = capsys.readouterr().out
+    assert out.startswith("as written it cannot be driven (tiny.mod:6:9) → ")
+    assert "as written it cannot be driven: tiny.mod:6:9: MoveAbsJ j_side cannot be reached\n" in out
     written = json.loads(Path("results/tiny/summary.json").read_text())["as_written"]
     assert written["cycle_time_s"] is None
     assert written["why_not"] == "tiny.mod:6:9: MoveAbsJ j_side cannot be reached"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -33,7 +34,8 @@ def saving_line(answer: OptimizedJob) -> str:
     before = told.as_written
     if before.cycle_time_s is not None:
         return f"as written {before.cycle_time_s / told.passes:.3f} s → {plans}"
-    why = f"was {NOT_TIMED}" if before.why_not == NOT_TIMED else f"cannot be driven ({before.why_not})"
+    place = re.match(r"\S+:\d+(?=: )", before.why_not or "")  # the reason itself is a line below the table
+    why = f"was {NOT_TIMED}" if before.why_not == NOT_TIMED else f"cannot be driven{f' ({place[0]})' if place else ''}"
     return f"as written it {why} → {plans}"
 
 
@@ -43,6 +45,8 @@ def optimized_lines(answer: OptimizedJob, verbose: bool = False) -> Iterator[str
     files = (*job.program.files, str(job.cell_path))
     for one in answer.lead.first:
         yield cycle_line(one.value, told.plans.of(one), verbose)
+    if (why := told.as_written.why_not) and why != NOT_TIMED:
+        yield by_name(f"as written it cannot be driven: {why}", files)
     yield from speed_lines(answer.lead.value, answer.kept_speed[answer.lead])
     for one in answer.lead.first:
         nearest = least_clearance(answer.judged[one].report.findings)
