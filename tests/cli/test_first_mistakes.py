@@ -111,12 +111,18 @@ def test_the_cell_file_that_is_offered_suits_the_program() -> None:
     assert (alone.robot, alone.rail) == ("irb140", None)
 
 
+@pytest.fixture
+def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The program bench_irb140 and its cell, in the current folder."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("bench_irb140.mod", "bench_irb140.yaml"):
+        shutil.copy(PROGRAMS / name, tmp_path)
+
+
+@pytest.mark.usefixtures("bench")
 def test_an_export_without_output_goes_into_the_folder_and_is_no_stranger_there(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    for path in (PROGRAMS / "bench_irb140.mod", PROGRAMS / "bench_irb140.yaml"):
-        shutil.copy(path, tmp_path)
     make = ["optimize", "bench_irb140.mod", "--time-limit", "0", "-q"]
     assert run(make) == 0
     for _ in range(2):  # it may be written over
@@ -148,12 +154,8 @@ def test_an_option_that_is_like_none_suggests_none(capsys: pytest.CaptureFixture
     assert load_cell(CELL).rail is not None  # the file itself is fine
 
 
-def test_an_export_never_writes_over_the_program(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    for path in (PROGRAMS / "bench_irb140.mod", PROGRAMS / "bench_irb140.yaml"):
-        shutil.copy(path, tmp_path)
+@pytest.mark.usefixtures("bench")
+def test_an_export_never_writes_over_the_program(capsys: pytest.CaptureFixture[str]) -> None:
     before = Path("bench_irb140.mod").read_bytes()
     assert run(["optimize", "bench_irb140.mod", "--export", "./bench_irb140.mod", "-q"]) == 2
     assert "--in-place" in capsys.readouterr().err
