@@ -1,9 +1,10 @@
 """Tables as controllers, spreadsheets and scripts write them, read as one form: commas between fields, decimal points.
 
 Read alike: `,` `;` or tab between fields, of which the heads have most; decimal commas where that is no comma; quotes;
-a byte-order mark; CRLF; lines that are empty or begin with #. Times may be of a clock (ISO 8601) or count from long
-ago, as from 1970: then they count from the first row's full second. A head is a name with a unit: `J1 [deg]`,
-`joint_1 (rad)`, `Axis 1 deg`, `rail_mm`, `Time [ms]`, `t_ms`.
+a byte-order mark; CRLF; lines that are empty or begin with # % ! or //. Digits are those of ASCII. Times may be of a
+clock (ISO 8601) or count from long ago, as from 1970: then they count from the first row's full second. A head is a
+name with a unit: `J1 [deg]`, `joint_1 (rad)`, `Axis 1 deg`, `rail_mm`, `Time [ms]`, `t_ms`; what a file of several
+robots calls one of them may stand before or behind the name: `ROB_1_J1 [deg]`, `J1 ROB_1 [deg]`.
 """
 
 from __future__ import annotations
@@ -23,17 +24,32 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, IndexArray
 
 TIME = "time"
-TIMES = {"s": 1.0, "sec": 1.0, "ms": 1e3, "us": 1e6, "µs": 1e6, "ns": 1e9}
+TIMES = {"s": 1.0, "sec": 1.0, "ms": 1e3, "us": 1e6, "\u00b5s": 1e6, "\u03bcs": 1e6, "ns": 1e9}
 """Units of times, as many of them as make a second."""
 _HEAD = re.compile(r"(?P<name>.*?)[\s_]*[\[(](?P<unit>[^\])]*)[\])]")
-_BARE = re.compile(r"(?P<name>.+?)[\s_](?P<unit>sec|ms|us|µs|ns|s|rad|deg|degrees|°|mm|m)")
-_TIMES = {"t", "time", "timestamp", "zeit", "elapsed", "elapsedtime", "timesec", "clock"}
+_BARE = re.compile(r"(?P<name>.+?)[\s_](?P<unit>sec|ms|us|\u00b5s|\u03bcs|ns|s|rad|deg|degrees|°|mm|m)")
+_TIMES = {
+    "t",
+    "time",
+    "timestamp",
+    "zeit",
+    "elapsed",
+    "elapsedtime",
+    "timesec",
+    "clock",
+    "epoch",
+    "unixtime",
+    "datetime",
+    "stamp",
+}
 _JOINT = re.compile(
     r"(?:robot)?(?:joint|j|axis|rax|q)(?:position|pos|angle)?(?P<number>\d)(?:position|pos|angle|actual|measured)?"
 )
 _RAILS = {"rail", "track", "railposition", "eaxa", "e1", "linearaxis"}
 _LONGEST, _SHORTEST = 0.5, 5e-4  # s between rows: beyond, the times are in another unit or the rows are too few
-_DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ])?(\d\d:\d\d:\d\d)(?:\.(\d+))?(Z|[+-]\d\d:?\d\d)?")
+_DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ])?(\d\d:\d\d:\d\d)(?:\.(\d+))?(Z|[+-]\d\d:?\d\d)?", re.ASCII)
+_NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*", re.ASCII)
+_COMMENTS = ("#", "%", "!", "//")
 _LONG_AGO = 1e8  # of any unit of time: floats are too coarse for the digits behind
 _USUAL = 0.8  # of all gaps are as long as the usual one, where the others are said to miss rows
 _ROWS = 4096  # that are text and numbers at once
@@ -55,12 +71,26 @@ class Head:
         return cls(number, text, None if match is None else match["unit"].strip())
 
     @property
+    def bare(self) -> str:
+        """The text without the unit."""
+        match = _HEAD.fullmatch(self.text) or _BARE.fullmatch(self.text)
+        return match["name"] if match else self.text
+
+    @property
     def name(self) -> str | None:
         """TIME, or the axis that it names; None for any other column, as speeds and torques."""
+        return self.without("")
+
+    def without(self, robot: str) -> str | None:
+        """The same where a robot's name stands before or behind it, set off by a divider; None where it does not."""
         if self.unit is not None and "/" in self.unit:
             return None
-        match = _HEAD.fullmatch(self.text) or _BARE.fullmatch(self.text)
-        plain = re.sub(r"[^a-z0-9]", "", (match["name"] if match else self.text).lower())
+        text = self.bare.lower()
+        if robot:
+            name = re.escape(robot.lower())
+            bare = re.fullmatch(rf"{name}[^a-z0-9]+(.+)|(.+?)[^a-z0-9]+{name}[^a-z0-9]*", text)
+            text = bare[1] or bare[2] if bare else ""
+        plain = re.sub(r"[^a-z0-9]", "", text)
         if plain in _TIMES:
             return TIME
         if plain in _RAILS:
@@ -145,7 +175,7 @@ class Sheet:
     def _content(self) -> Iterator[tuple[int, str]]:
         """Lines that hold anything, by their number from 1."""
         for number, text in enumerate(self._lines(), start=1):
-            if text and text[0] != "#" and not text.isspace():
+            if (begun := text.lstrip()) and not begun.startswith(_COMMENTS):
                 yield number, text.rstrip("\r")
 
     def _lines(self) -> Iterator[str]:
@@ -183,17 +213,12 @@ class Sheet:
         return spell
 
     def _numbers(self, lines: list[int], rows: list[str], raw: list[str], order: Sequence[int]) -> Array:
-        with suppress(ValueError):  # numbers in other letters and with underscores are read below
+        with suppress(ValueError):
             table = np.loadtxt(rows, delimiter=",", comments=None, ndmin=2)
             if table.shape == (len(rows), len(order)) and np.isfinite(table).all():
                 return table
-        fields = [row.split(",") for row in rows]
-        with suppress(ValueError):
-            table = np.array(fields, dtype=np.float64)
-            if np.isfinite(table).all():
-                return table
-        for number, row, text in zip(lines, fields, raw, strict=True):
-            for i, field in zip(order, row, strict=True):
+        for number, row, text in zip(lines, rows, raw, strict=True):
+            for i, field in zip(order, row.split(","), strict=True):
                 if not _is_number(field):
                     what = f"'{field}' is not a finite number"
                     if i == order[0] and any(mark in field for mark in ":/"):
@@ -205,10 +230,7 @@ class Sheet:
 
 
 def _is_number(text: str) -> bool:
-    try:
-        return bool(np.isfinite(float(text)))
-    except ValueError:
-        return False
+    return _NUMBER.fullmatch(text) is not None and bool(np.isfinite(float(text)))
 
 
 def _zero_of(first: str) -> datetime | Decimal | None:
@@ -232,7 +254,7 @@ def _since(zero: datetime | Decimal, time: str, per: int) -> str:
     second, as a power of ten."""
     with suppress(ValueError, TypeError, InvalidOperation):
         if isinstance(zero, Decimal):
-            return str(Decimal(time) - zero)
+            return str(Decimal(time) - zero) if _is_number(time) else time
         if date := _DATE.fullmatch(time):
             whole = _second(date) - zero
             return str((whole.days * 86400 + whole.seconds + Decimal(f"0.{date[3] or 0}")).scaleb(per))

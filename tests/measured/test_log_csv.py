@@ -9,7 +9,7 @@ import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.measured.log_csv import read_log
+from trajopt_cli.measured.log_csv import lost_rows, read_log
 
 NAMES = ("rail", "joint_1", "joint_2")
 LIMITS = JointLimits(NAMES, np.array([0.0, -3, -3]), np.array([2.0, 3, 3]), np.ones(3), np.ones(3))
@@ -30,6 +30,8 @@ def written(path: Path, heads: str, lines: list[str]) -> Path:
     return file
 
 
+SECOND_HEADS = "t;ROB_1_J1 [deg];ROB_1_J2 [deg];ROB_2_J1 [rad];ROB_2_J2 [rad];rail [m]"
+SECOND = [";".join([f"{t:.9g}", "77", "-7", f"{t:.9g}", f"{0.1 - t:.9g}", f"{0.5 + t:.9g}"]) for t in T]
 DEGREES = (1e3, 1e3, 180 / np.pi, 180 / np.pi)
 
 
@@ -44,6 +46,17 @@ DEGREES = (1e3, 1e3, 180 / np.pi, 180 / np.pi)
         ("A,B,C,D", rows(DEGREES), "ms,mm,deg", "time=A,rail=B,joint_1=C,joint_2=#4"),
         ("Time [s],E1 [mm],J1 [rad],Joint 2 [rad]", rows((1, 1e3, 1, 1)), None, None),
         ("# of cell 3\ntime,rail [m],joint_1 [rad],joint_2 [rad]", ["", *rows(), "# end"], None, None),
+        (
+            "% cell 3\n! x\nTime [\u00b5s],rail [m],J1 [rad],J2 [rad]",
+            ["// on", *rows((1e6, 1, 1, 1)), " # off"],
+            None,
+            None,
+        ),
+        ("Time [\u03bcs],rail [m],J1 [rad],J2 [rad]", rows((1e6, 1, 1, 1)), None, None),
+        (HEADS, [f"1764237000{row.partition(',')[0][1:]},{row.partition(',')[2]}" for row in rows()], None, None),
+        (SECOND_HEADS, SECOND, None, "ROB_2"),
+        ("ROB_2.t [s];J1 (ROB_1) [deg];J2;J1 ROB_2 [rad];J2 ROB_2 [rad];ROB_2/E1 [m]", SECOND, None, "rob_2"),
+        ("t;J1 [deg];J2 [deg];J1 [rad];J2 [rad];rail [m]", SECOND, None, "joint_1=#4,joint_2=J2 [rad]"),
         (
             "time;rail [m];J1 [rad];J2 [rad]",
             [f"2026-01-01T10:00:0{row}" for row in rows((1, 1, 1, 1), ";", ",")],
@@ -109,6 +122,18 @@ def changed(number: int, line: str) -> list[str]:
         (HEADS.replace("joint_2", "J1"), rows(), "'joint_1 [rad]' and 'J1 [rad]' could both be joint_1"),
         (HEADS, rows((1e3, 1, 1, 1)), "column 't [s]': a row every 10 s (the head says s)"),
         (HEADS, rows((1, 1, 1e3, 1)), "column 'joint_1 [rad]': joint_1 reaches 290 rad, its range is -3 to 3"),
+        (HEADS, changed(7, "0.07,0.5,\uff11,0"), "log.csv:9:10: '\uff11' is not a finite number"),
+        (HEADS, changed(7, "\u0660.07,0.5,1,0"), "log.csv:9:1: '\u0660.07' is not a finite number"),
+        (HEADS, changed(7, "0.07,0.5,1_0,0"), "log.csv:9:10: '1_0' is not a finite number"),
+        (HEADS, [f"17642370\u0660{i}.5,0.5,0,0" for i in range(30)], "log.csv:2:1: '17642370\u06600.5' is not"),
+        (
+            HEADS,
+            [*rows()[:15], *(f"{t:.9g},0.5,0,{3 - 6 * (t < 0.2)}" for t in T[15:])],
+            "log.csv:22: joint_2 jumps by 343.8",
+        ),
+        (SECOND_HEADS, SECOND, "no column is joint_1; the heads are 't', 'ROB_1_J1 [deg]', "),
+        (SECOND_HEADS.replace("ROB_2_J1", "J1").replace("ROB_1_J1", "J1"), SECOND, "columns 'joint_1=J1 [deg]'"),
+        (SECOND_HEADS.replace("ROB_2_J1 [rad]", "J1 [deg]").replace("ROB_1_J1", "J1"), SECOND, "columns 'joint_1=#2'"),
         (rows()[0], rows()[1:], "the first line holds numbers; say which column is which by --columns"),
         ("nothing", rows(), "the first line is 'nothing'; wanted heads"),
         ("", [], "the file is empty"),
@@ -125,6 +150,7 @@ def test_what_is_wrong_is_one_line_with_its_place(tmp_path: Path, heads: str, li
     ("units", "columns", "message"),
     [
         ("furlong", None, "--units has 'furlong'; wanted one each of s|ms|us, rad|deg, m|mm"),
+        (None, "ROB_1", "--columns has 'ROB_1'; wanted NAME=HEAD"),
         (None, "joint_9=A", "--columns has 'joint_9=A'; wanted NAME=HEAD"),
         (None, "joint_1=nowhere", "--columns: no columns are 'nowhere'"),
     ],
@@ -134,3 +160,12 @@ def test_options_that_say_nothing_are_refused(
 ) -> None:
     with pytest.raises(InputError, match="^.*" + message.split("'")[0].replace("|", r"\|")):
         read_log(written(tmp_path, HEADS, rows()), LIMITS, units, columns)
+
+
+def test_where_rows_were_lost_is_told_whether_they_are_even_or_not() -> None:
+    even = 0.008 * np.arange(200)
+    uneven = even + np.random.default_rng(3).uniform(-0.003, 0.003, 200)
+    assert lost_rows(even) == lost_rows(uneven) == ""
+    for t in (even, uneven):
+        told = lost_rows(np.delete(t, slice(90, 105)))
+        assert f"between t = {t[89]:.6g} and {t[105]:.6g} s" in told

@@ -42,9 +42,8 @@ def estimate(
     from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.measured.align import align
-    from trajopt_cli.measured.log_csv import read_log
+    from trajopt_cli.measured.log_csv import lost_rows, read_log
     from trajopt_cli.pipeline.planning import undriven
-    from trajopt_cli.sheet import missing_rows
     from trajopt_cli.study.estimate import doubts, estimate, estimate_record, uncalibrated
 
     if log is None and (units or columns):
@@ -71,6 +70,6 @@ def estimate(
     tell(console, (*sums(answer, compared), *doubts(answer), *job.program.without_effect))
     if measured is not None and measured[1]:
         tell(console, [f"columns not used: {', '.join(measured[1])}"])
-    if measured is not None and (lost := missing_rows(measured[0].t)):
+    if measured is not None and (lost := lost_rows(measured[0].t)):
         tell(console, [f"{log}: {lost}"])
     tell(console, [uncalibrated(compared)])

@@ -49,10 +49,9 @@ def identify(
     from trajopt_cli.errors import InputError
     from trajopt_cli.measured.identify import identify
     from trajopt_cli.measured.limits_file import limits_section
-    from trajopt_cli.measured.log_csv import in_order, read_log
+    from trajopt_cli.measured.log_csv import in_order, lost_rows, read_log
     from trajopt_cli.measured.nominal import limits_in_force
     from trajopt_cli.runs.files import check_file, write_file
-    from trajopt_cli.sheet import missing_rows
 
     if output is not None and any(output.resolve() == path.resolve() for path in [*logs, *([cell] if cell else [])]):
         raise InputError("--output is one of the inputs; name another file", file=str(output))
@@ -69,7 +68,7 @@ def identify(
         console = stdout()
         show(console, identified_table(found, limits, place))
         tell(console, seen_lines(names, seen, [unused for _, unused in read], found))
-        told = {name: missing_rows(one.t) for name, (one, _) in zip(names, read, strict=True)}
+        told = {name: lost_rows(one.t) for name, (one, _) in zip(names, read, strict=True)}
         tell(console, [f"{name}: {lost}" for name, lost in told.items() if lost])
     text = limits_section(found, names)
     if not text:

@@ -117,7 +117,8 @@ Columns = Annotated[
     typer.Option(
         "--columns",
         metavar="NAME=HEAD,...",
-        help="Which of a log's columns is what where the heads do not tell: time=Stamp,joint_1=#3.",
+        help="Which of a log's columns is what where the heads do not tell: time=Stamp,joint_1=#3. A robot's name "
+        "alone takes the columns that its heads begin or end with: ROB_2.",
         show_default=False,
     ),
 ]

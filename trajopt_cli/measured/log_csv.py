@@ -5,6 +5,7 @@ names. Times alone are seconds where nothing says another unit.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -12,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.sheet import TIME, TIMES, Head, Sheet
+from trajopt_cli.sheet import TIME, TIMES, Head, Sheet, missing_rows
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
@@ -25,6 +26,8 @@ _UNITS = {
 }
 _SHOWN = {"time": "s, ms, us, ns", "turning": "rad, deg", "sliding": "m, mm"}
 _FEWEST = 20  # rows
+_LONG = 3.0  # of the usual time between rows: that there are none for so long is told
+_TURN = 300 * DEG  # from one row to the next: an angle that was wrapped
 _BEYOND = 0.2  # of an axis' range: a position farther out is in another unit
 
 
@@ -35,7 +38,8 @@ def read_log(
     """A log's times and positions in SI, axes in the order of limits, and the heads that were not used.
 
     units: for columns whose head names none, "deg,mm" or "s,rad". columns: which column an axis is in where its head
-    does not tell, "time=Timestamp,joint_1=#3"; # counts from 1.
+    does not tell, "time=Timestamp,joint_1=#3"; # counts from 1; a name alone, "ROB_1", is that of the robot whose
+    columns are meant in a file of several.
 
     Raises InputError, one line, with the file and the column or line, for what is missing, ambiguous or no number, for
     times that do not increase, and for positions far outside the axes' ranges.
@@ -57,7 +61,8 @@ def read_log(
         raise InputError(f"the first line is '{found}'; wanted heads divided by , ; or tab", file=file, line=sheet.line)
     if sheet.headless and columns is None:
         raise sheet.wrong("the first line holds numbers; say which column is which by --columns time=#1,joint_1=#2,...")
-    chosen = _chosen(sheet, limits.names, _named(columns, sheet, limits.names))
+    given, robot = _named(columns, sheet, limits.names)
+    chosen = _chosen(sheet, limits.names, given, robot)
     factors = _factors(chosen, units, sheet)
     if sheet.rows < _FEWEST:
         what = f"{sheet.rows} rows; a log needs at least {_FEWEST} below its heads"
@@ -69,43 +74,63 @@ def read_log(
     time = chosen[TIME]
     how = f"the head says {time.unit}" if time.unit else "as --units says" if units else "taken as s"
     sheet.check_times(table[:, 0], lines, time, 0.0, how)
-    _check(table, chosen, limits, sheet)
+    _check(table, chosen, limits, sheet, lines)
     used = {column.number for column in chosen.values()}
     unused = () if sheet.headless else tuple(head.text for head in sheet.heads if head.number not in used)
     return Trajectory(limits.names, table[:, 0], table[:, 1:]), unused
 
 
-def _named(columns: str | None, sheet: Sheet, names: Sequence[str]) -> dict[str, Head]:
-    """What --columns says."""
+def _named(columns: str | None, sheet: Sheet, names: Sequence[str]) -> tuple[dict[str, Head], str]:
+    """What --columns says: columns by name, and the robot that heads name."""
     out: dict[str, Head] = {}
+    robot = ""
     for part in (columns or "").split(",") if columns else []:
         name, equals, head = (piece.strip() for piece in part.partition("="))
+        if not equals and not robot and any(one.without(name) in names for one in sheet.heads):
+            robot = name
+            continue
         if not equals or name not in (TIME, *names):
-            raise InputError(
+            what = (
                 f"--columns has '{part.strip()}'; wanted NAME=HEAD or NAME=#3, NAME one of {TIME}, {', '.join(names)}"
+            )
+            robots = _robots(sheet)
+            raise InputError(
+                f"{what}, or one of the robots that the heads name: {', '.join(robots)}" if robots else what
             )
         found = [one for one in sheet.heads if head in (one.text, f"#{one.number + 1}")]
         if len(found) != 1:
             heads = ", ".join(one.text for one in sheet.heads)
             raise sheet.wrong(f"--columns: {len(found) or 'no'} columns are '{head}'; the heads are {heads}")
         out[name] = found[0]
-    return out
+    return out, robot
 
 
-def _chosen(sheet: Sheet, names: Sequence[str], given: Mapping[str, Head]) -> dict[str, Head]:
-    """The column of the time and of every axis."""
+def _robots(sheet: Sheet) -> list[str]:
+    """Names before or behind those of axes in the heads."""
+    parts = [(one, part) for one in sheet.heads if one.name is None for cut in re.finditer("[^A-Za-z0-9]+", one.bare)
+             for part in (one.bare[: cut.start()], one.bare[cut.end() :])]  # fmt: skip
+    return [*dict.fromkeys(part for one, part in parts if part and (one.without(part) or TIME) != TIME)]
+
+
+def _chosen(sheet: Sheet, names: Sequence[str], given: Mapping[str, Head], robot: str) -> dict[str, Head]:
+    """The column of the time and of every axis; time and rail may be common to robots."""
     out = dict(given)
     for name in (TIME, *names):
         if name in given:
             continue
-        columns = [] if sheet.headless else [one for one in sheet.heads if one.name == name]
-        columns = [one for one in columns if one not in given.values()]
+        free = [] if sheet.headless else [one for one in sheet.heads if one not in given.values()]
+        columns = [one for one in free if one.without(robot) == name]
+        if robot and not columns and name in (TIME, "rail"):
+            columns = [one for one in free if one.name == name]
         if len(columns) > 1:
             both = " and ".join(f"'{one.text}'" for one in columns)
-            raise sheet.wrong(f"{both} could both be {name}; say which by --columns '{name}={columns[0].text}'")
+            how = columns[0].text if columns[0].text != columns[1].text else f"#{columns[0].number + 1}"
+            raise sheet.wrong(f"{both} could both be {name}; say which by --columns '{name}={how}'")
         if not columns:
             heads = ", ".join(f"'{one.text}'" for one in sheet.heads)
-            raise sheet.wrong(f"no column is {name}; the heads are {heads}; say which by --columns '{name}=HEAD'")
+            robots = [] if robot else _robots(sheet)
+            how = f"'{robots[0]}', which names a robot in them" if robots else f"'{name}=HEAD'"
+            raise sheet.wrong(f"no column is {name}; the heads are {heads}; say which by --columns {how}")
         out[name] = columns[0]
     return out
 
@@ -121,7 +146,7 @@ def _factors(chosen: Mapping[str, Head], units: str | None, sheet: Sheet) -> dic
         kinds = [kind for kind, table in _UNITS.items() if unit.strip() in table]
         if not kinds:
             raise InputError(
-                f"--units has '{unit.strip()}'; wanted one each of s|ms|us, rad|deg, m|mm, as in --units s,deg,mm"
+                f"--units has '{unit.strip()}'; wanted one each of s|ms|us|ns, rad|deg, m|mm, as in --units s,deg,mm"
             )
         given[kinds[0]] = _UNITS[kinds[0]][unit.strip()]
     out = {}
@@ -140,7 +165,7 @@ def _factors(chosen: Mapping[str, Head], units: str | None, sheet: Sheet) -> dic
     return out
 
 
-def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet: Sheet) -> None:
+def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet: Sheet, lines: IndexArray) -> None:
     for k, name in enumerate(limits.names):
         low, high = float(limits.lower[k]), float(limits.upper[k])
         values = table[:, k + 1]
@@ -152,6 +177,25 @@ def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet:
                 f"column '{chosen[name].text}': {name} reaches {worst:.4g} {unit}, "
                 f"its range is {low:.4g} to {high:.4g}: is the unit right?"
             )
+        steps = np.abs(np.diff(values))
+        wrapped = (steps > _TURN) & (steps > 2 * limits.velocity[k] * np.diff(table[:, 0])) & (name != "rail")
+        if wrapped.any():
+            i = int(np.argmax(wrapped))
+            what = f"{name} jumps by {(values[i + 1] - values[i]) / DEG:.1f} deg after t = {table[i, 0]:.6g} s"
+            raise InputError(f"{what}; log angles that go on beyond a turn", file=sheet.file, line=int(lines[i + 1]))
+
+
+def lost_rows(t: Array) -> str:
+    """Where a log lost rows, and for how long; empty where it lost none. t (n,): times [s]. Of rows that are not evenly
+    apart, where none came for longer than is usual: _LONG medians, and twice what 19 of 20 gaps stay under."""
+    if even := missing_rows(t):
+        return even
+    gaps = np.diff(t)
+    usual = float(np.median(gaps))
+    at = np.flatnonzero(gaps > max(_LONG * usual, 2 * float(np.quantile(gaps, 0.95))))
+    where = ", ".join(f"t = {t[i]:.6g} and {t[i + 1]:.6g} s ({1e3 * gaps[i]:.3g} ms)" for i in at[:3])
+    more = f" and at {len(at) - 3} more places" if len(at) > 3 else ""
+    return f"no rows between {where}{more}; usually they are {1e3 * usual:.3g} ms apart" if at.size else ""
 
 
 def in_order(logs: Sequence[Path]) -> None:
