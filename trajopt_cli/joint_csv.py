@@ -225,11 +225,33 @@ def _off_grid(t: Array, decimals: Decimals) -> Array:
     """The steps (n,) of times with so many decimals (n,), 0 for rows on a grid: there the times between them are whole
     multiples of the usual one. That is two printed units at least where rows are missing: in steps of one unit, rows
     that were rounded look alike, and so do rows between those of a grid. The first and the last one may always be off
-    the grid, also where they are printed as if they were not: it may begin and end anywhere."""
-    h = np.diff(np.rint(t * 10.0 ** int(decimals.max())))
-    inner = h[1:-1] if len(h) > 2 else h
+    the grid, also where they are printed as if they were not: it may begin and end anywhere.
+
+    Where all rows between those of a grid have more decimals than it, so has the format, which leaves zeros out."""
+    steps = _steps([decimals], np.ones(1))[:, 0] + np.zeros(len(t))
+    if _even(np.diff(np.rint(t * 10.0 ** int(decimals.max())))):
+        steps[1:-1] = 0.0
+        return steps
+    sizes = np.floor(np.log10(np.maximum(np.abs(t), NEAREST)))
+    sizes[0] = sizes[-1] = np.nan
+    alike = {size: np.flatnonzero(sizes == size) for size in np.unique(sizes[1:-1])}  # rows of one power of ten
+    least = {int(decimals[rows].min()) for rows in alike.values()}
+    if len(least) != 1:  # significant digits: fewer decimals of larger numbers
+        return steps
+    fine = decimals > min(least)
+    grid = np.flatnonzero(~fine)
+    held = np.diff(np.cumsum(fine)[grid]) > 0  # gaps with finer rows in them
+    units = np.diff(np.rint(t[grid] * 10.0 ** min(least)))
+    if _even(units) or (units[~held] == 1).sum() == (~held).sum() > 1:
+        known = {size: np.median(steps[rows[fine[rows]]]) for size, rows in alike.items() if fine[rows].any()}
+        for size, rows in alike.items():  # a step grows with the number at most as significant digits let it
+            step = min((one * 10.0 ** max(size - other, 0.0) for other, one in known.items()), default=np.inf)
+            steps[rows] = np.minimum(steps[rows], step)
+    return steps
+
+
+def _even(gaps: Array) -> bool:
+    """Whether gaps (n,), in printed units, are those of a grid; the first and the last one do not count."""
+    inner = gaps[1:-1] if len(gaps) > 2 else gaps
     usual = np.median(inner) if len(inner) else 0.0
-    if len(h) > 1 and (np.ptp(inner) == 0 or (usual >= 2 and not (inner % usual).any())):
-        ends = np.isin(np.arange(len(t)), (0, len(t) - 1))
-        return np.where(ends, 10.0 ** -decimals.astype(np.float64), 0.0)
-    return _steps([decimals], np.ones(1))[:, 0]
+    return len(gaps) > 1 and bool(np.ptp(inner) == 0 or (usual >= 2 and not (inner % usual).any()))

@@ -173,6 +173,31 @@ def test_times_that_are_multiples_of_one_step_are_exact_also_where_rows_are_miss
     assert steps(between)[0] == [1e-3] * 31
 
 
+@pytest.mark.parametrize("digits", [7, 9, 12, 15])
+def test_rows_between_those_of_a_grid_tell_the_digits_of_its_times(digits: int) -> None:
+    """Rows every millisecond, which need three decimals, and at a few boundaries; one of them falls on the grid's
+    digits. No time is off by more than half its step, and no step is wider than the format's."""
+    rng = np.random.default_rng(digits)
+    t = np.sort(np.r_[0.001 * np.arange(2, 12_000), rng.uniform(0.002, 12, 150), 3.0025000004, 10.123])
+    t = np.delete(t, np.flatnonzero(np.diff(t) < 2e-5) + 1)
+    text = "t [s],joint_1 [rad]\n" + "".join(f"{x:.{digits}g},{i}\n" for i, x in enumerate(t))
+    rows, resolution = read_csv_text(text, "a.csv")
+    step = np.broadcast_to(resolution.t, t.shape)
+    assert (np.abs(rows.t - t) <= step / 2 * (1 + 1e-6) + 1e-15).all()
+    size = np.floor(np.log10(t[1:-1]))
+    assert (step[1:-1] <= 1.001 * np.maximum(10.0 ** (np.maximum(size, -1) - digits + 1), 1e-15)).all()
+
+
+@pytest.mark.parametrize(("period", "spell"), [(0.00106, "{:.3f}"), (0.00137, "{:.5g}")])
+def test_rows_that_were_rounded_are_no_grid_because_a_few_others_are_finer(period: float, spell: str) -> None:
+    t = period * np.arange(9000)
+    lines = [f"{spell.format(x)},{i}" for i, x in enumerate(t)]
+    for i in (4000, 4001, 8500):
+        lines[i] = f"{t[i]:.15g},{i}"
+    rows, resolution = read_csv_text("t [s],joint_1 [rad]\n" + "\n".join(lines), "a.csv")
+    assert (np.abs(rows.t - t) <= np.broadcast_to(resolution.t, t.shape) / 2 * (1 + 1e-6)).all()
+
+
 def test_rows_that_an_even_file_lost_are_told_and_no_others() -> None:
     t = 0.012 * np.arange(40)
     assert missing_rows(t) == ""
