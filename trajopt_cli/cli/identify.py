@@ -37,8 +37,8 @@ def identify(
 ) -> None:
     """Fit speed, acceleration and jerk of every axis to LOGs of its motions, with 90 % intervals.
 
-    A limit is reported where several motions of different length reach the same peak; otherwise why not. Exit code 1:
-    the logs show none.
+    A limit is reported where several motions of different length reach the same peak; otherwise why not. Of any log it
+    is told what each axis reached, and which limit in force is lower. Exit code 1: nothing to write, or no motion.
 
     \b
     Example:
@@ -51,6 +51,7 @@ def identify(
     from trajopt_cli.measured.limits_file import limits_section
     from trajopt_cli.measured.log_csv import in_order, lost_rows, read_log
     from trajopt_cli.measured.nominal import limits_in_force
+    from trajopt_cli.measured.reached import contradictions, reached_in
     from trajopt_cli.runs.files import check_file, write_file
 
     if output is not None and any(output.resolve() == path.resolve() for path in [*logs, *([cell] if cell else [])]):
@@ -60,18 +61,20 @@ def identify(
     limits, place = limits_in_force(robot, cell)
     in_order(logs)
     read = [read_log(path, limits, units, columns) for path in logs]
-    found, seen = identify([one for one, _ in read], limits)
-    names = [path.name for path in logs]
+    names, motions = [path.name for path in logs], [one for one, _ in read]
+    found, seen = identify(motions, limits)
+    reached = reached_in(motions, names, limits)
+    against = [*contradictions(motions, names, limits, reached)]
     if as_json:
-        print_json(identified_record(found, seen, [str(path) for path in logs], limits))
+        print_json(identified_record(found, seen, [str(path) for path in logs], limits, reached, against))
     elif not quiet:
         console = stdout()
-        show(console, identified_table(found, limits, place))
+        show(console, identified_table(found, reached, limits, place))
         tell(console, seen_lines(names, seen, [unused for _, unused in read], found))
         told = {name: lost_rows(one.t) for name, (one, _) in zip(names, read, strict=True)}
-        tell(console, [f"{name}: {lost}" for name, lost in told.items() if lost])
+        tell(console, [*(f"{name}: {lost}" for name, lost in told.items() if lost), *against])
     text = limits_section(found, names)
-    if not text:
+    if not text and (output is not None or not reached):
         no(["NOTHING WRITTEN: these logs show no limit of any axis"], False)
     if output is not None:
         write_file(output, text.encode())

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from typing import Any
 
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.measured.identify import Kind, Limit, Seen
-from trajopt_cli.table import TextTable, tabulate
+from trajopt_cli.measured.reached import Reached
+from trajopt_cli.table import TextTable, percent, tabulate
 from trajopt_cli.units import DEG, MM
 
 _UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
@@ -21,8 +23,9 @@ def _in_force(limit: Limit, limits: JointLimits) -> float | None:
     return value if value == value else None
 
 
-def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) -> TextTable:
+def identified_table(found: Sequence[Limit], reached: Sequence[Reached], limits: JointLimits, place: str) -> TextTable:
     """A line per axis and limit, in degrees and millimetres."""
+    most = {(one.axis, one.kind): one for one in reached}
 
     def factor(one: Limit) -> float:
         return MM if one.axis == "rail" else DEG
@@ -49,23 +52,36 @@ def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) ->
             ">to": lambda one: told(one.high, one),
             "unit": unit,
             ">motions": lambda one: "" if one.value is None else str(one.motions),
+            ">reached": lambda one: told(most[of].value, one, 4) if (of := (one.axis, one.kind)) in most else "",
             ">in force": lambda one: told(_in_force(one, limits), one, 4),
+            ">share": lambda one: (
+                percent(most[of].value / most[of].limit, 0) if (of := (one.axis, one.kind)) in most else ""
+            ),
             "what is missing": missing,
         },
     )
 
 
 def seen_lines(
-    names: Sequence[str], seen: Sequence[Seen], unused: Sequence[tuple[str, ...]], found: Sequence[Limit]
+    names: Sequence[str],
+    seen: Sequence[Seen],
+    unused: Sequence[tuple[str, ...]],
+    found: Sequence[Limit],
 ) -> Iterator[str]:
     """What became of each log, a line each, and what to do with the result."""
     for name, one, columns in zip(names, seen, unused, strict=True):
-        left = [f"{one.not_straight} not along one line in the joints"] if one.not_straight else []
+        left = [f"{one.fitted} fitted"]
+        left += [f"{one.not_straight} not along one line in the joints"] if one.not_straight else []
         left += [f"{one.not_ramps} not one ramp up and one down"] if one.not_ramps else []
         left += [f"{one.not_looked_at} more not looked at"] if one.not_looked_at else []
         yield (
-            f"{name}: {one.rows} rows every {one.period * 1e3:.3g} ms, {one.motions} motions between rests, "
-            f"{', '.join([f'{one.fitted} fitted', *left])}; times are off by {one.jitter * 1e3:.2f} ms (rms)"
+            f"{name}: {one.rows} rows every {one.period * 1e3:.3g} ms, "
+            + (
+                f"{one.motions} motions between rests, {', '.join(left)}"
+                if one.motions
+                else "no motion between two rests"
+            )
+            + (f"; times are off by {one.jitter * 1e3:.2f} ms (rms)" if one.fitted else "")
         )
         if columns:
             yield f"{name}: columns not used: {', '.join(columns)}"
@@ -73,10 +89,17 @@ def seen_lines(
         yield "accelerations do not jump here: 'jerk_limits: true' in the cell file has plans keep the jerks"
     if any(one.kind is Kind.SPEED and one.value is not None for one in found):
         yield "one speed programmed for all motions of an axis looks the same as its limit: log vmax at 100 % override"
+    if all(one.value is None for one in found):
+        yield "no limit is identified, which takes motions of several lengths between rests; it is 'reached' or more"
 
 
 def identified_record(
-    found: Sequence[Limit], seen: Sequence[Seen], logs: Sequence[str], limits: JointLimits
+    found: Sequence[Limit],
+    seen: Sequence[Seen],
+    logs: Sequence[str],
+    limits: JointLimits,
+    reached: Sequence[Reached],
+    against: Sequence[str],
 ) -> dict[str, Any]:
     """The same as plain data, SI."""
     return {
@@ -97,4 +120,6 @@ def identified_record(
             }
             for one in found
         ],
+        "reached": [asdict(one) | {"share": one.value / one.limit} for one in reached],
+        "contradictions": list(against),
     }  # fmt: skip

@@ -185,16 +185,21 @@ def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet:
             raise InputError(f"{what}; log angles that go on beyond a turn", file=sheet.file, line=int(lines[i + 1]))
 
 
+def long_gaps(t: Array) -> IndexArray:
+    """The rows of a log, times t (n,) [s], behind which none came for longer than is usual: _LONG medians, and twice
+    what 19 of 20 gaps stay under."""
+    gaps = np.diff(t)
+    return np.flatnonzero(gaps > max(_LONG * float(np.median(gaps)), 2 * float(np.quantile(gaps, 0.95))))
+
+
 def lost_rows(t: Array) -> str:
-    """Where a log lost rows, and for how long; empty where it lost none. t (n,): times [s]. Of rows that are not evenly
-    apart, where none came for longer than is usual: _LONG medians, and twice what 19 of 20 gaps stay under."""
+    """Where a log lost rows, and for how long; empty where it lost none. t (n,): times [s]."""
     if even := missing_rows(t):
         return even
-    gaps = np.diff(t)
+    gaps, at = np.diff(t), long_gaps(t)
     usual = float(np.median(gaps))
-    at = np.flatnonzero(gaps > max(_LONG * usual, 2 * float(np.quantile(gaps, 0.95))))
     where = ", ".join(f"t = {t[i]:.6g} and {t[i + 1]:.6g} s ({1e3 * gaps[i]:.3g} ms)" for i in at[:3])
-    more = f" and at {len(at) - 3} more places" if len(at) > 3 else ""
+    more = f" and {len(at) - 3} times more" if len(at) > 3 else ""
     return f"no rows between {where}{more}; usually they are {1e3 * usual:.3g} ms apart" if at.size else ""
 
 
