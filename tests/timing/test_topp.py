@@ -127,6 +127,19 @@ def test_a_slope_that_is_rounding_is_none() -> None:
         np.testing.assert_allclose(laws.rates, exact.rates, rtol=1e-7, atol=1e-12)
 
 
+@pytest.mark.parametrize("seed", [79, 125, 168])
+def test_slopes_of_several_columns_that_are_rounding_leave_the_rate_that_their_bends_leave(seed: int) -> None:
+    """All axes turn at once, as those of a tool that stands, and the largest bend holds the rate there."""
+    rng, s = np.random.default_rng(seed), np.linspace(-1, 1, 21)
+    size = np.array([1.0, 0.86, 0.73, 0.48, 0.17]) * rng.uniform(0.5, 1.5)
+    slope = s[None, :, None] * size
+    slope[0, 10] = rng.uniform(-1, 1, 5) * 1e-18
+    bend = np.broadcast_to(size, slope.shape)
+    begins, ends = (slope[:, :-1], bend[:, :-1]), (slope[:, 1:], bend[:, 1:])
+    laws = fastest_laws(s, np.full((1, 21), np.inf), begins, ends, 0.0, 0.0)
+    assert laws.rates[0, 10] == pytest.approx(1 / np.sqrt(size[0]), rel=1e-7)
+
+
 @pytest.mark.parametrize("make", [smooth, jumping])
 def test_one_path_alone_has_the_same_answer(make: Callable[..., Paths]) -> None:
     paths = make(5, 40, 30, 4)

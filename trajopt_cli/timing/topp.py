@@ -21,6 +21,7 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, readonly
 
 _UNBOUND = 1e12  # (ds/dt)^2 that stands for none
 _FAINT = 1e-9  # share of its limit below which a row's part of one point is a constant: dividing by it is rounding
+_CANCELLED = 1e-14  # of a row's other part, below which a part is what rounding leaves of a difference
 _ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
 _LANES = 128  # pieces of paths that are passed side by side
 _SHORTEST_LANE = 32  # intervals of one at least
@@ -222,7 +223,7 @@ def _swept(lines: Sequence[Array], at: Array, limit: Array, start: Array, lanes:
 def _lines(of: Array, other: Array, g: Array | float = 0.0) -> _Lines:
     """What rows |other y + of x + g| <= 1 leave for x: x <= intercept + slope y; inf and 0 where x is not in the row.
     With -g for g it is what they leave for -x at -y."""
-    held = of != 0
+    held = np.abs(of) > _CANCELLED * np.abs(other)
     intercept, slope = np.full_like(of, np.inf), np.zeros_like(of)
     np.divide(_room(of, g), np.abs(of), out=intercept, where=held)
     np.divide(np.negative(other), of, out=slope, where=held)
