@@ -10,6 +10,16 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, readonly
 
+SPREADS: Mapping[str, Mapping[str, tuple[float, float]]] = {
+    "velocity": {"B": (0.98, 1.02), "C": (0.9, 1.1), "D": (0.5, 2.0)},
+    "acceleration": {"B": (0.9, 1.1), "C": (0.7, 1.5), "D": (0.6, 2.5)},
+}
+"""Between which shares of a number the true one is taken to be, by kind and grade; what is not here is sure. Nobody has
+measured speeds: a data sheet rounds by a percent or two, sources of one robot's speeds that disagree do by a tenth, and
+rails of the same name by two. Accelerations: the middles of a virtual controller's tables for the twelve axes of an IRB
+1200-5/0.9 and an IRB 6640-180/2.55 are 0.63 to 2.42 times an estimate of "full speed in 0.2 s" for the axes that carry
+the arm (3.6 times for its wrist), and half of that times one of "in 0.1 s"."""
+
 _NEAREST_ROWS = 1e-5  # s: no rows of the files written here are nearer to each other
 
 
@@ -56,7 +66,8 @@ class JointLimits:
     made with it. torque [Nm, N for a rail]: what the drives give at most, inf for an axis of which nobody says it; None
     where nobody says it of any; torque_binds: every motion keeps it.
     sources maps "joint_3.acceleration" to where the number comes from and its grade in words; grades to the grade, A to
-    D, of a number of the robot's own files. coupled: ranges of sums of axes, where the arm's links are coupled.
+    D, of a number of the robot's own files; spread to between which shares of it the true one is taken to be. coupled:
+    ranges of sums of axes, where the arm's links are coupled.
     """
 
     names: tuple[str, ...]
@@ -67,6 +78,7 @@ class JointLimits:
     sources: Mapping[str, str] = field(default_factory=dict)
     jerk: Array | None = field(default=None, metadata=_axis("rad/s3", "m/s3"))
     grades: Mapping[str, str] = field(default_factory=dict)
+    spread: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     jerk_binds: bool = False
     coupled: tuple[CoupledRange, ...] = ()
     torque: Array | None = field(default=None, metadata=_axis("Nm", "N"))

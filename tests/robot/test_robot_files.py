@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
+from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.limits import SPREADS
 from trajopt_cli.robot import catalogue
 from trajopt_cli.robot.catalogue import find_robot
 from trajopt_cli.robot.model import Structure, load_robot, robot_names
 
+JOINTS = tuple(f"joint_{i}" for i in range(1, 7))
 ROBOTS = Path(__file__).parents[2] / "robots"
 
 
@@ -92,6 +95,17 @@ def test_every_number_has_a_source_and_a_grade(mounted):
     assert np.all((faster > 1) & (faster < 5))
 
 
+def test_a_number_may_say_between_what_the_true_one_is_else_its_grade_does(copy):
+    path = copy(yaml={"{value: 15.0,": "{value: 15.0, low: 12, high: 30,"})
+    spread = load_robot(path).profile().spread
+    assert spread["joint_1.acceleration"] == (0.8, 2.0)
+    assert spread["joint_2.acceleration"] == SPREADS["acceleration"]["D"]
+    assert spread["joint_1.velocity"] == (1.0, 1.0)  # grade A
+    cell = "robot: {}\nstart: {{joints: [0, 0, 0, 0, 0.5, 0]}}\nlimits: {{joint_1: {{acceleration: 20, source: ours}}}}"
+    in_force = parse_cell(cell.format(path), "cell.yaml").apply_limits(load_robot(path).profile(), JOINTS).spread
+    assert in_force.keys() == spread.keys() - {"joint_1.acceleration"}
+
+
 def test_an_unknown_robot_or_profile_lists_the_known():
     with pytest.raises(InputError) as error:
         load_robot("irb41")
@@ -124,6 +138,8 @@ def test_a_robot_loads_from_a_path(copy):
         ({"value: 20.0": "value: .nan"}, "value: .nan", "'tcp.acceleration.value': input should be"),
         ({"value: 20.0": "value: .inf"}, "value: .inf", "'tcp.acceleration.value': input should be"),
         ({"value: 20.0": "value: many"}, "value: many", "'tcp.acceleration.value': input should be a valid number"),
+        ({"value: 20.0": "value: 20.0, low: 9"}, "low: 9", "'tcp.acceleration': has low alone"),
+        ({"value: 20.0": "value: 20.0, low: 25, high: 30"}, "low: 25", "'tcp.acceleration': low 25, value 20, high 30"),
         ({"grade: D": "grade: E"}, "grade: E", "'profiles.default.acceleration.joint_1.grade': input should be"),
         ({"rule: abb_six_axis": "rule: kuka"}, "rule: kuka", "'confdata.rule': input should be 'abb_six_axis'"),
         ({"  joint_2: {position": "  joint_7: {position"}, "joint_7:", "'axes.joint_7' is no axis of the URDF"),

@@ -123,7 +123,7 @@ class Cell:
             if given is not None or any(change.kind == kind for change in self.overrides):
                 nobody = np.inf if kind == "torque" else np.nan
                 values[kind] = np.full(len(axis_names), nobody) if given is None else np.array(given)
-        sources, grades = dict(limits.sources), dict(limits.grades)
+        sources, grades, spread = dict(limits.sources), dict(limits.grades), dict(limits.spread)
         changes = list(self.overrides)
         if self.rail is not None:
             place = f"rail.stroke of {self.file}"
@@ -136,7 +136,8 @@ class Cell:
             values[change.kind][axis_names.index(change.axis)] = change.value
             topic = "position" if change.kind in ("lower", "upper") else change.kind
             sources[f"{change.axis}.{topic}"] = change.source
-            grades.pop(f"{change.axis}.{topic}", None)
+            for known in (grades, spread):
+                known.pop(f"{change.axis}.{topic}", None)
         for i, axis in enumerate(axis_names):
             for kind, column in values.items():
                 if not np.isfinite(column[i]) and kind != "torque":
@@ -149,7 +150,7 @@ class Cell:
                 "jerk_limits", f"robot {self.robot} gives no jerk; give each axis its own under limits, with its source"
             )
         return JointLimits(
-            names=limits.names, **values, sources=sources, grades=grades, jerk_binds=self.jerk_limits,
+            names=limits.names, **values, sources=sources, grades=grades, spread=spread, jerk_binds=self.jerk_limits,
             torque_binds=self.torque_limits and "torque" in values, coupled=limits.coupled,
         )  # fmt: skip
 

@@ -122,7 +122,8 @@ def optimize(
         result("; ".join([saving_line(answer), answer.summary.verdict, *told_first(answer.job.program.warnings)[0]]))
     else:
         console = stdout()
-        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict, ""])
+        first = [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict]
+        tell(console, [*first, *answer.summary.intervals(answer.lead), ""])
         show(console, motions_table(answer))
         cycle = answer.summary.plans.rapid.cycle_time_s
         tell(

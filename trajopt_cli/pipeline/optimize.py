@@ -24,6 +24,7 @@ from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, fo
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped
+from trajopt_cli.problem.uncertainty import WRITTEN
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
@@ -113,6 +114,7 @@ def optimize_job(
     from trajopt_cli.exporters.rapid_diff import unified_diff
     from trajopt_cli.judge.clearance import check_start
     from trajopt_cli.nlp.block_cache import evaluation_notices
+    from trajopt_cli.plan.uncertainty import uncertainty
 
     check_replaceable(folder)
     start = f"{job.cell.file}: the start pose"
@@ -141,6 +143,9 @@ def optimize_job(
             return refused(one, answer.report)
         found[one] = answer
     judged = {one: found[one] for one in Target}
+    timed = {one.value: judged[one].plan for one in Target} | ({} if isinstance(written, str) else {WRITTEN: written})
+    with clock.phase("uncertainty"):
+        unsure = uncertainty(job.program, job.plant, timed)
     listen("results", Progress("loops"))
     with clock.phase("loops"), patience.cutting():
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
@@ -172,6 +177,7 @@ def optimize_job(
             notes,
             changes[Target.RAPID].kept,
             undriven(job),
+            unsure,
         )
         files = _files(job, told, judged, inputs, export)
         changed = no_rapid or ""

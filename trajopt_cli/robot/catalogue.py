@@ -6,13 +6,15 @@ import re
 import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 from ruamel.yaml import YAML
 from ruamel.yaml.error import ReusedAnchorWarning, YAMLError
 
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.limits import SPREADS
+from trajopt_cli.quantity import complain
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
 from trajopt_cli.validation import hint, json_schema, short
@@ -39,11 +41,31 @@ class Origin(_Strict):
     def __str__(self) -> str:
         return f"{self.source} (grade {self.grade})"
 
+    def spread(self, kind: str) -> tuple[float, float]:
+        """Between which shares of a number from here the true one is; kind: one of SPREADS."""
+        return SPREADS[kind].get(self.grade, (1.0, 1.0))
+
 
 class Number(Origin):
-    """A positive number with its origin."""
+    """A positive number with its origin; low, high: between which the true one is, None where its grade says it."""
 
     value: Positive
+    low: Positive | None = None
+    high: Positive | None = None
+
+    @model_validator(mode="after")
+    def _around_value(self) -> Self:
+        if (self.low is None) != (self.high is None):
+            raise complain(f"has {'high' if self.low is None else 'low'} alone: give both, or leave it out")
+        if self.low is not None and self.high is not None and not self.low <= self.value <= self.high:
+            raise complain(f"low {self.low:g}, value {self.value:g}, high {self.high:g}: wanted in this order")
+        return self
+
+    def spread(self, kind: str) -> tuple[float, float]:
+        """See Origin."""
+        if self.low is None or self.high is None:
+            return super().spread(kind)
+        return self.low / self.value, self.high / self.value
 
 
 class Rate(Number):

@@ -157,6 +157,9 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
             np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
             grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names}
             | {f"{n}.velocity": data.axes[n].velocity.grade for n in names},
+            spread={f"{n}.acceleration": profile.acceleration[n].spread("acceleration") for n in names}
+            | {f"{n}.velocity": data.axes[n].velocity.spread("velocity") for n in names}
+            | {f"{n}.torque": said.spread("acceleration") for n in names if given and (said := data.axes[n].torque)},
             torque=torque if any(known) else None,
             coupled=coupled,
         )

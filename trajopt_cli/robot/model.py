@@ -7,7 +7,7 @@ base, F the flange (tool0), T the tool centre point.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
 from pathlib import Path
@@ -73,6 +73,7 @@ class RobotModel:
     rotor: Array
     confdata_rule: str = "abb_six_axis"
     linkage: float = 0.0
+    tcp_spread: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -319,6 +320,10 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         X_RB=readonly(X_RB),
         rail_axis=rail_axis,
         tcp=TcpCaps(data.tcp.speed.value, data.tcp.acceleration.value),
+        tcp_spread={
+            "speed": data.tcp.speed.spread("velocity"),
+            "acceleration": data.tcp.acceleration.spread("acceleration"),
+        },
         profiles=description.profiles(data, axes),
         notes=description.notes(data)
         | ({"inertia": str(data.inertia)} if data.inertia else {})

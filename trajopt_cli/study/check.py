@@ -11,6 +11,7 @@ from trajopt_cli.job import Job
 from trajopt_cli.pipeline.planning import changes_of, judge, undriven
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.uncertainty import NOTHING, WRITTEN, Uncertainty
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.table import place
 
@@ -37,11 +38,13 @@ class Light:
 @dataclass(frozen=True)
 class Checked:
     """lights: in the order in which they are asked; those behind a NO that forbids to ask are open. cycle: as written
-    [s], None where it cannot be driven. worst: the line that fails, or comes nearest to a limit."""
+    [s], None where it cannot be driven; unsure: between which times it is. worst: the line that fails, or comes nearest
+    to a limit."""
 
     lights: tuple[Light, ...]
     cycle: float | None
     worst: str
+    unsure: Uncertainty = NOTHING
 
     @property
     def ok(self) -> bool:
@@ -52,6 +55,7 @@ class Checked:
 def check(job: Job) -> Checked:
     """Ask a program that was read. It is driven as written by its controller, under the cell's limits, and judged."""
     from trajopt_cli.plan import NoCleanPlan, optimize
+    from trajopt_cli.plan.uncertainty import uncertainty
 
     count, warnings = len(job.program.motions), len(job.program.warnings)
     doubts = f", {warnings} warning{'s' if warnings > 1 else ''}: trajopt parse tells" if warnings else ""
@@ -73,7 +77,7 @@ def check(job: Job) -> Checked:
     report = judge(job.plant, job.program, rows.text, "as written", (), Target.RAPID, advice=False)
     reaches = Light("reaches", State.OK, "every point and line, as programmed")
     lights = (reads, reaches, *_judged(report, job.plant.unchecked))
-    return Checked(lights, plan.duration, _worst(report))
+    return Checked(lights, plan.duration, _worst(report), uncertainty(job.program, job.plant, {WRITTEN: plan}))
 
 
 def _judged(report: Report, unchecked: tuple[str, ...]) -> Iterator[Light]:

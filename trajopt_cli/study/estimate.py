@@ -16,8 +16,9 @@ from trajopt_cli.motion import Move, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.uncertainty import WRITTEN, Uncertainty
 from trajopt_cli.report.stepwise import StepMove, analyse
-from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.summary import guess_rows, motion_label
 
 _STANDS = 1e-9  # m
 _RESTS = 1e-6  # m and parts of a turn: what is written to 0.001 mm
@@ -58,11 +59,13 @@ class RestsOn:
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """plan: the program as written under the cell's limits. motions: those that take time, in order. corners: how many
-    fly-bys are driven as corners, stops: how many are stops. rests: the most seconds first."""
+    """plan: the program as written under the cell's limits; unsure: between which times it is. motions: those that take
+    time, in order. corners: how many fly-bys are driven as corners, stops: how many are stops. rests: the most seconds
+    first."""
 
     job: Job
     plan: Plan
+    unsure: Uncertainty
     motions: tuple[EstimatedMotion, ...]
     rests: tuple[RestsOn, ...]
     corners: int
@@ -92,6 +95,7 @@ class Estimate:
 def estimate(job: Job) -> Estimate | str:
     """The program as written, driven by the RAPID controller under the cell's limits; or why it cannot be, one line."""
     from trajopt_cli.plan import PlanCache
+    from trajopt_cli.plan.uncertainty import uncertainty
 
     plan = as_written(job, changes_of(job, Target.RAPID), Clock(), PlanCache())
     if isinstance(plan, str):
@@ -108,7 +112,8 @@ def estimate(job: Job) -> Estimate | str:
     programmed = corners_of(job.program, job.plant)
     passed = len(passed_in(job.program, job.plant, plan))
     stopped = len(programmed.passed) + len(programmed.stopped) - passed
-    return Estimate(job, plan, tuple(motions), tuple(_rests_on(job, motions)), passed, stopped)
+    unsure = uncertainty(job.program, job.plant, {WRITTEN: plan})
+    return Estimate(job, plan, unsure, tuple(motions), tuple(_rests_on(job, motions)), passed, stopped)
 
 
 def _rests(motion: Move, step: StepMove) -> bool:
@@ -186,6 +191,8 @@ def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, 
     record: dict[str, Any] = {
         "program": str(answer.job.program_path),
         "cycle_time_s": answer.plan.duration,
+        "cycle_time_range_s": answer.unsure.range_of(WRITTEN),
+        "guesses": [one.model_dump() for one in guess_rows(answer.unsure)],
         "motion_s": answer.driven,
         "length_over_speed_s": answer.naive,
         "waits_s": answer.waits,
