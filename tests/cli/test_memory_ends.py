@@ -54,6 +54,7 @@ def test_what_needs_little_room_has_it() -> None:
         RuntimeError("can't start new thread"),
         ImportError("libassimp.so.6: failed to map segment from shared object"),
         OSError(12, "Cannot allocate memory"),
+        SystemError("error return without exception set"),
     ],
 )
 def test_the_end_of_memory_in_the_middle_is_one_line(

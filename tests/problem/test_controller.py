@@ -13,7 +13,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.moc import read_moc
-from trajopt_cli.problem.controller import differences, shipped_robot
+from trajopt_cli.problem.controller import differences, read_mechanics, shipped_robot
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
@@ -225,6 +225,19 @@ def test_a_robot_that_ships_for_a_type_that_does_not_is_told(backup: Path, kind:
 def test_a_file_without_a_robot_is_told(backup: Path) -> None:
     (backup / "SYSPAR/MOC.cfg").write_text(MOC.replace("ROBOT:", "ROBOTS:"))
     assert [one.place for one in told(backup, SAME)] == ["b/SYSPAR/MOC.cfg"]
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_parameters_behind_a_link_out_of_the_backup_are_not_read(whole: bool, backup: Path, tmp_path: Path) -> None:
+    (backup / "SYSPAR").rename(tmp_path / "elsewhere")
+    if whole:
+        (backup / "SYSPAR").symlink_to(tmp_path / "elsewhere")
+    else:
+        (backup / "SYSPAR").mkdir()
+        (backup / "SYSPAR/MOC.cfg").symlink_to(tmp_path / "elsewhere/MOC.cfg")
+    found, notices = read_mechanics([backup])
+    assert found is None
+    assert [one.kind for one in notices] == ([] if whole else [WarningKind.NOT_READ])
 
 
 def test_a_cell_file_that_says_the_same_is_not_spoken_of(backup: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import resource
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -162,14 +163,50 @@ def test_links_in_circles_end_and_results_are_not_read_again(tmp_path: Path) -> 
     assert error(folder / "results" / "f") == said
 
 
+@pytest.mark.parametrize("listed", [False, True])
+def test_links_out_of_a_folder_are_not_followed_and_told(listed: bool, tmp_path: Path) -> None:
+    """A module, a folder of modules and a module of the system; links inside the folder are followed."""
+    content = {"T/PROGMOD/a.mod": module("a", main="WaitTime 1;\n"), "T/SYSMOD/base.sys": module("base")}
+    folder = tree(tmp_path / "f", content | {"T/PROGMOD/m.pgf": pgf("a.mod")} if listed else content)
+    away = tree(tmp_path / "away", {"secret.mod": module("secret"), "more/b.mod": module("b"), "s.sys": module("s")})
+    for name, to in (("PROGMOD/x.mod", "secret.mod"), ("PROGMOD/more", "more"), ("SYSMOD/s.sys", "s.sys")):
+        (folder / "T" / name).symlink_to(away / to)
+    (folder / "T/SYSMOD/again.sys").symlink_to(folder / "T/SYSMOD/base.sys")
+    read = read_sources([folder])
+    assert [Path(file.path).name for file in read.files] == ["a.mod", "again.sys"]
+    (told,) = [str(one) for one in read.warnings if " by a link" in str(one)]
+    assert all(name in told for name in ("x.mod", "PROGMOD/more", "s.sys"))
+    if listed:
+        read = read_sources([folder / "T/PROGMOD/m.pgf"])
+        assert [Path(file.path).name for file in read.files] == ["a.mod", "again.sys"]
+        assert ["s.sys" in str(one) for one in read.warnings] == [True]
+        (folder / "T/PROGMOD/m.pgf").write_text(pgf("a.mod", "x.mod"))
+        with pytest.raises(InputError) as caught:
+            read_sources([folder / "T/PROGMOD/m.pgf"])
+        assert caught.value.line == 4
+
+
 def test_bounds_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = tree(tmp_path / "f", {f"{name}.mod": module(name) for name in "abc"})
     monkeypatch.setattr(sources, "MAX_BYTES", 40)
-    assert error(folder) == "f: 0 MB of modules; at most 0 MB are supported"
+    assert error(folder).startswith("f: 0 MB of modules; at most 0 MB")
     monkeypatch.setattr(sources, "MAX_FILES", 2)
     assert error(folder) == "f: 3 modules; at most 2 are supported"
     monkeypatch.setattr(sources, "MAX_ENTRIES", 2)
     assert error(folder) == "f: holds more than 2 files and folders; give the folder of the program alone"
+
+
+def test_what_may_not_fit_into_the_memory_that_the_process_may_have_is_not_begun(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tree(tmp_path / "f", {"a.mod": module("a")})
+    (folder / "a.mod").write_bytes((folder / "a.mod").read_bytes() + b"\n" * 2_000_000)
+    for limit, fits in ((10**9, True), (resource.RLIM_INFINITY, True), (400_000_000, False)):
+        monkeypatch.setattr(resource, "getrlimit", lambda _, limit=limit: (limit, limit))
+        if fits:
+            assert names(folder) == ["a.mod"]
+        else:
+            assert error(folder).startswith("f: 2 MB of modules may take 540 MB to read")
 
 
 # ----------------------------------------------------------------------------------------------------- several tasks

@@ -35,6 +35,7 @@ def _address_space() -> int | None:
 
 
 _REFUSED = ("bad_alloc", "failed to map segment", "cannot allocate memory", "can't start new thread")
+_REFUSED += ("error return without exception set",)  # what Python says where it found no memory for a MemoryError
 
 
 def out_of_memory(error: BaseException) -> str | None:

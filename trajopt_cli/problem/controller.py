@@ -15,7 +15,7 @@ from trajopt_cli.geometry import Array, axis_angle, pose, rotation_from_wxyz
 from trajopt_cli.moc import ConfiguredRobot, External, Mechanics, Range, read_moc
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.language.text import decode
-from trajopt_cli.rapid.sources import syspar_of
+from trajopt_cli.rapid.sources import leads_out, syspar_of
 from trajopt_cli.robot.model import robot_names
 from trajopt_cli.units import DEG
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -35,6 +35,8 @@ def read_mechanics(paths: Sequence[Path]) -> tuple[Mechanics | None, tuple[Progr
         return None, ()
     files = sorted(folder.iterdir()) if os.access(folder, os.R_OK) else []
     moc = next((path for path in files if path.name.lower() == _FILE and path.is_file()), None)
+    if moc is not None and leads_out(moc, folder.parent):
+        return None, (ProgramWarning(WarningKind.NOT_READ, "is a link that leads out of the backup", str(moc)),)
     others = ", ".join(path.name for path in files if path != moc and path.suffix.lower() == ".cfg")
     told: list[ProgramWarning] = []
     if others or moc is None:

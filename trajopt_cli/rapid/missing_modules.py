@@ -11,7 +11,7 @@ from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.data.errors import Undeclared
 from trajopt_cli.rapid.entry import NoEntry
 from trajopt_cli.rapid.language.text import decode
-from trajopt_cli.rapid.sources import is_module
+from trajopt_cli.rapid.sources import is_module, leads_out
 from trajopt_cli.scenario import MissingError
 
 _MAX_FILES, _MAX_BYTES = 200, 10_000_000  # looked at for a hint; an error must not take longer than the program
@@ -87,6 +87,7 @@ class _Beside:
                 folders |= {other: None for other in _entries(folder.parent) if other.name.lower() in _TASK_FOLDERS}
         size = 0
         places = [path for folder in folders for path in _entries(folder) if is_module(path) and path not in given]
+        places = [path for path in places if not leads_out(path, path.parent)]
         for path in places[:_MAX_FILES]:
             try:
                 size += path.stat().st_size if path.is_file() else 0

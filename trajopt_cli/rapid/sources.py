@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import resource
 import stat
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -20,11 +21,16 @@ from trajopt_cli.warnings import ProgramWarning, WarningKind
 SUFFIXES = (".mod", ".prg", ".sys", ".modx", ".sysx")
 LIST_SUFFIX = ".pgf"
 MAX_FILES = 5_000
-MAX_BYTES = 200_000_000
+MAX_BYTES = 25_000_000
+# Bytes of memory that reading takes for one of the text, at most: 80 where every argument is an expression, 120 with
+# short assignments alone, 46 with targets written out ("a:=a+1;", "MoveL Offs(p1,1,2,3),...", 4 MB of each).
+MEMORY = 120
+_PROCESS = 300_000_000  # bytes of address space that the rest of it takes
 MAX_ENTRIES = 100_000  # of a folder tree; a whole disk given by mistake ends here
 _SYSTEM_SUFFIXES = (".sys", ".sysx")
 _NOISE = {"home", "syspar", "backinfo"}  # the parts of a backup that hold no loaded modules
 _RECORD = "run.json"  # stands in every folder that trajopt wrote
+_OUTSIDE = "{} lead out of it by a link and are not read"
 _IN_TASK = ("progmod", "sysmod")
 _TASK = re.compile(r"TASK\d+|T_\w+", re.IGNORECASE)
 
@@ -78,11 +84,9 @@ def modules_at(paths: Iterable[Path]) -> Iterator[Path]:
     """The files that a program at these paths may be read from; none where there is nothing, or a results folder."""
     for path in paths:
         listed = path.suffix.lower() == LIST_SUFFIX
-        folder = path.parent if listed else path
-        if listed and folder.name.lower() == "progmod":
-            folder = folder.parent  # its neighbour SYSMOD belongs to it
+        folder = _home(path) if listed else path  # the list's neighbour SYSMOD belongs to it
         if folder.is_dir() and not (folder / _RECORD).is_file():
-            yield from _walk(folder)
+            yield from _walk(folder, [])
         elif path.is_file():
             yield path
 
@@ -93,7 +97,7 @@ def syspar_of(path: Path) -> Path | None:
     for backup in (path, *inside):
         with suppress(OSError):
             for folder in sorted(backup.iterdir()) if backup.is_dir() else ():
-                if folder.name.lower() == "syspar" and folder.is_dir():
+                if folder.name.lower() == "syspar" and folder.is_dir() and not leads_out(folder, backup):
                     return folder
     return None
 
@@ -108,6 +112,16 @@ def refuse_results(folder: Path) -> None:
     """Raise InputError for a folder that trajopt wrote: its copies of one module are no program."""
     if (folder / _RECORD).is_file():
         raise InputError("is a results folder; the program it was made from lies in its folder input", file=str(folder))
+
+
+def leads_out(path: Path, folder: Path) -> bool:
+    """Whether a file or folder is a link to a place that is not in the folder or below."""
+    return path.is_symlink() and not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
+
+
+def _home(listed: Path) -> Path:
+    """The folder that a program list and its modules lie in: the task's where the list stands in PROGMOD."""
+    return listed.parent.parent if listed.parent.name.lower() == "progmod" else listed.parent
 
 
 def is_module(path: Path) -> bool:
@@ -128,6 +142,9 @@ def _files(path: Path, entry: str, warnings: list[ProgramWarning]) -> list[tuple
         beside = [found for found in _inside(path.parent) if is_system(found)]
         if path.parent.name.lower() == "progmod":
             beside += [found for folder in _folders(path.parent.parent, "sysmod") for found in _inside(folder)]
+        if outside := [found for found in beside if leads_out(found, _home(path))]:
+            warnings.append(_unread(path.parent, _OUTSIDE.format(_some(outside, _home(path)))))
+            beside = [found for found in beside if found not in outside]
         return [(found, True) for found in _of_list(path)] + [(found, False) for found in _sorted(beside)]
     _check_regular(path)
     return [(path, True)]
@@ -139,8 +156,9 @@ def _of_list(path: Path) -> list[Path]:
     found, missing = [], []
     for name, line in read_list(path):
         place = beside.get(name.lower())
-        if place is None or not place.is_file():
-            message = f"lists {name}, which is not in {path.parent}; put it there or remove the line"
+        if place is None or not place.is_file() or leads_out(place, _home(path)):
+            what = "which is not in" if place is None or not place.is_file() else "a link that leads out of"
+            message = f"lists {name}, {what} {path.parent}; put it there or remove the line"
             missing.append(InputError(message, file=str(path), line=line))
         else:
             found.append(place)
@@ -153,7 +171,11 @@ def _of_folder(folder: Path, entry: str, warnings: list[ProgramWarning]) -> list
     refuse_results(folder)
     tasks: dict[tuple[str, ...], list[Path]] = {}
     loose: list[Path] = []
-    for path in _sorted(_walk(folder)):
+    outside: list[Path] = []
+    found = _sorted(_walk(folder, outside))
+    if outside:
+        warnings.append(_unread(folder, _OUTSIDE.format(_some(outside, folder))))
+    for path in found:
         task = _task(folder, path)
         (loose if task is None else tasks.setdefault(task, [])).append(path)
     if not any(is_module(path) for files in (loose, *tasks.values()) for path in files):
@@ -235,10 +257,11 @@ def _sorted(paths: Iterable[Path]) -> list[Path]:
     return sorted(paths, key=lambda path: (is_system(path), path.as_posix().lower(), path.as_posix()))
 
 
-def _walk(folder: Path) -> Iterator[Path]:
+def _walk(folder: Path, outside: list[Path]) -> Iterator[Path]:
     """Module files and program lists in a folder and below, every real folder once, so that links may go in circles.
 
-    Hidden folders, the noise of a backup and results folders of trajopt are left out.
+    Hidden folders, the noise of a backup and results folders of trajopt are left out; so are links that lead out of the
+    folder, which are added to outside.
     """
     count, seen, waiting = 0, {os.path.realpath(folder)}, [folder]
     while waiting:
@@ -249,14 +272,17 @@ def _walk(folder: Path) -> Iterator[Path]:
             raise InputError(message, file=str(folder))
         for path in inside:
             if (is_module(path) or path.suffix.lower() == LIST_SUFFIX) and path.is_file():
-                yield path
+                if leads_out(path, folder):
+                    outside.append(path)
+                else:
+                    yield path
                 continue
             if path.name.startswith(".") or path.name.lower() in _NOISE or not path.is_dir():
                 continue
             real = os.path.realpath(path)
             if real not in seen and not (path / _RECORD).is_file():
                 seen.add(real)
-                waiting.append(path)
+                (outside if leads_out(path, folder) else waiting).append(path)
 
 
 def _inside(folder: Path) -> list[Path]:
@@ -294,6 +320,12 @@ def _check_sizes(paths: Sequence[Path], given: Path) -> None:
             total += path.stat().st_size
         except OSError as error:
             raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    size = f"{total / 1e6:.0f} MB of modules"
     if total > MAX_BYTES:
-        message = f"{total / 1e6:.0f} MB of modules; at most {MAX_BYTES / 1e6:.0f} MB are supported"
-        raise InputError(message, file=str(given))
+        raise InputError(f"{size}; at most {MAX_BYTES / 1e6:.0f} MB are read, so divide it", file=str(given))
+    limit = resource.getrlimit(resource.RLIMIT_AS)[0]
+    if limit != resource.RLIM_INFINITY and (most := _PROCESS + MEMORY * total) > limit:
+        message = (
+            f"{size} may take {most / 1e6:.0f} MB to read, and the process may have {limit / 1e6:.0f} MB (ulimit -v)"
+        )
+        raise InputError(f"{message}; give it more, or fewer modules", file=str(given))

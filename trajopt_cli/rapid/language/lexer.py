@@ -80,6 +80,7 @@ def scan(text: str, whole: Whole | None = None) -> Tokens:
     tokens = Tokens()
     kinds, texts, starts = tokens.kinds, tokens.texts, tokens.starts
     known: dict[str, str] = {}
+    shared: dict[str, str] = {}  # of words that are alike one text is kept
     at, unclosed = 0, False
     while True:
         if whole is not None and kinds and kinds[-1] in (";", "whole"):
@@ -118,7 +119,7 @@ def scan(text: str, whole: Whole | None = None) -> Tokens:
                 tokens.foreign.append((start, at))
                 break
             kinds.append(kind)
-            texts.append(word)
+            texts.append(shared.setdefault(word, word))
             starts.append(start)
             if kind == ";" and whole is not None:
                 break
