@@ -70,28 +70,6 @@ def change(before: float, after: float) -> str:
     return "unchanged" if text == "0.0" else f"{text} %"
 
 
-def between(ends: Sequence[float | None], passes: int = 1) -> str:
-    """An interval of times by pass, rounded outward to the digits that a quarter of it is worth: "6.6 to 7.5". None:
-    there is no such end."""
-    low, high = ((math.inf if end is None else end) / passes for end in ends)
-    if math.isinf(high):
-        return f"{low:.1f} or more"
-    first, last, digits = _outward(low, high)
-    return f"{first:.{digits}f} to {last:.{digits}f}"
-
-
-def changes(saving: Sequence[float | None]) -> str:
-    """The same of what becomes of a time of which these shares are saved, in per cent: "−19 to −23"."""
-    least, most, digits = _outward(*(100 * share for share in saving if share is not None))
-    return f"{signed(-least, digits)} to {signed(-most, digits)}"
-
-
-def _outward(low: float, high: float) -> tuple[float, float, int]:
-    digits = min(3, max(0, math.ceil(-math.log10((high - low) / 4))))
-    scale, hair = 10**digits, 0.05  # of the last digit: 6.4999 begins at 6.5
-    return math.floor(low * scale + hair) / scale, math.ceil(high * scale - hair) / scale, digits
-
-
 def figure(value: float | None, digits: int) -> str:
     """So many figures; "-" for a number that could not be computed, nothing for None."""
     return "" if value is None else f"{value:.{digits}g}" if math.isfinite(value) else "-"

@@ -19,7 +19,7 @@ from trajopt_cli.plan import PlanCache, initial_plan, optimize, search_estimate
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.table import changes
+from trajopt_cli.runs.uncertainty import changes
 from trajopt_cli.trajectories.axes import Axes
 
 
@@ -40,7 +40,7 @@ def test_the_answer_begins_with_what_was_saved(
     assert stream < rapid < before
     percent = [f"{100 * (1 - after / before):.1f}" for after in (rapid, stream)]
     hows = ("by the RAPID controller", "as a joint stream")
-    ranges = [plans["plans"][one]["saving_range"] for one in Target]
+    ranges = [plans["uncertainty"]["saving_range"].get(one) for one in Target]
     assert ranges[0] is None  # joint_1 alone moves, and the cell file has its limits
     least, most = ranges[1]
     assert least < 1 - stream / before < most + 1e-3

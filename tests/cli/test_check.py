@@ -10,7 +10,7 @@ import pytest
 from fake_planner import CELL, TEXT
 
 from trajopt_cli.cli import run
-from trajopt_cli.table import between
+from trajopt_cli.runs.uncertainty import between
 
 WALL = "obstacles:\n  wall: {box: {size: [0.2, 0.1, 1.2], position: [0.5, 0.25, 0.6]}}\n"
 
@@ -32,7 +32,8 @@ def test_a_good_program_is_told_in_a_line(program: Path, capsys: pytest.CaptureF
     assert run(["check", "tiny.mod", "--quiet"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert out.startswith(f"tiny.mod: OK, {told['cycle_time_s']:.3f} s, {between(told['cycle_time_range_s'])} with ")
+    ends = told["uncertainty"]["cycle_time_range_s"]["as_written"]
+    assert out.startswith(f"tiny.mod: OK, {told['cycle_time_s']:.3f} s, {between(ends)} with ")
     assert out.endswith("; obstacles not checked: the cell file gives none\n")
     assert out.count("\n") == 1
     assert not Path("results").exists()

@@ -84,8 +84,10 @@ def test_cycle_naive_figure_waits_and_guesses(tiny: Path, capsys: pytest.Capture
     assert [one["predicted_s"] for one in told["motions"]] == pytest.approx(wanted, abs=2e-3)
     assert told["cycle_time_s"] == pytest.approx(sum(wanted), abs=5e-3)
     ends = [sum(wanted) - wanted[2] + times(UP, v, share * 15) for share in (2.5, 0.6)]
-    assert told["cycle_time_range_s"] == pytest.approx(ends, abs=5e-3)  # joint_1 was measured, joint_2 is of grade D
-    assert [one["shares"]["joint_2"] for one in told["guesses"]] == [[0.6, 2.5]]
+    assert told["uncertainty"]["cycle_time_range_s"]["as_written"] == pytest.approx(
+        ends, abs=5e-3
+    )  # joint_1 was measured, joint_2 is of grade D
+    assert [one["shares"]["joint_2"] for one in told["uncertainty"]["guesses"]] == [[0.6, 2.5]]
     assert told["waits_s"] == pytest.approx(0.5)
     assert told["length_over_speed_s"] < told["motion_s"]
     assert told["calibrated"] is False

@@ -29,15 +29,15 @@ def check(
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.problem.uncertainty import WRITTEN
-    from trajopt_cli.runs.summary import interval_told
+    from trajopt_cli.runs.uncertainty import WRITTEN
     from trajopt_cli.study.check import check
     from trajopt_cli.table import Bad, Good, tabulate
 
     with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     answer = check(job)
-    took = "" if answer.cycle is None else f", {answer.cycle:.3f} s{interval_told(answer.unsure, WRITTEN)}"
+    unsure = answer.unsure
+    took = "" if answer.cycle is None or unsure is None else f", {answer.cycle:.3f} s{unsure.around(WRITTEN)}"
     line = "; ".join(
         [
             f"{job.title}: {'OK' if answer.ok else 'NO'}{took}",
@@ -48,7 +48,7 @@ def check(
     )
     if as_json:
         print_json({"ok": answer.ok, "program": str(job.program_path), "cycle_time_s": answer.cycle,
-                    "cycle_time_range_s": answer.unsure.range_of(WRITTEN),
+                    "uncertainty": unsure and unsure.model_dump(),
                     "worst": answer.worst, "checks": [asdict(one) for one in answer.lights]})  # fmt: skip
     elif quiet:
         result(line)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from trajopt_cli.measured.align import Alignment
-from trajopt_cli.problem.uncertainty import WRITTEN
-from trajopt_cli.runs.summary import interval_told, motion_label
+from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.study.estimate import Estimate, EstimatedMotion
 from trajopt_cli.table import TextTable, place, seconds, tabulate
 
@@ -37,7 +37,7 @@ def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:
     """The cycle, a line each."""
     slower = answer.driven - answer.naive
     yield (
-        f"cycle {answer.plan.duration:.3f} s{interval_told(answer.unsure, WRITTEN)}: motions {answer.driven:.3f} s, "
+        f"cycle {answer.plan.duration:.3f} s{answer.unsure.around(WRITTEN)}: motions {answer.driven:.3f} s, "
         f"waits {answer.waits:.3f} s (their least time)"
     )
     share = f" ({100 * slower / answer.naive:+.1f} %)" if answer.naive > 0 else ""

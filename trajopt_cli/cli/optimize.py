@@ -123,7 +123,7 @@ def optimize(
     else:
         console = stdout()
         first = [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict]
-        tell(console, [*first, *answer.summary.intervals(answer.lead), ""])
+        tell(console, [*first, *answer.summary.uncertainty.intervals(answer.lead.first, answer.summary.passes), ""])
         show(console, motions_table(answer))
         cycle = answer.summary.plans.rapid.cycle_time_s
         tell(

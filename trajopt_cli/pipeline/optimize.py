@@ -24,7 +24,6 @@ from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, fo
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped
-from trajopt_cli.problem.uncertainty import WRITTEN
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
@@ -37,6 +36,7 @@ from trajopt_cli.runs.results import (
 )
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.summary import Judged, Summary, summary
+from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.workers import cores
 
 if TYPE_CHECKING:

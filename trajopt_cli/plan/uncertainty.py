@@ -1,9 +1,15 @@
-"""What motions take where the numbers they were planned with are not quite the true ones: the programs stay as they
-are, and each motion is timed anew on its own course."""
+"""What motions take where the numbers they were planned with are not quite the true ones.
+
+The programs stay as they are, and each motion is timed anew on its own course. Numbers of one kind and one source err
+together: all at their lower ends, or all at their upper ones. Different ones err each by itself, so what their ends
+change is added as squares. What one motion saves against another is found with the same ends for both.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -14,20 +20,77 @@ from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg, build_problem
-from trajopt_cli.problem.uncertainty import Guess, Uncertainty, guesses_of
+from trajopt_cli.runs.uncertainty import WRITTEN, Guess, Uncertainty
 from trajopt_cli.trajectories.axes import Axes
 
+_WORTH = 5e-4  # s, or share of a time: an interval as narrow is none, for times are printed to a millisecond
 _SLOWER = 0.98  # share of its time in which a motion's course may be driven, below which it is slow by intent
+_KINDS = {"velocity": "speed", "acceleration": "acceleration", "torque": "torque"}
+_Ends = tuple[float, float]
 
 
 def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan]) -> Uncertainty:
     """Of plans of one program on one plant, by name, each with all its rows."""
-    guesses = [*guesses_of(plant)]
-    again = {name: _Again(program, plant, plan) for name, plan in plans.items()} if guesses else {}
-    steps = {
-        guess: {name: (one.step(guess, 0), one.step(guess, 1)) for name, one in again.items()} for guess in guesses
+    unsure = [*_unsure(plant)]
+    again = {name: _Again(program, plant, plan) for name, plan in plans.items()} if unsure else {}
+    guesses, found = list[Guess](), list[dict[str, _Ends]]()
+    for name, source, shares, (low, high) in unsure:
+        steps = {plan: (one.longer(low), one.longer(high)) for plan, one in again.items()}
+        if any(abs(step) > _WORTH for both in steps.values() for step in both):
+            guesses.append(Guess(name=name, source=source, shares=shares, longer_s=steps))
+            found.append(steps)
+    T = {name: plan.duration for name, plan in plans.items()}
+    ranges = {name: around(T[name], [one[name] for one in found]) for name in plans}
+    saved = {
+        name: saving(T[WRITTEN], T[name], [(one[WRITTEN], one[name]) for one in found])
+        for name in plans
+        if WRITTEN in plans and name != WRITTEN and found
     }
-    return Uncertainty({name: plan.duration for name, plan in plans.items()}, steps)
+    kept = [{name: ends for name, ends in one.items() if ends is not None} for one in (ranges, saved)]
+    return Uncertainty(cycle_time_range_s=kept[0], saving_range=kept[1], guesses=guesses)
+
+
+def around(value: float, steps: Sequence[Sequence[float]]) -> _Ends | None:
+    """The interval of a value that guesses change by steps, each guess by one of them; None where it is no wider than
+    what is printed."""
+    down, up = (float(np.sqrt(sum(max(0.0, *(sign * x for x in one)) ** 2 for one in steps))) for sign in (-1, 1))
+    return None if down + up < _WORTH else (value - down, value + up)
+
+
+def saving(T_0: float, T_1: float, steps: Sequence[tuple[_Ends, _Ends]]) -> _Ends | None:
+    """The same of the share of T_0 that T_1 saves, by the steps of both; None as well where one may take for ever."""
+    if not np.isfinite(steps).all():
+        return None
+    changes = [[T_1 / T_0 - (T_1 + b) / (T_0 + a) for a, b in zip(*both, strict=True)] for both in steps]
+    return around(1 - T_1 / T_0, changes)
+
+
+def _unsure(plant: Plant) -> Iterator[tuple[str, str, dict[str, _Ends], list[Plant]]]:
+    """Name and source of what nobody is sure of, between which shares it is, and the plant with either end. The cell
+    file's own numbers are sure."""
+    limits, robot, found = plant.limits, plant.robot, dict[tuple[str, str], list[str]]()
+    for kind in _KINDS:
+        for axis in limits.names if kind != "torque" or limits.torque_binds else ():
+            low, high = limits.spread.get(f"{axis}.{kind}", (1.0, 1.0))
+            if low < high:
+                found.setdefault((kind, limits.sources[f"{axis}.{kind}"]), []).append(axis)
+    for (kind, source), axes in found.items():
+        shares = {axis: limits.spread[f"{axis}.{kind}"] for axis in axes}
+        ends = [[shares.get(axis, (1.0, 1.0))[end] for axis in limits.names] for end in (0, 1)]
+        scaled: list[dict[str, Any]] = [{kind: getattr(limits, kind) * end} for end in ends]
+        plants = [replace(plant, limits=replace(limits, **one)) for one in scaled]
+        whose = f"{len(axes)} joint" if len(axes) > 2 else " and ".join(axes)
+        yield f"{whose} {_KINDS[kind]}{'s' * (len(axes) > 1)}, {_grade(source)}", source, shares, plants
+    for kind, share in robot.tcp_spread.items() if plant.tcp is robot.tcp else ():
+        if share[0] < share[1]:
+            caps: list[dict[str, Any]] = [{kind: getattr(plant.tcp, kind) * end} for end in share]
+            plants = [replace(plant, tcp=replace(plant.tcp, **one)) for one in caps]
+            source = robot.notes[f"tcp.{kind}"]
+            yield f"TCP {kind}, {_grade(source)}", source, {"tcp": share}, plants
+
+
+def _grade(source: str) -> str:
+    return source.rpartition("(")[2].rstrip(")")
 
 
 class _Again:
@@ -35,19 +98,17 @@ class _Again:
     its pace where that can be kept."""
 
     def __init__(self, program: Program, plant: Plant, plan: Plan):
-        self._program, self._plan, self._plant = with_detours(program, plant, plan.detours), unfolded(plan), plant
+        self._program, self._plan = with_detours(program, plant, plan.detours), unfolded(plan)
         self._driven = [one for one in self._plan.motions if one.t_1 > one.t_0]
-        axes, legs, self._paced = Axes.of(plant), self._legs(plant), False
-        self._course = Course(plan.trajectory, axes, legs, np.array([one.t_1 for one in self._driven]))
-        self._T = self._course.duration(axes, legs)
-        if self._T / plan.duration < _SLOWER:
-            self._paced, self._T = True, self._course.duration(axes, legs, paced=True)
+        ends = np.array([one.t_1 for one in self._driven])
+        self._course = Course(plan.trajectory, Axes.of(plant), self._legs(plant), ends)
+        self._T, self._paced = 0.0, False
+        self._paced = self.longer(plant) / plan.duration < _SLOWER
+        self._T = self.longer(plant)
 
-    def step(self, guess: Guess, end: int) -> float:
-        """By how much it takes longer [s] with an end of a guess."""
-        plant = guess.at(self._plant, end)
-        legs = self._course.legs if guess.axes else self._legs(plant)  # the tool's caps are in the legs
-        return self._course.duration(Axes.of(plant), legs, self._paced) - self._T
+    def longer(self, plant: Plant) -> float:
+        """By how much it takes longer [s] on a plant with other numbers."""
+        return self._course.duration(Axes.of(plant), self._legs(plant), self._paced) - self._T
 
     def _legs(self, plant: Plant) -> list[Leg]:
         """The leg of each motion that takes a time."""

@@ -18,10 +18,10 @@ from trajopt_cli.problem.corners import Corners
 from trajopt_cli.problem.detours import point_names
 from trajopt_cli.problem.plan import Eased, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.uncertainty import NOTHING, WORTH, WRITTEN, Uncertainty
 from trajopt_cli.runs.record import Section
 from trajopt_cli.runs.rows import RowsFile
-from trajopt_cli.table import between, change, changes
+from trajopt_cli.runs.uncertainty import Uncertainty
+from trajopt_cli.table import change
 
 NOT_TIMED = "not timed: stopped by Ctrl-C"
 
@@ -121,26 +121,10 @@ class DetourRow(Section):
     points: list[PointRow]
 
 
-_Range = list[_Figure] | None
-
-
-class GuessRow(Section):
-    """Numbers of one source that nobody is sure of. shares: by axis or "tcp", between which shares of its number the
-    true one is; longer_s: by motion, how much longer it takes with the lower ends and with the upper ones."""
-
-    name: str
-    source: str
-    shares: dict[str, list[float]]
-    longer_s: dict[str, list[_Figure]]
-
-
 class PlanSummary(Section):
-    """A plan. cycle_time_range_s, saving_range: see problem.uncertainty. lower_bound_s: no legal motion is faster, None
-    where none was asked for."""
+    """A plan. lower_bound_s: no legal motion is faster, None where none was asked for."""
 
     cycle_time_s: float
-    cycle_time_range_s: _Range = None
-    saving_range: _Range = None
     lower_bound_s: float | None = None
     gap: float | None = None
     least_effort: dict[str, Any] | None = None
@@ -168,14 +152,13 @@ class Written(Section):
     """The program as it stands: its times [s], or why it has none."""
 
     cycle_time_s: float | None = None
-    cycle_time_range_s: _Range = None
     motion_times_s: list[float] = Field(default_factory=list)
     why_not: str | None = None
 
 
 class Summary(Section):
     """The whole answer. passes: of a loop that never ends in the cycle, whose times all others are. limits: how sure
-    they are; guesses: which of them make intervals. unchecked: what the judge was given nothing to hold the motion
+    they are; uncertainty: what that makes of the times. unchecked: what the judge was given nothing to hold the motion
     against. undriven: what runs outside a loop's cycle and cannot be driven as written, and why. notes: what the RAPID
     text changes, and what it could not; kept: those of the latter."""
 
@@ -187,7 +170,7 @@ class Summary(Section):
     fly_bys_stopped: list[dict[str, Any]] = Field(default_factory=list)
     warnings: list[str] = Field(default_factory=list)
     limits: list[str] = Field(default_factory=list)
-    guesses: list[GuessRow] = Field(default_factory=list)
+    uncertainty: Uncertainty = Uncertainty()
     unchecked: list[str] = Field(default_factory=list)
     undriven: list[str] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
@@ -207,57 +190,11 @@ class Summary(Section):
         return dict(zip(indices, self.as_written.motion_times_s, strict=False))
 
     def change(self, target: Target) -> str:
-        """What becomes of the time as written, in per cent, with its interval: "−26.5 %, −24 to −28"; nothing where
+        """What becomes of the time as written, in per cent, and between what: "−26.5 %, −24 to −28"; nothing where
         there is none to begin with."""
-        before, plan = self.as_written.cycle_time_s, self.plans.of(target)
-        if not before:
-            return ""
-        return change(before, plan.cycle_time_s) + (f", {changes(plan.saving_range)}" if plan.saving_range else "")
-
-    def intervals(self, lead: Target) -> Iterator[str]:
-        """Between which times a pass as written and the plans are, a line where anything is unsure."""
-        timed: dict[str, Written | PlanSummary] = {
-            WRITTEN: self.as_written,
-            **{one.value: self.plans.of(one) for one in lead.first},
-        }
-        told = [
-            f"{name.replace('_', ' ')} {between(ends, self.passes)} s"
-            for name, one in timed.items()
-            if (ends := one.cycle_time_range_s) is not None
-        ]
-        if told:
-            yield f"with {guess_told(self.guesses, lead.value)}: {', '.join(told)}"
-
-
-def _listed(ends: Sequence[float] | None) -> list[float | None] | None:
-    return None if ends is None else [*ends]
-
-
-def guess_rows(unsure: Uncertainty) -> list[GuessRow]:
-    """The guesses that matter to any of the motions."""
-    return [
-        GuessRow(
-            name=guess.name,
-            source=guess.source,
-            shares=dict(zip(guess.axes or ("tcp",), map(list, guess.spread), strict=True)),
-            longer_s={name: list(ends) for name, ends in steps.items()},
-        )
-        for guess, steps in unsure.steps.items()
-        if any(abs(step) > WORTH for ends in steps.values() for step in ends)
-    ]
-
-
-def guess_told(guesses: Sequence[GuessRow], name: str) -> str:
-    """What makes the interval of a motion: "these guesses (6 joint accelerations, grade D)"."""
-    most = max(guesses, key=lambda one: max(math.inf if x is None else abs(x) for x in one.longer_s[name]))
-    word = "guesses" if most.name[-1] in "CD" else "numbers"
-    return f"these {word} ({'most: ' * (len(guesses) > 1)}{most.name})"
-
-
-def interval_told(unsure: Uncertainty, name: str) -> str:
-    """What stands behind a motion's time: ", 6.6 to 7.5 with these guesses (...)"; nothing where it is sure."""
-    ends = unsure.range_of(name)
-    return "" if ends is None else f", {between(ends)} with {guess_told(guess_rows(unsure), name)}"
+        before = self.as_written.cycle_time_s
+        told = change(before, self.plans.of(target).cycle_time_s) if before else ""
+        return f"{told}{self.uncertainty.saved(target.value)}"
 
 
 def motion_label(program: Program, index: int) -> tuple[str, str]:
@@ -291,20 +228,17 @@ def summary(
     notes: Iterable[str] = (),
     kept: Iterable[str] = (),
     undriven: Iterable[str] = (),
-    unsure: Uncertainty = NOTHING,
+    unsure: Uncertainty | None = None,
 ) -> Summary:
     """The same for the same inputs. written: the program as it stands, or why it cannot be driven so, or NOT_TIMED.
     kept_speed: the stretches that should keep their programmed speed, by target. corners: of the whole program. passed:
-    at how many fly-bys a plan does not stop. unsure: of the plans by target, and of WRITTEN."""
+    at how many fly-bys a plan does not stop."""
     times = None if isinstance(written, str) else [motion.t_1 - motion.t_0 for motion in written.motions]
     return Summary(
         target=target,
-        plans=Plans(
-            **{one.value: _plan(program, plant, judged[one], kept_speed[one], unsure, one.value) for one in Target}
-        ),
+        plans=Plans(**{one.value: _plan(program, plant, judged[one], kept_speed[one]) for one in Target}),
         as_written=Written(
             cycle_time_s=None if isinstance(written, str) else written.duration,
-            cycle_time_range_s=_listed(unsure.range_of(WRITTEN)),
             motion_times_s=times or [],
             why_not=written if isinstance(written, str) else None,
         ),
@@ -316,7 +250,7 @@ def summary(
         ],
         warnings=list(warnings),
         limits=list(plant.notes),
-        guesses=guess_rows(unsure),
+        uncertainty=unsure or Uncertainty(),
         unchecked=list(plant.unchecked),
         undriven=list(undriven),
         notes=list(notes),
@@ -324,15 +258,11 @@ def summary(
     )
 
 
-def _plan(
-    program: Program, plant: Plant, judged: Judged, stretches: Sequence[Stretch], unsure: Uncertainty, name: str
-) -> PlanSummary:
+def _plan(program: Program, plant: Plant, judged: Judged, stretches: Sequence[Stretch]) -> PlanSummary:
     plan = judged.plan
     labels = [motion_label(program, motion.index) for motion in plan.motions]
     return PlanSummary(
         cycle_time_s=plan.duration,
-        cycle_time_range_s=_listed(unsure.range_of(name)),
-        saving_range=_listed(unsure.saving(WRITTEN, name)),
         lower_bound_s=plan.lower_bound,
         gap=plan.gap,
         least_effort=None if plan.eased is None else _eased(plan.eased),

@@ -11,8 +11,8 @@ from trajopt_cli.job import Job
 from trajopt_cli.pipeline.planning import changes_of, judge, undriven
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.uncertainty import NOTHING, WRITTEN, Uncertainty
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
 from trajopt_cli.table import place
 
 _PLACES = ("joint position", CLEARANCE, SELF_CLEARANCE)  # what a motion as fast as it may be does not use up by itself
@@ -44,7 +44,7 @@ class Checked:
     lights: tuple[Light, ...]
     cycle: float | None
     worst: str
-    unsure: Uncertainty = NOTHING
+    unsure: Uncertainty | None = None
 
     @property
     def ok(self) -> bool:

@@ -16,9 +16,9 @@ from trajopt_cli.motion import Move, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.uncertainty import WRITTEN, Uncertainty
 from trajopt_cli.report.stepwise import StepMove, analyse
-from trajopt_cli.runs.summary import guess_rows, motion_label
+from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
 
 _STANDS = 1e-9  # m
 _RESTS = 1e-6  # m and parts of a turn: what is written to 0.001 mm
@@ -191,8 +191,7 @@ def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, 
     record: dict[str, Any] = {
         "program": str(answer.job.program_path),
         "cycle_time_s": answer.plan.duration,
-        "cycle_time_range_s": answer.unsure.range_of(WRITTEN),
-        "guesses": [one.model_dump() for one in guess_rows(answer.unsure)],
+        "uncertainty": answer.unsure.model_dump(),
         "motion_s": answer.driven,
         "length_over_speed_s": answer.naive,
         "waits_s": answer.waits,
