@@ -92,6 +92,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "qdldl": ("nlp/interior_point.py",),
     "ruckig": ("timing/*", "judge/libraries.py"),
     "scipy": (
+        "limits.py",
         "adopt/*",
         "bound/*",
         "collision/*",

@@ -35,6 +35,7 @@ from trajopt_cli.graph_search.sequence import best_order
 from trajopt_cli.iiwa.task.document import TaskDocument
 from trajopt_cli.iiwa.task.loader import parse_task
 from trajopt_cli.rapid.language.parser import parse_module
+from trajopt_cli.robot.catalogue import SixAxisFile
 
 REPOSITORY = Path(__file__).parents[1]
 PAGES = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md"))]
@@ -125,8 +126,12 @@ def dialogue(text: str) -> list[tuple[str, str]]:
 
 
 def read_yaml(text: str) -> None:
-    """A cell or a task, or keys of one put into one that ships."""
+    """A cell, a task or a robot's file, or keys of one put into one that ships."""
     content = YAML(typ="safe").load(text)
+    if "profiles" in content:
+        base = YAML(typ="safe").load((REPOSITORY / "robots/irb140.yaml").read_text(encoding="utf-8"))
+        SixAxisFile.model_validate(base | content)
+        return
     if set(content) <= set(CellDocument.model_fields):
         kept = "".join(line for line in CELL.splitlines(True) if line.split(":")[0] not in content)
         parse_cell(text if {"robot", "start"} <= set(content) else kept + text, "manual.yaml")

@@ -109,7 +109,7 @@ def cell_of_results(folder: Path) -> Cell:
 def _cell_kept(results: Results) -> Cell:
     """The cell of a results folder. Raises InputError where it names a robot's file that the folder does not hold."""
     cell = _with_robot(results.cell, results.robot)
-    if results.robot is None and cell.robot_files(Path()):
+    if results.robot is None and cell.robot_files():
         message = "robot: names a file that the results folder does not hold; run trajopt optimize again"
         raise InputError(message, file=str(results.cell), kind=ErrorKind.RESULTS)
     return cell

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -53,6 +55,76 @@ class CoupledRange:
         return out
 
 
+@dataclass(frozen=True, eq=False)
+class AccelerationTable:
+    """Accelerations of some axes by the posture of others: linear between the places of a grid, held beyond its edges.
+
+    axes: the k axes that are limited; over: the p axes of the posture. places: p ascending lists [rad or m] that span
+    the grid. lower, upper: the grid's shape and (k,), how much of either sign is allowed, both positive [1/s2].
+    file: where it was read.
+    """
+
+    axes: tuple[str, ...]
+    over: tuple[str, ...]
+    places: tuple[Array, ...]
+    lower: Array
+    upper: Array
+    file: Path | None = None
+
+    def __post_init__(self) -> None:
+        shape = (*map(len, self.places), len(self.axes))
+        for name in ("lower", "upper"):
+            values = readonly(getattr(self, name))
+            if values.shape != shape or not np.all((values > 0) & np.isfinite(values)):
+                raise ValueError(f"AccelerationTable.{name}: wanted positive numbers of shape {shape}")
+            object.__setattr__(self, name, values)
+        if not all(len(places) > 1 and np.all(np.diff(places) > 0) for places in self.places):
+            raise ValueError("AccelerationTable.places: wanted two or more of each axis, ascending")
+
+    @cached_property
+    def least(self) -> dict[str, float]:
+        """The least anywhere, of either sign, by axis."""
+        both = np.minimum(self.lower, self.upper).reshape(-1, len(self.axes))
+        return dict(zip(self.axes, both.min(axis=0).tolist(), strict=True))
+
+    @cached_property
+    def most(self) -> dict[str, float]:
+        """The greatest anywhere, by axis."""
+        both = np.maximum(self.lower, self.upper).reshape(-1, len(self.axes))
+        return dict(zip(self.axes, both.max(axis=0).tolist(), strict=True))
+
+    @cached_property
+    def usual(self) -> dict[str, float]:
+        """The median of the smaller sign's, by axis."""
+        both = np.minimum(self.lower, self.upper).reshape(-1, len(self.axes))
+        return dict(zip(self.axes, np.median(both, axis=0).tolist(), strict=True))
+
+    @cached_property
+    def _reads(self) -> Any:
+        from scipy.interpolate import RegularGridInterpolator
+
+        return RegularGridInterpolator(self.places, np.stack([self.lower, self.upper], axis=-2))
+
+    def at(self, posture: Array) -> tuple[Array, Array]:
+        """Both (..., k) at postures (..., p)."""
+        low, high = ([places[end] for places in self.places] for end in (0, -1))
+        found = self._reads(np.clip(np.nan_to_num(posture), low, high))
+        return found[..., 0, :], found[..., 1, :]
+
+    def without(self, axis: str) -> AccelerationTable | None:
+        """The same of the other axes; None where that is none."""
+        kept = [i for i, one in enumerate(self.axes) if one != axis]
+        if not kept:
+            return None
+        names = tuple(self.axes[i] for i in kept)
+        return replace(self, axes=names, lower=self.lower[..., kept], upper=self.upper[..., kept])
+
+    def scaled(self, factors: Mapping[str, float]) -> AccelerationTable:
+        """With those of some axes so many times as large."""
+        times = np.array([factors.get(axis, 1.0) for axis in self.axes])
+        return replace(self, lower=self.lower * times, upper=self.upper * times)
+
+
 def _axis(turning: str, rail: str) -> dict[str, str]:
     """A limit of every axis, which the cell file's `limits` have as a key: its units there."""
     return {"turning": turning, "rail": rail}
@@ -68,6 +140,7 @@ class JointLimits:
     sources maps "joint_3.acceleration" to where the number comes from and its grade in words; grades to the grade, A to
     D, of a number of the robot's own files; spread to between which shares of it the true one is taken to be. coupled:
     ranges of sums of axes, where the arm's links are coupled.
+    table: accelerations by posture; `acceleration` has the least of them, which every posture allows.
     """
 
     names: tuple[str, ...]
@@ -83,6 +156,37 @@ class JointLimits:
     coupled: tuple[CoupledRange, ...] = ()
     torque: Array | None = field(default=None, metadata=_axis("Nm", "N"))
     torque_binds: bool = False
+    table: AccelerationTable | None = None
+
+    def acceleration_at(self, q: Array) -> tuple[Array, Array]:
+        """What the axes may have of negative and of positive acceleration, both positive (..., n), at q (..., n)."""
+        lower, upper = (np.broadcast_to(self.acceleration, q.shape).copy() for _ in range(2))
+        if self.table is not None:
+            at, over = ([self.names.index(one) for one in of] for of in (self.table.axes, self.table.over))
+            lower[..., at], upper[..., at] = self.table.at(q[..., over])
+        return lower, upper
+
+    @property
+    def most_acceleration(self) -> Array:
+        """The greatest (n,) that any posture allows."""
+        return self._of_table("most")
+
+    @property
+    def usual_acceleration(self) -> Array:
+        """What (n,) most postures allow: for estimates."""
+        return self._of_table("usual")
+
+    def _of_table(self, name: str) -> Array:
+        known = {} if self.table is None else getattr(self.table, name)
+        return np.array([known.get(axis, one) for axis, one in zip(self.names, self.acceleration, strict=True)])
+
+    def changed(self, kind: str, values: Array) -> JointLimits:
+        """The same with these (n,) of a kind, "velocity" say; accelerations of a table change as the least of them."""
+        one: dict[str, Any] = {kind: values}
+        if kind == "acceleration" and self.table is not None:
+            factors = dict(zip(self.names, (np.asarray(values) / self.acceleration).tolist(), strict=True))
+            one["table"] = self.table.scaled(factors)
+        return replace(self, **one)
 
     @property
     def binding_torque(self) -> Array | None:
@@ -129,6 +233,8 @@ class JointLimits:
             raise ValueError("JointLimits: torques must be positive")
         if self.torque_binds and self.torque is None:
             raise ValueError("JointLimits: torques that bind must be given")
+        if self.table is not None and not {*self.table.axes, *self.table.over} <= {*self.names}:
+            raise ValueError(f"JointLimits.table names an axis that is none of {', '.join(self.names)}")
 
 
 AXIS_LIMITS = {one.name: one.metadata for one in fields(JointLimits) if one.metadata}

@@ -333,7 +333,7 @@ def _asked(axes: Axes, problem: Problem, legs: Sequence[Leg], floor: float) -> _
     """Of legs, whatever the axes do at their ends. A programmed time replaces the rail's programmed speed."""
     columns = _columns(axes)
     V = [axes.velocity_on(leg) if leg.duration is None else axes.velocity for leg in legs]
-    A = [axes.acceleration_on(leg) for leg in legs]
+    A = [problem.plant.limits.most_acceleration * leg.acceleration for leg in legs]
     lines = all(leg.kind is not LegKind.JOINT for leg in legs)
     return _Run(np.max(V, axis=0)[columns], np.max(A, axis=0)[columns], floor, False, False, False, lines)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import ceil, floor
 from pathlib import Path
@@ -108,9 +108,9 @@ class Cell:
         shapes = [solid.shape for solid in (*self.obstacles, *self.attached)]
         return tuple(dict.fromkeys(shape.path for shape in shapes if isinstance(shape, MeshFile)))
 
-    def robot_files(self, urdf: Path) -> tuple[Path, ...]:
-        """The robot's own YAML file and its URDF; none for a robot that ships."""
-        return (Path(self.robot), urdf) if self.robot.endswith((".yaml", ".yml")) else ()
+    def robot_files(self, files: Sequence[Path] = ()) -> tuple[Path, ...]:
+        """The robot's own YAML file and those it names; none for a robot that ships."""
+        return (Path(self.robot), *files) if self.robot.endswith((".yaml", ".yml")) else ()
 
     def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
         """limits with the cell's overrides and the rail's stroke in force, sources included.
@@ -124,6 +124,7 @@ class Cell:
                 nobody = np.inf if kind == "torque" else np.nan
                 values[kind] = np.full(len(axis_names), nobody) if given is None else np.array(given)
         sources, grades, spread = dict(limits.sources), dict(limits.grades), dict(limits.spread)
+        table = limits.table
         changes = list(self.overrides)
         if self.rail is not None:
             place = f"rail.stroke of {self.file}"
@@ -134,6 +135,8 @@ class Cell:
                 message = f"robot {self.robot} has no such axis; {hint(change.axis, axis_names)}"
                 raise self.error(f"limits.{change.axis}", message)
             values[change.kind][axis_names.index(change.axis)] = change.value
+            if change.kind == "acceleration" and table is not None:
+                table = table.without(change.axis)
             topic = "position" if change.kind in ("lower", "upper") else change.kind
             sources[f"{change.axis}.{topic}"] = change.source
             for known in (grades, spread):
@@ -152,6 +155,7 @@ class Cell:
         return JointLimits(
             names=limits.names, **values, sources=sources, grades=grades, spread=spread, jerk_binds=self.jerk_limits,
             torque_binds=self.torque_limits and "torque" in values, coupled=limits.coupled,
+            table=table,
         )  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
@@ -28,7 +29,7 @@ def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
     if isinstance(robot, SrsRobot):
         joints = ("torque_nm", robot.torque), ("damping_nm_s_rad", robot.damping), ("friction_nm", robot.friction)
         return record | {name: [float(value) for value in values] for name, values in joints}
-    record["coupled"] = [asdict(one) for one in robot.profile("default").coupled]
+    record["coupled"] = [asdict(one) for one in robot.profile().coupled]
     record["linkage"] = robot.linkage
     return record | {"tcp": {"speed_m_s": robot.tcp.speed, "acceleration_m_s2": robot.tcp.acceleration}}
 
@@ -46,9 +47,11 @@ def _limits_record(limits: JointLimits) -> dict[str, Any]:
             "upper": float(limits.upper[i]),
             "velocity": float(limits.velocity[i]),
             "acceleration": float(limits.acceleration[i]),
+            "acceleration_most": float(limits.most_acceleration[i]),
             "jerk": None if limits.jerk is None else float(limits.jerk[i]),
         }
     record: dict[str, Any] = {"axes": rows, "sources": dict(limits.sources)}
+    record["acceleration_by_posture_of"] = [] if limits.table is None else list(limits.table.over)
     return record | ({"coupled": [asdict(one) for one in limits.coupled]} if limits.coupled else {})
 
 
@@ -59,9 +62,9 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     mark = notes.mark(robot.notes["geometry"])
     lengths = ((name, f"{value / MM:.6g}", mark) for name, value in _lengths(robot).items())
     yield TextTable("dimensions", ("length", ">mm", "source"), tuple(lengths))
-    yield _ranges(robot.profile("default"), notes)
-    if robot.profile("default").coupled:
-        yield _coupled(robot.profile("default"), notes)
+    yield _ranges(robot.profile(), notes)
+    if robot.profile().coupled:
+        yield _coupled(robot.profile(), notes)
     if isinstance(robot, RobotModel) and robot.linkage:
         _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
         mark, sign = notes.mark(robot.notes[f"{upper}.linkage"]), "-" if robot.linkage > 0 else "+"
@@ -77,7 +80,8 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
         yield from _drives(robot, notes)
         yield from _caps(robot, notes)
     for name in robot.profiles:
-        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
+        load = robot.notes.get(f"profiles.{name}.load")
+        yield f"profile {name}: {robot.notes[f'profiles.{name}']}{f'; found with {load}' if load else ''}"
     yield from notes.lines()
 
 
@@ -178,12 +182,20 @@ def _sums(limits: JointLimits, notes: _Footnotes) -> Iterator[tuple[str, ...]]:
         yield one.name, low, high, "deg", notes.mark(one.source)
 
 
+def _range_of(limits: JointLimits, kind: str) -> tuple[Array, Array]:
+    """The least and the greatest (n,) that a posture allows."""
+    values = getattr(limits, kind)
+    return values, limits.most_acceleration if kind == "acceleration" else values
+
+
 def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> TextTable:
     columns = [column for name in profiles for column in (f">{name}", "source")]
     rows = []
     for i, axis in enumerate(next(iter(profiles.values())).names):
         cells = []
         for limits in profiles.values():
-            cells += [f"{getattr(limits, kind)[i]:g}", notes.mark(limits.sources[f"{axis}.{kind}"])]
+            low, high = (values[i] for values in _range_of(limits, kind))
+            value = f"{low:g}" if low == high else f"{low:g} to {high:g}"
+            cells += [value, notes.mark(limits.sources[f"{axis}.{kind}"])]
         rows.append((axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells))
     return TextTable(f"{kind}s by profile", ("axis", "unit", *columns), tuple(rows))

@@ -75,7 +75,7 @@ def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> E
     """Least times of a joint move, leg k, between all states; the tool caps enter by a trapezoid over the tool's way,
     which is its chord where every axis may go its own way."""
     leg = problem.legs[k]
-    V, A = axes.velocity_on(leg), axes.acceleration
+    V, A = axes.velocity_on(leg), axes.usual_acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
     slow = _slowest_axes(a, b, V, A, axes.settings.slowest_states) if moving else list(range(axes.n))
     p_a, p_b = (_tool_points(axes, leg, x.q) for x in (a, b))
@@ -198,7 +198,7 @@ def _line_times(
     raw = table.raw[i]
     assert raw is not None
     d, n, nodes = table.d, len(table.d), raw.shape[1]
-    V, A = axes.velocity_on(leg), axes.acceleration
+    V, A = axes.velocity_on(leg), axes.usual_acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     widest = int(np.ceil(min(_most_rail_travel(axes, problem, k, far) / max(spacing, 1e-9), n - 1)))
     shifts = np.arange(widest, -widest - 1, -1)
@@ -269,7 +269,7 @@ def _line_edge(axes: Axes, leg: Leg, band: Band, a: _Layer, b: _Layer) -> Edge:
     """The same, and no less than the rates of the states allow: those of the rail at once."""
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
-    T, V, A = band.dense(), axes.velocity_on(leg), axes.acceleration
+    T, V, A = band.dense(), axes.velocity_on(leg), axes.usual_acceleration
     for ia, ib in band.blocks:
         for j in range(*axes.layout.rail.indices(axes.n)):
             way = b.q[ib, j] - a.q[ia, j, None]

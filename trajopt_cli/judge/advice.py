@@ -40,9 +40,9 @@ end may be only just within reach. The last can lengthen nothing and shorten a l
 
 def advise(line: Timeline, frames: dict[bytes, ToolKinematics], rapid: bool) -> list[Finding]:
     """One finding per line and per joint move from stop to stop that a library can time, in program order. Needs speed
-    columns; none where torques are limited, of which these libraries are told nothing."""
+    columns; none where torques are limited, or accelerations by posture, of which these libraries are told nothing."""
     rows = line.rows
-    if rows.qd is None or rows.plant.limits.binding_torque is not None:
+    if rows.qd is None or rows.plant.limits.binding_torque is not None or rows.accelerations.by_posture:
         return []
     out = []
     for before, visit in (run for run in line.runs() if len(run) == 2):

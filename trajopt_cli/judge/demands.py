@@ -16,7 +16,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.judge.caps import Inner, tcp_accelerations
 from trajopt_cli.judge.findings import Columns, Worst, axis_unit, finding, worse
 from trajopt_cli.judge.geometry import lengths
-from trajopt_cli.judge.joints import axis_accelerations
+from trajopt_cli.judge.joints import at_posture, axis_accelerations
 from trajopt_cli.judge.samples import LAGS, second_differences
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.judge.tolerances import JOINT, TCP
@@ -80,11 +80,11 @@ def _axes(line: Timeline, visit: Visit, first: int, last: int, settings: Setting
     limits, fraction = line.rows.plant.limits, settings.acceleration
     if fraction >= 1.0:
         return
-    found = Columns(fraction * limits.acceleration)
+    found = Columns(fraction * line.rows.accelerations.most)
     found.add(axis_accelerations(line.rows, first, last))
     each = [found.worst(j) for j in range(len(limits.names))]
     j = int(np.argmax([worst.ratio for worst in each]))
-    name, worst = limits.names[j], each[j]
+    name, worst = limits.names[j], at_posture(line.rows, j, each[j])
     passed = worst.value <= worst.limit * (1 + JOINT)
     bound = f"AccSet {fraction * 100:g} allows"
     yield finding("AccSet", name, worst.value, worst.limit, f"{axis_unit(name)}/s2", passed, time=worst.time,

@@ -22,7 +22,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
     """Worst case per axis of position, speed and acceleration, of jerk where its limits bind, and of the speed columns
     where there are any; of the position of coupled joints."""
     limits = rows.plant.limits
-    tops = {"speed": limits.velocity, "acceleration": limits.acceleration}
+    tops = {"speed": limits.velocity, "acceleration": rows.accelerations.most}
     if limits.binding_jerk is not None:
         tops["jerk"] = limits.binding_jerk
     series = {"speed": _axis_speeds, "acceleration": axis_accelerations, "jerk": _jerks}
@@ -45,6 +45,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
         for check, rate in (("speed", "/s"), ("acceleration", "/s2"), ("jerk", "/s3")):
             if check in tops:
                 worst = found[check].worst(j)
+                worst = at_posture(rows, j, worst) if check == "acceleration" else worst
                 passed = worst.value <= worst.limit * (1 + JOINT)
                 out.append(
                     finding(
@@ -69,7 +70,7 @@ def _positions(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array
         at = np.flatnonzero((over | under).any(axis=1))
         here, after = first + at, first + at + 1
         reaches = [
-            np.maximum(np.abs(rows.qd[i]) - rows.doubt_v[i], 0) ** 2 / (2 * rows.plant.limits.acceleration)
+            np.maximum(np.abs(rows.qd[i]) - rows.doubt_v[i], 0) ** 2 / (2 * rows.accelerations.most)
             for i in (here, after)
         ]
         q_0, q_1 = rows.q[here], rows.q[after]
@@ -86,7 +87,7 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
     turned back between two rows, and on the Hermite."""
     limits = rows.plant.limits
     at, factors = [limits.names.index(axis) for axis in one.axes], np.array(one.factors)
-    top = float(np.abs(factors) @ limits.acceleration[at])
+    top = float(np.abs(factors) @ rows.accelerations.most[at])
     up, down = Series(), Series()
     last = len(rows.t) - 1
     for part in windows(0, last):
@@ -165,7 +166,7 @@ def _axis_speeds(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Arr
         inner_t, _, inner_v, _ = _between(rows, first, last)
         # the Hermite's speed is that of its rows plus 6u(1-u) e at most
         yield inner_t, np.abs(inner_v) - np.repeat(doubt_v + 1.5 * doubt_e, len(INNER), axis=0)
-    top = rows.plant.limits.acceleration * (1 + JOINT)
+    top = rows.accelerations.most * (1 + JOINT)
     h = np.diff(t)[:, None]
     e = np.sign(e) * np.maximum(np.abs(e) - doubt_e, 0.0)
     both, change = v[1:] + v[:-1], v[1:] - v[:-1]
@@ -178,32 +179,51 @@ def _from_rest(rows: Rows) -> tuple[Array, Array]:
     """Least accelerations (2, k) of the axes beside both ends of the file, where they are at rest: they move by A h^2/2
     at most."""
     ends = np.array([0, len(rows.t) - 2])
-    step = np.maximum(np.abs(rows.q[ends + 1] - rows.q[ends]) - mean_of(rows.doubt_q, ends, ends + 1), 0.0)
+    way = (rows.q[ends + 1] - rows.q[ends]) * np.array([[1], [-1]])  # of an axis that comes to rest, against the brakes
+    step = np.maximum(np.abs(way) - mean_of(rows.doubt_q, ends, ends + 1), 0.0)
     h = rows.t[ends + 1] - rows.t[ends] + rows.unsure(ends, ends + 1)
-    return rows.t[ends + np.array([0, 1])], 2 * step / (h**2)[:, None]
+    allowed = np.concatenate([rows.accelerations.along(rows.q[i : i + 2]) for i in ends], axis=1)
+    share = rows.accelerations.shares(allowed, way)
+    return rows.t[ends + np.array([0, 1])], 2 * step / (h**2)[:, None] * share
 
 
 def axis_accelerations(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
     """Least accelerations (m, k) of the axes between two rows, with their times (m,): second divided differences over
-    all lags; speed differences; the Hermite's ends."""
+    all lags; speed differences; the Hermite's ends. Where the posture allows less than the most, as many times larger
+    as it is less."""
+    may = rows.accelerations
+    allowed = may.along(rows.q[first : last + 1]) if may.by_posture else np.zeros(0)
     part, between = slice(first, last + 1), slice(first, last)
     t, off_t = rows.t[part], rows.step_t[part]
     for m, value, uncertain in second_differences(t, rows.q[part], rows.doubt_q[part] / 2, off_t):
-        yield t[m : len(t) - m], np.abs(value) - uncertain
+        yield t[m : len(t) - m], (np.abs(value) - uncertain) * may.shares(allowed, value, 2 * m)
     h = np.diff(t)[:, None]
     if rows.qd is None:
         return
     v, off_v = rows.qd[part], rows.doubt_v[part] / 2
     for m in LAGS:
         if m < len(t):
-            change = np.maximum(np.abs(v[m:] - v[:-m]) - off_v[m:] - off_v[:-m], 0)
-            yield t[:-m], change / (t[m:] - t[:-m] + (off_t[m:] + off_t[:-m]) / 2)[:, None]
+            change = v[m:] - v[:-m]
+            least = np.maximum(np.abs(change) - off_v[m:] - off_v[:-m], 0) * may.shares(allowed, change, m)
+            yield t[:-m], least / (t[m:] - t[:-m] + (off_t[m:] + off_t[:-m]) / 2)[:, None]
     if rows.exact:
+        here = may.at(rows.q[part]) if may.by_posture else np.zeros((2, 0))
         mean = np.diff(v, axis=0) / h
         swing = 6 * rows.mismatch[0][between] / h
         uncertain = rows.hermite_rounding[between] + rows.truncation[between]
-        yield t[:-1], np.abs(mean + swing) - uncertain
-        yield t[1:], np.abs(mean - swing) - uncertain
+        yield t[:-1], (np.abs(mean + swing) - uncertain) * may.shares(here[:, :-1], mean + swing)
+        yield t[1:], (np.abs(mean - swing) - uncertain) * may.shares(here[:, 1:], mean - swing)
+
+
+def at_posture(rows: Rows, j: int, worst: Worst) -> Worst:
+    """The worst acceleration of axis j as it is, and what the posture there allows."""
+    if not rows.accelerations.by_posture:
+        return worst
+    i = int(np.clip(np.searchsorted(rows.t, worst.time), 1, len(rows.t) - 2))
+    before, after = ((rows.q[k + 1, j] - rows.q[k, j]) / (rows.t[k + 1] - rows.t[k]) for k in (i - 1, i))
+    allowed = float(rows.accelerations.at(rows.q[i : i + 1])[int(after > before), 0, j])
+    factor = allowed / float(rows.accelerations.most[j])
+    return Worst(worst.value * factor, worst.limit * factor, worst.time)
 
 
 def _jerks(rows: Rows, first: int, last: int) -> Iterator[tuple[Array, Array]]:
@@ -237,7 +257,7 @@ def _off_columns(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array
     With |a| <= A they differ by A h/4 (1 - ((v1 - v0)/(A h))^2) at most: full acceleration one way, then the other.
     """
     assert rows.qd is not None
-    top, part = rows.plant.limits.acceleration * (1 + JOINT), slice(first, last + 1)
+    top, part = rows.accelerations.most * (1 + JOINT), slice(first, last + 1)
     h, (e, doubt) = np.diff(rows.t[part])[:, None], (values[first:last] for values in rows.mismatch)
     off_v = mean_of(rows.doubt_v, slice(first, last), slice(first + 1, last + 1))
     used = np.maximum(np.abs(np.diff(rows.qd[part], axis=0)) - off_v, 0.0) / (top * h)

@@ -242,7 +242,7 @@ def _end_doubt(rows: Rows, before: Visit, visit: Visit) -> Array:
     stops = [(before, before.depart), (visit, visit.arrive)]
     tau = max((float(rows.open_time[row]) for one, row in stops if one.point.fly_by is None), default=0.0)
     doubt_q = np.maximum(rows.doubt_q[before.depart], rows.doubt_q[visit.arrive])
-    return np.asarray(doubt_q / 2 + rows.plant.limits.acceleration * tau**2 / 2)
+    return np.asarray(doubt_q / 2 + rows.accelerations.most * tau**2 / 2)
 
 
 def _arm_holds(rows: Rows, before: Visit, visit: Visit) -> Finding:

@@ -381,7 +381,7 @@ def unseen_turn(rows: Rows, a: int, b: int) -> Array:
     """For how long a table may have turned unseen at rows a to b, s: a row at rest is near by, and the robot seems to
     stand until it has gone as far as printing hides of all axes."""
     k, part = len(rows.trajectory.names), slice(a, b + 1)
-    hidden = np.sqrt(2 * k * rows.doubt_q[part] / rows.plant.limits.acceleration).max(axis=1)
+    hidden = np.sqrt(2 * k * rows.doubt_q[part] / rows.accelerations.most).max(axis=1)
     return np.asarray(2 * rows.open_time[part] + hidden)
 
 

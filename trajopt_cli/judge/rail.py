@@ -24,11 +24,11 @@ def rail_beside(rows: Rows, at: Indices, stop: ProgramPoint) -> tuple[Array, Arr
     here, step = rows.q[at, 0], rows.doubt_q[:, 0]
     stands = stop.arm is not None or isinstance(stop.move, MoveExtJ)
     if rows.marked or stands or stop.rail is None:
-        return here, JOINT_TARGET + step[at] / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
+        return here, JOINT_TARGET + step[at] / 2 + rows.accelerations.most[0] * rows.open_time[at] ** 2 / 2
     before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(rows.t) - 1)
     edges = np.stack([here, (here + rows.q[before, 0]) / 2, (here + rows.q[after, 0]) / 2])
     doubt = np.maximum(np.maximum(step[before], step[at]), step[after])
-    granted = JOINT_TARGET + doubt / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
+    granted = JOINT_TARGET + doubt / 2 + rows.accelerations.most[0] * rows.open_time[at] ** 2 / 2
     return np.clip(stop.rail, edges.min(axis=0), edges.max(axis=0)), granted
 
 

@@ -172,7 +172,7 @@ def granted_clearance(rows: Rows, carried: Iterable[Shape]) -> float:
     """How much nearer than it is the robot may be seen [m]: printed digits and rows move every axis by so much."""
     lever = np.array(levers(rows.plant, rows.mechanism, carried))
     bend = 0.0 if rows.exact else max(float(rows.longest.max()), _SHORT) ** 2 / 8
-    return float(lever @ (rows.doubt_q.max(axis=0) / 2 + rows.plant.limits.acceleration * bend))
+    return float(lever @ (rows.doubt_q.max(axis=0) / 2 + rows.accelerations.most * bend))
 
 
 def levers(plant: Machine, mechanism: Mechanism, carried: Iterable[Shape]) -> Sequence[float]:

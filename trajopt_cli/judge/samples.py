@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.judge.accelerations import Accelerations
 from trajopt_cli.judge.geometry import lengths
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import Mechanism, mechanism_of
@@ -148,6 +149,11 @@ class Rows:
     doubt_tables: Resolution | None = None
 
     @cached_property
+    def accelerations(self) -> Accelerations:
+        """What the axes may have."""
+        return Accelerations(self.plant.limits)
+
+    @cached_property
     def doubt_t(self) -> float:
         """The greatest printed step of a time, s."""
         return float(self.step_t.max())
@@ -238,9 +244,9 @@ class Rows:
                 here = slice(first, after.stop - 1)
                 c = np.maximum(np.abs(self.q[after] - self.q[here]) - mean_of(self.doubt_q, here, after), 0.0)
                 h = h + self.unsure(here, after)[:, None]
-                c = np.maximum(c / h - self.plant.limits.acceleration * h / 2, 0.0)
+                c = np.maximum(c / h - self.accelerations.most * h / 2, 0.0)
                 least = both_sides(c)[a - first :][: b - a]
-            granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[a:b, None]
+            granted = REST_JOINT + self.accelerations.most * self.open_time[a:b, None]
             return least, np.asarray(least <= granted).all(axis=1)
 
         return Pieces(len(self.t), make)
@@ -309,7 +315,7 @@ class Rows:
         only, doubled. It is never more than a motion has whose acceleration takes TIME_SCALE to change: a lone bad row
         is no truncation.
         """
-        most = self.plant.limits.acceleration / TIME_SCALE**2
+        most = self.accelerations.most / TIME_SCALE**2
 
         def make(a: int, b: int) -> tuple[Array]:
             first = max(a - 1, 0)
@@ -357,7 +363,7 @@ class Rows:
         """Around the arm's joints in each block, with what is granted at a stop."""
         tau = self.blocks.most(self.open_time)
         granted = JOINT_TARGET + self.blocks.most(self.doubt_q)[:, -6:] / 2
-        granted = granted + (self.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
+        granted = granted + (self.accelerations.most * tau[:, None] ** 2 / 2)[:, -6:]
         tight = self.blocks.boxes(self.q[:, -6:], np.zeros(len(tau)))
         return Boxes(tight.low - (granted + ROUNDING), tight.high + (granted + ROUNDING), tight.room)
 

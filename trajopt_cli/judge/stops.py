@@ -99,7 +99,7 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
         a, b = (0, 1) if row == 0 else (row - 1, row)
         h = float(rows.t[b] - rows.t[a]) + rows.doubt_t
         c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - (rows.doubt_q[a] + rows.doubt_q[b]) / 2, 0) / h
-        speed = c - limits.acceleration * h / 2
+        speed = c - rows.accelerations.most * h / 2
     j = int(np.argmax(speed))
     passed = bool(speed[j] <= REST_JOINT)
     note = f": every axis must rest at the {name}"
@@ -337,7 +337,7 @@ def _axes_stand(rows: Rows, visit: Visit) -> list[Finding]:
     moments = [(visit.arrive, visit.point.source), (visit.depart, visit.point.source)]
     moments += [(h.rests if h.rests is not None else visit.depart, h.wait.source) for h in visit.holds]
     for row, source in moments:
-        granted = REST_JOINT + rows.plant.limits.acceleration * rows.open_time[row]
+        granted = REST_JOINT + rows.accelerations.most * rows.open_time[row]
         j = int(np.argmax(rows.least_axis_speed[row] / granted))
         name = rows.plant.limits.names[j]
         value = float(rows.least_axis_speed[row, j])

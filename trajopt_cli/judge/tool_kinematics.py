@@ -259,8 +259,8 @@ def _dot(a: Array, b: Array) -> Array:
 
 def angular_acceleration(rows: Rows) -> float:
     """More than the tool's angular acceleration where it hardly turns, rad/s2: all rotary axes at their limits."""
-    limits = rows.plant.limits
-    return float(sum(a for name, a in zip(limits.names, limits.acceleration, strict=True) if name != "rail"))
+    names = rows.plant.limits.names
+    return float(sum(a for name, a in zip(names, rows.accelerations.most, strict=True) if name != "rail"))
 
 
 def shifted(J: Array, X_WF: Array, X_FT: Array) -> Array:

@@ -148,7 +148,7 @@ def _mean(
     last: IndexArray,
 ) -> Array:
     """Least means (n, k) of torques with mean accelerations a from states at the middle, the begin and the end."""
-    top, torque = rows.plant.limits.acceleration, []
+    top, torque = rows.accelerations.most, []
     off_q, off_v = (np.maximum(one[first], one[last]) for one in (rows.doubt_q, rows.doubt_v))
     for forces in carried.forces:
         (q, v), *ends = states

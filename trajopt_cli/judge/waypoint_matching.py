@@ -112,7 +112,7 @@ def looking(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool) 
 
 
 def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool, at: NDArray[np.intp]) -> Closeness:
-    limits, tau, q = rows.plant.limits, rows.open_time[at], rows.q[at]
+    tau, q = rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
@@ -127,7 +127,7 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
         near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[at, 0] / 2
         return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands, rail)
     if stop.arm is not None:
-        granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
+        granted = JOINT_TARGET + rows.doubt_q[at] / 2 + rows.accelerations.most * tau[:, None] ** 2 / 2
         off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
         if stop.X_WF is None:  # the arm may keep its posture all through moves of the rail

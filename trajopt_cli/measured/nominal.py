@@ -34,9 +34,9 @@ def limits_in_force(robot: str | None, cell: Path | None) -> tuple[JointLimits, 
     assert robot is not None
     data, _, _ = read(robot)
     model = load_srs(robot) if data.structure is Structure.SRS else load_robot(robot)
-    limits = model.profiles["default"]
+    limits, name = model.profile(), getattr(model, "default_profile", "default")
     lower, upper = np.array(limits.lower), np.array(limits.upper)
     for i, name in enumerate(limits.names):
         if name == "rail":
             lower[i], upper[i] = -_ANYWHERE, _ANYWHERE
-    return replace(limits, lower=lower, upper=upper), f"{data.name}, profile default"
+    return replace(limits, lower=lower, upper=upper), f"{data.name}, profile {name}"

@@ -120,8 +120,9 @@ def on_grid(axes: Axes, problem: Problem, iterate: Iterate, grids: Grids = LONG)
 
 
 def _on_grids(axes: Axes, problem: Problem) -> bool:
-    """Whether joint moves have no closed form: where it is not the time that counts, or jerk is limited."""
-    return axes.jerk is not None or isinstance(problem.objective, LeastEffort)
+    """Whether joint moves have no closed form: where it is not the time that counts, jerk is limited, or the posture
+    decides what accelerations may be."""
+    return not axes.in_closed_form or isinstance(problem.objective, LeastEffort)
 
 
 def _smooth(T: float, q: Array, qd: Array, N: int) -> JointNodes:

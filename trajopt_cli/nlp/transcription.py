@@ -397,6 +397,7 @@ class Transcription:
             self._rail_on_path(leg, motion, margins, out)
         place: Place = motion.segment.symbols if line else DWELL
         p = self._path_parameters(motion)
+        q = self.axes.layout.merge(motion.d, p["near"])
         half = np.diff(motion.grid) / 2
         e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
@@ -416,7 +417,7 @@ class Transcription:
                 more["unit"] = np.tile(self._unit, (len(at), 1))
                 widths = [half[i] for i in nodes.beside.values()]
                 more |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
-            self._limits(leg, margins, nodes, place, z, here, more, tied)
+            self._limits(leg, margins, nodes, place, q, z, here, more, tied)
         if not fixed and (tangents := self.tangents.get(leg.start)) is not None:
             z = {"d": out.d, "s": out.s} if line else {"d": out.d}
             here = {name: p[name] for name in ("path", "branch", "near")}
@@ -424,14 +425,15 @@ class Transcription:
             self._hold(self.formulation.clear_path(place), z, here)
 
     def _limits(
-        self, leg: Leg, margins: Margins, nodes: Nodes, place: Place, z: dict[str, ArrayLike], p: Parts,
-        more: Parts = NOTHING, tied: bool = False,
+        self, leg: Leg, margins: Margins, nodes: Nodes, place: Place, q: Array, z: dict[str, ArrayLike],
+        p: Parts, more: Parts = NOTHING, tied: bool = False,
     ) -> None:  # fmt: skip
-        """All limits at some nodes of a leg with variables z and parameters p of their pose; more: of the effort."""
+        """All limits at some nodes of a leg, whose axes at hand are q (N+1, n), with variables z and parameters p of
+        their pose; more: of the effort."""
         shared, weighed = {**p, **more}, "e" in z
         plain = {name: x for name, x in z.items() if name != "e"}
         for limit in limits_of(self.axes):
-            values = limit.node_values(leg, margins.by_name[limit.name][nodes.at], place != JOINTS)
+            values = limit.node_values(leg, margins.by_name[limit.name][nodes.at], place != JOINTS, q[nodes.at])
             if not limit.apart:
                 shared |= values
             elif (kind := limit.node_kind(leg)) is not None:
@@ -500,7 +502,8 @@ class Transcription:
             self._hold(self.formulation.axes_effort(), z_effort, {"h": h, "unit": unit})
         for nodes in _nodes_by_sides(N):
             at, driving = nodes.at, self._driving(nodes, a=out.qa, ja=out.qj)
-            self._limits(leg, margins, nodes, JOINTS, {"q": out.q[at], "v": out.qv[at], **driving, "T": out.T}, {})
+            z: dict[str, ArrayLike] = {"q": out.q[at], "v": out.qv[at], **driving, "T": out.T}
+            self._limits(leg, margins, nodes, JOINTS, motion.q, z, {})
         if (tangents := self.tangents.get(k0)) is not None:
             p = {"gradient": tangents.gradient, "least": tangents.least}
             self._hold(self.formulation.clear_axes(), {"q": out.q}, p)

@@ -94,7 +94,8 @@ def axes_data(plant: Plant) -> list[dict[str, Any]]:
                 "lower": float(limits.lower[k]),
                 "upper": float(limits.upper[k]),
                 "velocity": float(limits.velocity[k]),
-                "acceleration": float(limits.acceleration[k]),
+                "acceleration": float(limits.most_acceleration[k]),
+                "least_acceleration": float(limits.acceleration[k]),
             }
         )
     return rows

@@ -26,6 +26,7 @@ def judged(name: str, report: Report, opened: bool) -> str:
 def limits(plant: Plant) -> str:
     """Every limit in force, with the grade of its source."""
     given, rows = plant.limits, []
+    accelerations = given.acceleration, given.most_acceleration
     for k, name in enumerate(given.names):
         scale, unit = (MM, "mm") if name == "rail" else (DEG, "deg")
         rows.append(
@@ -36,7 +37,7 @@ def limits(plant: Plant) -> str:
                 unit,
                 figure(given.velocity[k] / scale, 5),
                 f"{unit}/s",
-                figure(given.acceleration[k] / scale, 5),
+                " to ".join(dict.fromkeys(figure(one[k] / scale, 5) for one in accelerations)),
                 f"{unit}/s²",
                 given.sources.get(f"{name}.acceleration", ""),
             )

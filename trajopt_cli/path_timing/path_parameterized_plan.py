@@ -216,7 +216,7 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
         leg, q_0, q_1 = problem.legs[first], own[first], own[first + 1]
         if last == first + 1 and leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
             out[i] = hold(leg.duration or 0.0, q_0)
-        if last > first + 1 or leg.kind is not LegKind.JOINT or axes.jerk is not None:
+        if last > first + 1 or leg.kind is not LegKind.JOINT or not axes.in_closed_form:
             continue
         still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))
         with suppress(ValueError):  # an axis whose switches a file could not tell apart

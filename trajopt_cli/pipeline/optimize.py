@@ -458,7 +458,7 @@ def held_unasked(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
 
 def robot_place(job: Job) -> str | None:
     """Where the folder keeps the robot's own YAML file; None for a robot that ships."""
-    files = job.cell.robot_files(job.plant.robot.urdf)
+    files = job.cell.robot_files(job.plant.robot.files)
     return f"{_ROBOT}{files[0].name}" if files else None
 
 
@@ -471,7 +471,7 @@ def inputs_of(job: Job) -> dict[str, InputFile]:
     for mesh in job.cell.mesh_files:
         copy = mesh.relative_to(job.cell_path.parent).as_posix()
         inputs[str(mesh)] = InputFile(str(mesh), f"{INPUT}{copy}", mesh.read_bytes())
-    for file in (own := job.cell.robot_files(job.plant.robot.urdf)):
+    for file in (own := job.cell.robot_files(job.plant.robot.files)):
         copy = file.relative_to(own[0].parent).as_posix()
         inputs[str(file)] = InputFile(str(file), f"{_ROBOT}{copy}", file.read_bytes())
     cell = str(job.cell_path)

@@ -320,11 +320,15 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
         # fewer digits, which matters as much as an axis moves meanwhile
         off, late = _RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
         noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
-        most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
+        bend = 6 * (c - (qd[1:] + qd[:-1]) / 2) / h  # from the middle's acceleration to that at either end
+        lower, upper = axes.plant.limits.acceleration_at(q)
         # the mean acceleration between two speeds is judged by itself, too, and rounding does less to it
         speeds = (np.abs(change) * late + 8 * eps * top) / h
-        passed = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
-        passed |= np.abs(change) > axes.acceleration * (1 + 1e-6) + speeds
+        passed = top > axes.velocity * (1 + 1e-6)
+        for qdd, end in ((change + bend, slice(None, -1)), (change - bend, slice(1, None))):
+            passed |= np.maximum(qdd - upper[end] * (1 + 1e-6), -qdd - lower[end] * (1 + 1e-6)) > noise
+        most = np.where(change > 0, np.maximum(upper[1:], upper[:-1]), np.maximum(lower[1:], lower[:-1]))
+        passed |= np.abs(change) > most * (1 + 1e-6) + speeds
         over[first : first + len(h)] = passed.any(axis=1)
     return np.flatnonzero(over)
 

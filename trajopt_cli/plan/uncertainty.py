@@ -77,8 +77,7 @@ def _unsure(plant: Plant) -> Iterator[tuple[str, str, dict[str, _Ends], list[Pla
     for (kind, source), axes in found.items():
         shares = {axis: limits.spread[f"{axis}.{kind}"] for axis in axes}
         ends = [[shares.get(axis, (1.0, 1.0))[end] for axis in limits.names] for end in (0, 1)]
-        scaled: list[dict[str, Any]] = [{kind: getattr(limits, kind) * end} for end in ends]
-        plants = [replace(plant, limits=replace(limits, **one)) for one in scaled]
+        plants = [replace(plant, limits=limits.changed(kind, getattr(limits, kind) * end)) for end in ends]
         whose = f"{len(axes)} joint" if len(axes) > 2 else " and ".join(axes)
         yield f"{whose} {_KINDS[kind]}{'s' * (len(axes) > 1)}, {_grade(source)}", source, shares, plants
     for kind, share in robot.tcp_spread.items() if plant.tcp is robot.tcp else ():

@@ -315,10 +315,11 @@ class _Course:
             velocity = plant.limits.velocity.copy()
             velocity[plant.layout.rail] = np.minimum(velocity[plant.layout.rail], move.speed.v_leax or np.inf)
             v, a = (np.linalg.norm(one[:, :3], axis=1) for one in (V, A))
+            lower, upper = plant.limits.acceleration_at(q)
             parts.append(
                 np.c_[
                     np.abs(qd) / velocity,
-                    np.abs(qdd) / (plant.limits.acceleration * acceleration_share(move)),
+                    np.maximum(qdd / upper, -qdd / lower) / acceleration_share(move),
                     v / plant.tcp.speed,
                     a / tcp_acceleration(move, plant.tcp),
                     np.linalg.norm(V[:, 3:], axis=1) / move.speed.turning,

@@ -142,7 +142,7 @@ def build_plant(cell: Cell) -> Plant:
         railed = f"{robot.name}_rail"
         other = f"write 'robot: {railed}' for the one on a rail, or " if railed in robot_names() else ""
         raise cell.error("rail", f"robot {robot.name} has no rail: {other}remove the section")
-    if cell.profile not in robot.profiles:
+    if robot.profile_name(cell.profile) not in robot.profiles:
         raise cell.error(
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
         )
@@ -287,7 +287,8 @@ def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...
         graded = {axis: limits.grades.get(f"{axis}.{key}", "") for axis in limits.names}
         estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
         if estimated:
-            about = f" (profile {cell.profile}: {robot.notes[f'profiles.{cell.profile}']})" if what != "speeds" else ""
+            name = robot.profile_name(cell.profile)
+            about = f" (profile {name}: {robot.notes[f'profiles.{name}']})" if what != "speeds" else ""
             notes.append(
                 f"{what} of {', '.join(estimated)} are estimates of grade {max(estimated.values())}{about}; "
                 f"a measured value belongs in {cell.file}"

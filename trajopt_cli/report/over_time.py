@@ -44,11 +44,12 @@ def joints(course: PlanSeries) -> Figure:
     """Position, speed, acceleration of each axis between its limits, torque where it is limited. Figs 6.4 to 6.6 with
     their limits."""
     names, limits = course.plant.limits.names, course.plant.limits
+    below, above = limits.acceleration_at(course.q)
     figure = new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
     columns = [
         ("position", "", course.q, limits.lower, limits.upper),
         ("speed", "/s", course.qd, -limits.velocity, limits.velocity),
-        ("acceleration", "/s²", course.qdd, -limits.acceleration, limits.acceleration),
+        ("acceleration", "/s²", course.qdd, -below, above),
     ]
     if limits.binding_torque is not None:
         columns.append(("torque", "", torques_along(course), -limits.binding_torque, limits.binding_torque))
@@ -58,16 +59,18 @@ def joints(course: PlanSeries) -> Figure:
             factor, unit = unit_of(name)
             if what == "torque":
                 factor, unit = 1.0, "N" if name == "rail" else "Nm"
-            low, high = lower[k] / factor, upper[k] / factor
+            ends = [np.broadcast_to(end, values.shape)[:, k] / factor for end in (lower, upper)]
+            low, high = float(ends[0].min()), float(ends[1].max())
             if np.isfinite(high):
-                _between_limits(panel, low, high)
+                _between_limits(panel, course.t, ends)
             panel.plot(course.t, values[:, k] / factor, color=BLUE, linewidth=1.5, solid_joinstyle="round")
             panel.set_ylabel(f"[{unit}{per}]", size=SMALL)
             if k == 0:
                 panel.set_title(what, pad=10)
             told = f"{whole(low)} to {whole(high)}" if np.isfinite(high) else "no limit"
             if what != "position" and np.isfinite(high):
-                told = f"±{whole(high)}, peak {100 * float(np.max(np.abs(values[:, k])) / upper[k]):.0f} %"
+                used = float(np.max(values[:, k] / np.where(values[:, k] > 0, *ends[::-1]) / factor))
+                told = f"±{whole(high)}, peak {100 * used:.0f} %"
             panel.text(
                 0.99,
                 0.985,
@@ -91,14 +94,18 @@ def joints(course: PlanSeries) -> Figure:
     return figure
 
 
-def _between_limits(panel: Axes, low: float, high: float) -> None:
-    """Dashed lines at both limits, room for their values over them, and round ticks between them."""
+def _between_limits(panel: Axes, t: Array, ends: Sequence[Array]) -> None:
+    """Dashed lines at both limits over time, room for their values over them, and round ticks between them."""
+    low, high = float(ends[0].min()), float(ends[1].max())
     room = 0.3 * (high - low)
     panel.set_ylim(low - room / 2, high + 1.1 * room)
     ticks = MaxNLocator(nbins=4, steps=ROUND).tick_values(low, high)
     panel.set_yticks([tick for tick in ticks if low <= tick <= high])
-    for limit in (low, high):
-        panel.axhline(limit, **LIMIT)  # type: ignore[arg-type]
+    for limit in ends:
+        if np.ptp(limit) == 0:
+            panel.axhline(limit[0], **LIMIT)  # type: ignore[arg-type]
+        else:
+            panel.plot(t, limit, **LIMIT)  # type: ignore[arg-type]
 
 
 def rail(course: PlanSeries) -> Figure | None:

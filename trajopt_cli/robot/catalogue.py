@@ -107,12 +107,26 @@ class Caps(_Strict):
     acceleration: Number
 
 
+class PostureTable(Origin):
+    """Accelerations by posture, see acceleration_table. file: in the robot file's folder or below it. load: what the
+    flange carried when they were found; they are not scaled for another."""
+
+    file: str
+    load: str
+
+
 class Profile(_Strict):
     """Accelerations [rad/s2 or m/s2] by axis name and, where anybody has an idea of them, jerks [rad/s3 or m/s3]."""
 
     about: str
     acceleration: dict[str, Rate]
     jerk: dict[str, Rate] | None = None
+
+
+class SixAxisProfile(Profile):
+    """by_posture: accelerations of the axes that have none by name."""
+
+    by_posture: PostureTable | None = None
 
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
@@ -161,13 +175,16 @@ class RobotFile(_Strict):
     payload: Number | None = None
     geometry: Origin
     axes: Mapping[str, AxisOrigins]
-    profiles: dict[str, Profile]
+    profiles: Mapping[str, Profile]
     collision: Collision | None = None
 
 
 class SixAxisFile(RobotFile):
     """A six-axis arm and RAPID's confdata; inertia: where the URDF's masses and inertias come
-    from, None where it has none."""
+    from, None where it has none. profile: the one that cells have by default."""
+
+    profiles: Mapping[str, SixAxisProfile]
+    profile: str = "default"
 
     inertia: Origin | None = None
     confdata: ConfRule
@@ -281,10 +298,16 @@ def _loaded(text: str) -> Any:
         return YAML().load(text)
 
 
-def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
-    """Hold the axes the file speaks of against the URDF's. Raises InputError for one too many or too few."""
+def check_axes(
+    data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], file: str, tables: Mapping[str, frozenset[str]]
+) -> None:
+    """Hold the axes the file speaks of against the URDF's; tables: those of profiles' tables. Raises InputError for one
+    too many or too few."""
     groups: list[tuple[tuple[str, ...], frozenset[str]]] = [(("axes",), frozenset(data.axes))]
-    groups += [(("profiles", n, "acceleration"), frozenset(p.acceleration)) for n, p in data.profiles.items()]
+    groups += [
+        (("profiles", n, "acceleration"), frozenset(p.acceleration) | tables.get(n, frozenset()))
+        for n, p in data.profiles.items()
+    ]
     groups += [(("profiles", n, "jerk"), frozenset(p.jerk)) for n, p in data.profiles.items() if p.jerk is not None]
     for keys, found in groups:
         # A misspelt name is both unknown and missing; the line of the misspelling helps more.
@@ -292,8 +315,13 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
             what = "is missing" if name in names else "is no axis of the URDF"
             message = f"'{'.'.join((*keys, name))}' {what}: wanted {', '.join(names)}"
             raise InputError(message, file=file, line=line_of(raw, (*keys, name)))
-    if "default" not in data.profiles:
-        raise InputError("'profiles.default' is missing", file=file, line=line_of(raw, ("profiles",)))
+    for name, profile in data.profiles.items():
+        for axis in sorted(tables.get(name, frozenset()) & {*profile.acceleration}):
+            keys = ("profiles", name, "acceleration", axis)
+            raise InputError(f"'{'.'.join(keys)}': the table gives it; remove one", file=file, line=line_of(raw, keys))
+    default = data.profile if isinstance(data, SixAxisFile) else "default"
+    if default not in data.profiles:
+        raise InputError(f"'profiles.{default}' is missing", file=file, line=line_of(raw, ("profiles",)))
 
 
 def check_coupled(

@@ -32,9 +32,11 @@ def pin_model(urdf: Path, X_WR: Array) -> Any:
     return model
 
 
-def named_profile(robot: str, profiles: Mapping[str, JointLimits], name: str | None) -> JointLimits:
-    """The limits under a name, "default" for None. Raises InputError listing the profiles."""
-    wanted = "default" if name is None else name
+def named_profile(
+    robot: str, profiles: Mapping[str, JointLimits], name: str | None, default: str = "default"
+) -> JointLimits:
+    """The limits under a name, the default ones for None. Raises InputError listing the profiles."""
+    wanted = default if name is None else name
     if wanted not in profiles:
         raise InputError(f"robot {robot} has no limit profile '{wanted}': known are {', '.join(profiles)}")
     return profiles[wanted]

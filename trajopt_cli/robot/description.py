@@ -12,10 +12,11 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.limits import CoupledRange, JointLimits
+from trajopt_cli.limits import AccelerationTable, CoupledRange, JointLimits
 from trajopt_cli.robot import catalogue
+from trajopt_cli.robot.acceleration_table import read_acceleration_table
 from trajopt_cli.robot.arm_chain import arm_from_chain
-from trajopt_cli.robot.catalogue import RobotFile, SixAxisFile, SrsFile
+from trajopt_cli.robot.catalogue import PostureTable, Profile, Rate, RobotFile, SixAxisFile, SrsFile
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, chain_of
 from trajopt_cli.robot.xml import read_bytes
@@ -89,13 +90,7 @@ def read(name_or_path: str, structure: Structure | None = None) -> tuple[RobotFi
 
 def urdf_chain(data: RobotFile, path: Path, raw: Raw) -> tuple[Path, list[UrdfJoint]]:
     """The URDF beside the file, and its joints from the root to the flange. Raises InputError where there is none."""
-    urdf, given = path.parent / data.urdf, PurePath(data.urdf)
-    line = catalogue.line_of(raw, ("urdf",))
-    if given.is_absolute() or ".." in given.parts:
-        message = f"urdf: '{data.urdf}' has to be in this file's folder or below it, which results can keep"
-        raise InputError(message, file=str(path), line=line)
-    if not urdf.is_file():
-        raise InputError(f"urdf: '{data.urdf}' does not exist beside this file", file=str(path), line=line)
+    urdf = beside(data.urdf, ("urdf",), path, raw)
     return urdf, _chain(urdf)
 
 
@@ -108,9 +103,38 @@ def _joints(text: bytes, file: str) -> tuple[UrdfJoint, ...]:
     return tuple(chain_of(text, file))
 
 
-def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: list[UrdfJoint]) -> None:
+def beside(given: str, key: tuple[str, ...], path: Path, raw: Raw) -> Path:
+    """A file that a robot's file names: in its folder or below, which results can keep. Raises InputError."""
+    said, line = f"{'.'.join(key)}: '{given}'", catalogue.line_of(raw, key)
+    if PurePath(given).is_absolute() or ".." in PurePath(given).parts:
+        message = f"{said} has to be in this file's folder or below it, which results can keep"
+        raise InputError(message, file=str(path), line=line)
+    if not (found := path.parent / given).is_file():
+        raise InputError(f"{said} does not exist beside this file", file=str(path), line=line)
+    return found
+
+
+def acceleration_tables(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint]) -> dict[str, AccelerationTable]:
+    """Accelerations by posture, by the profile's name. Raises InputError."""
+    names = tuple(joint.name for joint in axes)
+    return {
+        name: read_acceleration_table(beside(table.file, ("profiles", name, "by_posture", "file"), path, raw), names)
+        for name, table in _tables(data).items()
+    }
+
+
+def _tables(data: RobotFile) -> dict[str, PostureTable]:
+    found = {name: getattr(profile, "by_posture", None) for name, profile in data.profiles.items()}
+    return {name: table for name, table in found.items() if table is not None}
+
+
+def check(
+    data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: list[UrdfJoint],
+    tables: Mapping[str, AccelerationTable],
+) -> None:  # fmt: skip
     """Hold the names in the file against the URDF's axes and the arm's links. Raises InputError with the line."""
-    catalogue.check_axes(data, raw, tuple(joint.name for joint in axes), str(path))
+    own = {name: frozenset(table.axes) for name, table in tables.items()}
+    catalogue.check_axes(data, raw, tuple(joint.name for joint in axes), str(path), own)
     if isinstance(data, SixAxisFile):
         ranges = {joint.name: (joint.lower, joint.upper) for joint in axes if joint.kind == "revolute"}
         alike = float(np.sign(arm[1].axis @ arm[2].X[:3, :3] @ arm[2].axis))
@@ -134,8 +158,11 @@ def linkage(data: SixAxisFile) -> float:
     return sum(next(sums, {"": 0.0}).values())
 
 
-def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
-    """Limits of the axes by profile name, each number with its source."""
+def profiles(
+    data: RobotFile, axes: list[UrdfJoint], tables: Mapping[str, AccelerationTable] | None = None
+) -> dict[str, JointLimits]:
+    """Limits of the axes by profile name, each number with its source. tables: see acceleration_tables."""
+    tables = tables or {}
     names = tuple(joint.name for joint in axes)
     given = isinstance(data, SixAxisFile)  # of a seven-axis arm they are no limits of profiles
     kinds = ("position", "velocity", *(["torque"] if given else []))
@@ -150,21 +177,31 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
             np.array([joint.lower for joint in axes]),
             np.array([joint.upper for joint in axes]),
             np.array([joint.velocity for joint in axes]),
-            np.array([profile.acceleration[n].value for n in names]),
+            np.array([origin.value if isinstance(origin, Rate) else tables[name].least[n] for n, origin in of.items()]),
             origins
-            | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names}
+            | {f"{n}.acceleration": str(origin) for n, origin in of.items()}
             | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
             np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
-            grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names}
+            grades={f"{n}.acceleration": origin.grade for n, origin in of.items()}
             | {f"{n}.velocity": data.axes[n].velocity.grade for n in names},
-            spread={f"{n}.acceleration": profile.acceleration[n].spread("acceleration") for n in names}
+            spread={f"{n}.acceleration": origin.spread("acceleration") for n, origin in of.items()}
             | {f"{n}.velocity": data.axes[n].velocity.spread("velocity") for n in names}
             | {f"{n}.torque": said.spread("acceleration") for n in names if given and (said := data.axes[n].torque)},
             torque=torque if any(known) else None,
             coupled=coupled,
+            table=tables.get(name),
         )
         for name, profile in data.profiles.items()
+        for of in [_acceleration_origins(profile, _tables(data).get(name), names)]
     }
+
+
+def _acceleration_origins(
+    profile: Profile, table: PostureTable | None, names: tuple[str, ...]
+) -> dict[str, Rate | PostureTable]:
+    """Where the acceleration of each axis comes from."""
+    found = {name: profile.acceleration.get(name, table) for name in names}
+    return {name: one for name, one in found.items() if one is not None}  # all: see catalogue.check_axes
 
 
 def rotors(data: RobotFile, axes: list[UrdfJoint]) -> Array:
@@ -177,6 +214,7 @@ def notes(data: RobotFile) -> dict[str, str]:
     """Sources of what is not a limit, and what the profiles are about."""
     collision = {"collision": str(data.collision)} if data.collision else {}
     about = {f"profiles.{name}": profile.about for name, profile in data.profiles.items()}
+    about |= {f"profiles.{name}.load": table.load for name, table in _tables(data).items()}
     sums = data.coupled if isinstance(data, SixAxisFile) else ()
     linked = {f"{one.axis}.linkage": str(one) for one in sums if one.axis}
     return {"geometry": str(data.geometry)} | collision | about | linked

@@ -74,6 +74,7 @@ class RobotModel:
     confdata_rule: str = "abb_six_axis"
     linkage: float = 0.0
     tcp_spread: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    default_profile: str = "default"
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -192,8 +193,19 @@ class RobotModel:
         return ArmExpressions(self.arm, self.pin_model, self.chain_axes)
 
     def profile(self, name: str | None = None) -> JointLimits:
-        """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""
-        return named_profile(self.name, self.profiles, name)
+        """Limits of all axes under a named profile; the robot's default for None and "default". Raises InputError
+        listing the profiles."""
+        return named_profile(self.name, self.profiles, self.profile_name(name))
+
+    def profile_name(self, name: str | None = None) -> str:
+        """What a profile is called that cells ask for by a name, or by none."""
+        return self.default_profile if name in (None, "default") else str(name)
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """What its own YAML file names: the URDF, and tables of accelerations."""
+        tables = [limits.table.file for limits in self.profiles.values() if limits.table is not None]
+        return (self.urdf, *dict.fromkeys(file for file in tables if file is not None))
 
     @cached_property
     def X_WB0(self) -> Array:
@@ -309,7 +321,8 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         if joint.kind == "prismatic":
             rail_axis = readonly(X_RB[:3, :3] @ joint.axis)
     axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
-    description.check(data, path, raw, axes, arm_chain)
+    tables = description.acceleration_tables(data, path, raw, axes)
+    description.check(data, path, raw, axes, arm_chain, tables)
     linkage = description.linkage(data)
     return RobotModel(
         name=data.name,
@@ -324,7 +337,7 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
             "speed": data.tcp.speed.spread("velocity"),
             "acceleration": data.tcp.acceleration.spread("acceleration"),
         },
-        profiles=description.profiles(data, axes),
+        profiles=description.profiles(data, axes, tables),
         notes=description.notes(data)
         | ({"inertia": str(data.inertia)} if data.inertia else {})
         | {f"{name}.rotor": str(one.rotor_inertia) for name, one in data.axes.items() if one.rotor_inertia}
@@ -340,4 +353,5 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         rotor=description.rotors(data, axes),
         confdata_rule=data.confdata.rule,
         linkage=linkage,
+        default_profile=data.profile,
     )

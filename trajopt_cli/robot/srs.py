@@ -167,7 +167,7 @@ def load_srs(name_or_path: str, X_WB: Array | None = None) -> SrsRobot:
     urdf, chain = description.urdf_chain(data, path, raw)
     lengths = lengths_from_chain(chain, str(urdf))
     axes = chain[:JOINTS]
-    description.check(data, path, raw, axes, chain)
+    description.check(data, path, raw, axes, chain, {})
     origins = [data.axes[joint.name] for joint in axes]
     joint_notes = {
         f"{joint.name}.{key}": str(origin)

@@ -26,6 +26,7 @@ from trajopt_cli.study.case import Case
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples
 from trajopt_cli.trajectories.leg_trajectories import Sample
+from trajopt_cli.trajectories.limits.joint_acceleration import JointAcceleration
 from trajopt_cli.trajectories.limits.tool_limit import ToolLimit
 
 _LINE_NODES = 400  # of a line or an arc alone: at 0.5 m 1.2 mm apart
@@ -229,7 +230,7 @@ def use_of(
     speed, acceleration, turning = ToolLimit(axes).ratios(motion).T
     return Use(
         np.max(np.abs(qd) / own.velocity, axis=1),
-        np.max(np.abs(qdd) / own.acceleration, axis=1),
+        np.max(JointAcceleration(axes).ratios(motion), axis=1),
         np.maximum(speed, turning),
         acceleration,
         np.linalg.norm(motion.tool[:, 0, :3], axis=1),

@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -130,8 +129,7 @@ def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
 def _limited(
     program: Program, plant: Plant, column: str, values: Callable[[float], Array], share: float
 ) -> tuple[Program, Plant]:
-    changed: dict[str, Any] = {column: values(share)}
-    return program, replace(plant, limits=replace(plant.limits, **changed))
+    return program, replace(plant, limits=plant.limits.changed(column, values(share)))
 
 
 def _raised(values: Array, i: int, step: float, share: float) -> Array:

@@ -80,6 +80,16 @@ class Axes:
         return self.plant.settings
 
     @property
+    def usual_acceleration(self) -> Array:
+        """What (n,) most postures allow: for estimates; `acceleration` is what every posture does."""
+        return self.plant.limits.usual_acceleration
+
+    @property
+    def in_closed_form(self) -> bool:
+        """Whether joint moves are: no limit of jerk, and none of acceleration that changes with the posture."""
+        return self.jerk is None and self.plant.limits.table is None
+
+    @property
     def jerk(self) -> Array | None:
         """Limits (n,), None where jerks are free."""
         return self.plant.limits.binding_jerk

@@ -85,6 +85,8 @@
     const { quantity, share } = state;
     const per = { q: "", qd: "/s", qdd: "/s²" }[quantity];
     const [low, high] = { q: [axis.lower, axis.upper], qd: [-axis.velocity, axis.velocity], qdd: [-axis.acceleration, axis.acceleration] }[quantity];
+    const least = axis.least_acceleration;
+    const limits = quantity === "qdd" && least < high ? [low, -least, least, high] : [low, high];
     const middle = share ? (low + high) / 2 : 0;
     const scale = share ? 200 / (high - low) : 1 / axis.scale;
     const unit = share ? "% of the limit" : `${axis.unit}${per}`;
@@ -95,7 +97,7 @@
       digits: share ? 1 : axis.unit === "mm" || quantity !== "q" ? 0 : 1,
       height: 150,
       spans: spans(),
-      limits: [low, high].map((value, i) => ({ value: (value - middle) * scale, name: i ? `limit ${figure((value - middle) * scale, 0)}` : "" })),
+      limits: limits.map((value, i) => ({ value: (value - middle) * scale, name: i ? `limit ${figure((value - middle) * scale, 0)}` : "" })),
       series: series((one) => {
         const all = decode(one[quantity]).data;
         if (!middle) return { y: all, stride, offset: k, scale };
@@ -104,7 +106,7 @@
         return { y, scale };
       }),
     };
-    chart.label = `${axis.name}, ${QUANTITIES[quantity]} in ${unit}, limits ${figure(chart.limits[0].value, 1)} and ${figure(chart.limits[1].value, 1)}`;
+    chart.label = `${axis.name}, ${QUANTITIES[quantity]} in ${unit}, limits ${chart.limits.map((one) => figure(one.value, 1)).join(" and ")}`;
     const figureElement = make("figure", { class: "chart" });
     host.append(figureElement);
     drawn.push(new page.LineChart(figureElement, chart));

@@ -9,24 +9,31 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.problem import Leg
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 
 class JointAcceleration(Limit):
-    """|qdd| <= A."""
+    """-lower <= qdd <= upper, which the posture may decide."""
 
     name = "acceleration"
     order = 2.0
-    safe_on_grid = INF
+
+    def __init__(self, axes: Axes):
+        super().__init__(axes)
+        self._limits = axes.plant.limits
+        self._by_posture = self._limits.table is not None
+        self.safe_on_grid = None if self._by_posture else INF
 
     @property
     def start_on_grid(self) -> float:
         """See Limit."""
-        return self.axes.settings.exact
+        return self.start if self._by_posture else self.axes.settings.exact
 
     def numbers(self, leg: Leg) -> Array:
         """See Limit."""
-        return self.axes.acceleration_on(leg)[:, None]
+        least = self.axes.acceleration_on(leg)
+        return np.column_stack([least, self._limits.most_acceleration * leg.acceleration])
 
     def labels(self, leg: Leg) -> list[str]:
         """See Limit."""
@@ -35,20 +42,41 @@ class JointAcceleration(Limit):
 
     def ratios(self, motion: MotionSamples) -> Array:
         """See Limit."""
-        return np.asarray(np.abs(motion.sample.qdd) / motion.caps.acceleration)
+        qdd = motion.sample.qdd
+        if not self._by_posture:
+            return np.asarray(np.abs(qdd) / motion.caps.acceleration)
+        lower, upper = self._allowed(motion.sample.q, motion.caps.acceleration)
+        return np.asarray(np.maximum(qdd / upper, -qdd / lower))
 
     def path_rows(self, path: PathSamples) -> PathRows:
         """See Limit."""
-        return PathRows.of_acceleration(path.dq / path.caps.acceleration, path.ddq / path.caps.acceleration)
+        half, rests = self._around(path.q, path.caps.acceleration)
+        return PathRows.of_acceleration(path.dq / half, path.ddq / half, rests)
 
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         """See Limit."""
-        return {"A": (self.axes.n,)}
+        n = (self.axes.n,)
+        return {"A": n, "A_rest": n} if self._by_posture else {"A": n}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
-        """See Limit."""
-        return {"A": self.axes.acceleration_on(leg) * margin}
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
+        """See Limit; at the posture of the motion at hand, and held by the dense check."""
+        half, rests = self._around(q, np.broadcast_to(self.axes.acceleration_on(leg), q.shape))
+        return {"A": half * margin, **({} if rests is None else {"A_rest": rests})}
 
     def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
         """See Limit."""
-        return [(qdd / (p.A * node.T * node.T), -1.0, 1.0) for qdd in node.qdds]
+        rest = p.A_rest if self._by_posture else 0.0
+        return [(qdd / (p.A * node.T * node.T) + rest, -1.0, 1.0) for qdd in node.qdds]
+
+    def _allowed(self, q: Array, least: Array) -> tuple[Array, Array]:
+        """What is allowed of either sign at axes q (m, n), positive, where the program leaves so much of the least."""
+        asked = least / self.axes.acceleration
+        lower, upper = self._limits.acceleration_at(q)
+        return lower * asked, upper * asked
+
+    def _around(self, q: Array, least: Array) -> tuple[Array, Array | None]:
+        """half (m, n) and rests (m, n): |qdd / half + rests| <= 1 says the same; no rests for limits without table."""
+        if not self._by_posture:
+            return least, None
+        lower, upper = self._allowed(q, least)
+        return (lower + upper) / 2, (lower - upper) / (lower + upper)

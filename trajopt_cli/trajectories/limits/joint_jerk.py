@@ -62,7 +62,7 @@ class JointJerk(Limit):
         """See Limit."""
         return {"jerk": (self.axes.n,)}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         return {"jerk": self._limits * margin}
 

@@ -47,7 +47,7 @@ class JointRange(Limit):
         """See Limit."""
         return {"room": (self.axes.n,)} if on_path else {}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         return {"room": margin} if on_path else {}
 

@@ -108,7 +108,7 @@ class JointTorque(Limit):
 
         return {"load": (LOAD,), "limit": (self.axes.n,), "share": (self.axes.n,)}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         from trajopt_cli.robot.symbolic_dynamics import load_parameters
 

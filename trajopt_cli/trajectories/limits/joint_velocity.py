@@ -47,7 +47,7 @@ class JointVelocity(Limit):
         """See Limit."""
         return {"V": (self.axes.n,)}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         return {"V": self.axes.velocity_on(leg) * margin}
 

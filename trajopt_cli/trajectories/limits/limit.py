@@ -211,8 +211,8 @@ class Limit(ABC):
         """Parameters of its rows by name."""
         return {}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
-        """Their values at nodes where this margin (m, w) is in force, each (m, ...)."""
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
+        """Their values at nodes where this margin (m, w) is in force, each (m, ...). q (m, n): the axes at hand."""
         return {}
 
     def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:

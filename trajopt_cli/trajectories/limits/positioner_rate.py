@@ -59,7 +59,7 @@ class PositionerRate(Limit):
         """See Limit."""
         return {"positioner_use": (2,)} if on_path else {}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         return {"positioner_use": np.array(leg.positioner_use) / margin} if on_path else {}
 

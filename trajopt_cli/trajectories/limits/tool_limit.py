@@ -112,7 +112,7 @@ class ToolLimit(Limit):
         ramps = {"ramps": (2,)} if kind.along else {}
         return {"caps": (3,), **ramps, **({} if on_path else {"tcp": (3,)})}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
         caps = np.array([leg.v_tcp, leg.a_tcp, leg.v_ori])
         share = margin[:, ToolCap.ACCELERATION]

@@ -1,0 +1,132 @@
+"""Accelerations by posture: plans against quadratures of the table, bounds below them, and a judge that reads alone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.ndimage import map_coordinates
+from scipy.optimize import brentq
+from small_cells import plant_with_rail, plant_without_rail, rapid
+
+from trajopt_cli.judge.accelerations import Accelerations
+from trajopt_cli.judge.verify import verify
+from trajopt_cli.limits import AccelerationTable, TcpCaps
+from trajopt_cli.plan import optimize
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.model import load_robot
+from trajopt_cli.trajectory import Trajectory
+
+pytestmark = pytest.mark.usefixtures("coarse", "few_places")
+
+START, END = -0.6, 0.7
+PLACES = np.array([-1.0, 0.0, 1.0])
+UP, DOWN = np.array([4.0, 6.0, 3.0]), np.array([5.0, 2.5, 8.0])
+SWING = "MoveAbsJ [[0,40.107045,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v5000, fine, tool0;"
+
+
+def by_joint_2(plant: Plant) -> Plant:
+    """Joint 2 speeds up by UP and slows down by DOWN, which its own position decides; nothing else holds it back."""
+    sides = [np.repeat(side[:, None, None], 2, axis=1) for side in (DOWN, UP)]
+    table = AccelerationTable(("joint_2",), ("joint_2", "joint_3"), (PLACES, np.array([-1.0, 1.0])), sides[0], sides[1])
+    limits, j = plant.limits, plant.limits.names.index("joint_2")
+    acceleration, velocity = limits.acceleration.copy(), limits.velocity.copy()
+    acceleration[j], velocity[j] = table.least["joint_2"], 50.0
+    limits = replace(limits, acceleration=acceleration, velocity=velocity, table=table)
+    start = plant.start.copy()
+    start[j] = START
+    return replace(plant, limits=limits, start=start, free_speed=True, tcp=TcpCaps(99.0, 999.0))
+
+
+def quadrature() -> float:
+    """Least time of the swing: v dv/dq is UP until the switch and -DOWN behind it."""
+
+    def gained(side: np.ndarray, a: float, b: float) -> float:
+        return quad(lambda q: np.interp(q, PLACES, side), a, b, points=[0.0] if a < 0 < b else None, limit=200)[0]
+
+    switch = brentq(lambda q: gained(UP, START, q) - gained(DOWN, q, END), START, END)
+    first = quad(lambda u: 2 * u / np.sqrt(2 * gained(UP, START, START + u * u)), 0, np.sqrt(switch - START))[0]
+    last = quad(lambda u: 2 * u / np.sqrt(2 * gained(DOWN, END - u * u, END)), 0, np.sqrt(END - switch))[0]
+    return float(first + last)
+
+
+def planned(plant: Plant, target: Target) -> Plan:
+    plan = optimize(rapid(SWING), plant, target, bounded=True)
+    assert isinstance(plan, Plan), plan
+    return plan
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_swing_takes_what_the_table_says_and_its_bound_lies_below(target: Target) -> None:
+    plant, least = by_joint_2(plant_without_rail()), quadrature()
+    plan = planned(plant, target)
+    assert least * (1 - 1e-5) < plan.duration < least * 1.01
+    assert plan.lower_bound is not None
+    assert 0.5 * least < plan.lower_bound < least
+    report = verify(rapid(SWING), plant, plan.trajectory, target=target, advice=False)
+    assert report.legal, [finding.message for finding in report.findings if not finding.passed]
+
+
+def test_the_judge_sees_a_side_of_the_table_that_is_passed() -> None:
+    plant = by_joint_2(plant_without_rail())
+    rows = planned(plant, Target.RAPID).trajectory
+    j = rows.names.index("joint_2")
+    table = plant.limits.table
+    assert table is not None
+    for side in ("lower", "upper"):  # 3 % less of one sign is allowed than the rows use
+        less = replace(table, **{side: getattr(table, side) * 0.97})
+        own = replace(plant, limits=replace(plant.limits, table=less))
+        failed = [one for one in verify(rapid(SWING), own, rows, target=Target.RAPID).findings if not one.passed]
+        assert [(one.check, one.subject) for one in failed] == [("joint acceleration", "joint_2")]
+        at = int(np.searchsorted(rows.t, failed[0].time))
+        assert failed[0].value / failed[0].limit == pytest.approx(1 / 0.97, abs=2e-3)
+        assert (np.gradient(rows.qd[:, j], rows.t)[at] > 0) == (side == "upper")
+    faster = Trajectory(rows.names, rows.t * 0.995, rows.q, rows.qd / 0.995)
+    assert not verify(rapid(SWING), plant, faster, target=Target.RAPID).legal
+
+
+@pytest.mark.parametrize("name", ["irb1200_5_90", "irb6640_180_255_rail"])
+def test_planner_and_judge_read_a_shipped_table_as_scipy_does(name: str) -> None:
+    limits, rng = load_robot(name).profile(), np.random.default_rng(4)
+    file = Path(__file__).parents[2] / "robots" / f"{name.removesuffix('_rail')}_acceleration.csv"
+    rows = np.loadtxt(file, delimiter=",", skiprows=1)
+    second, third = np.unique(rows[:, 0]), np.unique(rows[:, 1])
+    q = rng.uniform(-3.6, 3.6, (300, len(limits.names)))
+    q2, q3 = np.degrees(q[:, -5]), np.degrees(q[:, -4])
+    places = [np.interp(x, grid, np.arange(len(grid))) for x, grid in ((q2, second), (q3, third))]
+    lower, upper = limits.acceleration_at(q)
+    for column, (side, joint) in enumerate([(0, -6), (0, -5), (1, -5), (0, -4), (1, -4)], start=2):
+        grid = rows[:, column].reshape(len(second), len(third))
+        wanted = map_coordinates(grid, places, order=1, mode="nearest")
+        np.testing.assert_allclose((lower, upper)[side][:, joint], wanted, rtol=1e-9)
+        np.testing.assert_allclose(Accelerations(limits).at(q)[side][:, joint], wanted, rtol=1e-9)
+        assert grid.max() <= limits.most_acceleration[joint] * (1 + 1e-12)
+        assert grid.min() >= limits.acceleration[joint] * (1 - 1e-12)
+
+
+def test_a_plan_over_a_rail_by_a_shipped_table_is_legal_and_above_its_bound() -> None:
+    robot = load_robot("irb6640_180_255_rail")
+    plant = plant_with_rail()
+    limits = replace(robot.profile(), lower=np.r_[0.0, robot.profile().lower[1:]])
+    plant = replace(plant, robot=robot, limits=limits, start=np.r_[0.0, 0, 0, 0, 0, np.pi / 6, 0])
+    data = "CONST robtarget p_far:=[[1500,900,900],[0,0,1,0],[0,0,0,0],[600,9E9,9E9,9E9,9E9,9E9]];"
+    body = "MoveJ p_far, v2000, fine, tool0;\nMoveL RelTool(p_far,0,0,200), v1000, fine, tool0;"
+    program = rapid(body, data=data)
+    plans = {}
+    for target in Target:
+        plan = optimize(program, plant, target, bounded=True)
+        assert isinstance(plan, Plan), plan
+        report = verify(program, plant, plan.trajectory, target=target, advice=False)
+        assert report.legal, [finding.message for finding in report.findings if not finding.passed]
+        assert plan.lower_bound is not None
+        assert plan.lower_bound < plan.duration
+        plans[target] = plan.duration
+    assert plans[Target.STREAM] <= plans[Target.RAPID]
+    least = replace(plant, limits=replace(limits, table=None))  # what every posture allows is never faster
+    slow = optimize(program, least, Target.RAPID, bounded=False)
+    assert isinstance(slow, Plan)
+    assert plans[Target.RAPID] < slow.duration
