@@ -17,8 +17,10 @@ import numpy as np
 import pytest
 from fake_planner import ACCELERATION, CELL, TEXT, Planner
 
+from trajopt_cli import cli
 from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
+from trajopt_cli.errors import InputError
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
@@ -394,6 +396,35 @@ def test_optimize_leaves_advice_to_verify(program: Path, planner: Planner, monke
 def test_the_option_offers_every_target() -> None:
     asked = get_args(get_args(get_type_hints(optimize, include_extras=True)["target"])[0])
     assert set(get_args(asked[0])) == {*Target}
+
+
+def test_an_interruption_while_modules_are_imported_is_one_line(tmp_path: Path) -> None:
+    (tmp_path / "typer.py").write_text("import os, time\nos.kill(os.getpid(), 2)\ntime.sleep(9)\n")
+    command = [sys.executable, "-c", HEARD, "parse", "programs/hinge_cell.mod"]
+    path = os.pathsep.join([str(tmp_path), str(REPOSITORY)])
+    ended = subprocess.run(
+        command, cwd=REPOSITORY, env=os.environ | {"PYTHONPATH": path}, capture_output=True, text=True
+    )
+    assert (ended.returncode, ended.stdout) == (130, "")
+    assert ended.stderr == "interrupted: nothing written, earlier results stand\n"
+
+
+@pytest.mark.parametrize("named", [RuntimeError("Error calling __set_name__"), InputError("mujoco is not installed")])
+def test_an_interruption_that_a_library_gave_another_name_is_one(
+    named: Exception, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object, **__: object) -> int:
+        raise named from KeyboardInterrupt()
+
+    monkeypatch.setattr(cli, "_commands", lambda: interrupted)
+    assert run(["verify", "results"]) == 130
+    assert capsys.readouterr().err == "interrupted: nothing written, earlier results stand\n"
+
+
+# Tests in the background of a shell hear no Ctrl-C.
+HEARD = (
+    "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); from trajopt_cli.cli import main; main()"
+)
 
 
 # Planners that are interrupted: one sleeps, one does as CasADi does and takes the interrupt for a solver's stop.

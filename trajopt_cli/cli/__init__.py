@@ -5,11 +5,25 @@ Exit codes: 0 done, 1 the answer is no (infeasible, illegal), 2 the request is w
 
 from __future__ import annotations
 
-import gc
 import os
+import signal
+from contextlib import suppress
+
+
+def _leave(*_: object) -> None:
+    """Answer Ctrl-C while modules are imported: raised in the middle of that, an interruption may get another name."""
+    os.write(2, b"interrupted: nothing written, earlier results stand\n")
+    os._exit(130)
+
+
+with suppress(ValueError):  # in a thread nothing is set, and nothing interrupts it
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # in the background of a shell it is ignored
+        signal.signal(signal.SIGINT, _leave)
+
+import atexit
+import gc
 import re
 import sys
-from contextlib import suppress
 from difflib import get_close_matches
 from functools import cache, partial
 from io import TextIOWrapper
@@ -126,10 +140,7 @@ def run(arguments: list[str]) -> int:
     """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
     begin()
     try:
-        own_process()
-        _check_arguments(arguments)
-        code = _commands()(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
-        sys.stdout.flush()
+        code = _answered(arguments)
     except InputError as error:
         typer.echo("\n".join(map(_cut, error.shown().rstrip("\n").split("\n"))), err=True)
         return 2
@@ -164,6 +175,23 @@ def run(arguments: list[str]) -> int:
     if code == 130:
         typer.echo(interrupted(), err=True)
     return int(code or 0)
+
+
+def _answered(arguments: list[str]) -> int | None:
+    """The exit code of a command, 130 also where libraries called an interruption by another name."""
+    try:
+        own_process()
+        _check_arguments(arguments)
+        code: int | None = _commands()(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
+        sys.stdout.flush()
+    except BaseException as error:
+        chain: BaseException | None = error
+        while chain is not None and not isinstance(chain, KeyboardInterrupt):
+            chain = chain.__cause__ or chain.__context__
+        if chain is None:
+            raise
+        return 130
+    return code
 
 
 _commands = cache(partial(get_command, app))  # with all their options: made once in a process
@@ -201,4 +229,13 @@ def main() -> None:
     if isinstance(sys.stdout, TextIOWrapper):  # bytes of a file's name that are no text: as JSON spells them, \udc80
         sys.stdout.reconfigure(errors="backslashreplace")
     gc.set_threshold(*_SELDOM)
-    sys.exit(run(sys.argv[1:]))
+    code = run(sys.argv[1:])
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # all is said and written
+    if code == 130:  # where the interruption came from Python code in a library, sys.exit would end by the signal
+        atexit._run_exitfuncs()
+        os._exit(code)
+    sys.exit(code)
+
+
+if signal.getsignal(signal.SIGINT) is _leave:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
