@@ -121,7 +121,7 @@ def test_an_unknown_robot_or_profile_lists_the_known():
         InputError, match=r"unknown robot 'xyz'; known: crb15000_5_95, .*, ur5e_rail; 'trajopt robot list' shows"
     ):
         find_robot("xyz")
-    with pytest.raises(InputError, match=r"irb140 has no limit profile 'fast': known are default, optimistic"):
+    with pytest.raises(InputError, match=r"irb140 has no limit profile 'fast': known are default, rule, optimistic"):
         load_robot("irb140").profile("fast")
     with pytest.raises(InputError, match=r"robot file 'nowhere/x\.yaml' does not exist"):
         load_robot("nowhere/x.yaml")

@@ -174,3 +174,17 @@ def test_targets_of_an_irb_120_are_reached_in_their_confdata_by_one_configuratio
     found = [q for _, q in robot.solutions(X, None, robot.profile()) if robot.admits(ConfData(*conf), q)]
     assert len(found) == 1
     np.testing.assert_allclose(robot.forward(found[0]), X, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["irb120", "irb140_rail", "irb1600_6_120", "irb6700_200_260"])
+def test_the_rule_has_the_wrist_where_both_tables_agree_and_the_rest_between_the_arms(name):
+    limits = load_robot(name).profile("rule")
+    slow, fast = ([1.0 for _ in limits.names] for _ in (0, 1))
+    for i, axis in enumerate(limits.names):
+        slow[i], fast[i] = limits.spread.get(f"{axis}.acceleration", (1.0, 1.0))
+    times = limits.velocity / limits.acceleration
+    np.testing.assert_allclose(times[-3:] / np.array(slow)[-3:], 0.081, rtol=0.06)  # two digits are written
+    np.testing.assert_allclose(times[-3:] / np.array(fast)[-3:], 0.056, rtol=0.06)
+    for j, (least, most) in enumerate([(0.064, 0.56), (0.094, 0.39), (0.073, 0.171)]):  # of both tables, all postures
+        k = len(times) - 6 + j
+        assert least * 0.94 < times[k] / fast[k] < times[k] < times[k] / slow[k] < most * 1.06
