@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import importlib.metadata
 import json
 from pathlib import Path
@@ -43,6 +44,24 @@ def test_a_sound_installation_solves_its_problem(installed: dict[str, str], caps
     assert found["extra parquet: pyarrow"]["state"] == "ok"
     assert not any("pytest" in what for what in found)
     assert found["self-test"]["found"].startswith("a problem of 0.6102 s solved")  # 4 sqrt(20 deg / 15 rad/s2)
+
+
+def test_what_killed_runs_left_is_named(
+    installed: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(health, "_solved", health._machine)
+    names = [".a.csv.trajopt-01234567", "results/.cell.trajopt-89abcdef", "results/.cell.trajopt-00000000.old"]
+    strangers = [".a.csv.trajopt-mine", ".trajopt-01234567", "results/cell.trajopt-01234567"]
+    (tmp_path / "results").mkdir()
+    assert asked(capsys)[1]["leftovers"]["state"] == "ok"
+    for name in [*names, *strangers]:
+        (tmp_path / name).write_bytes(b"")
+    with open(tmp_path / ".living.csv.trajopt-01234567", "xb") as living:
+        fcntl.flock(living, fcntl.LOCK_EX)
+        code, found = asked(capsys)
+    assert (code, found["leftovers"]["state"]) == (0, "absent")
+    assert sorted(found["leftovers"]["found"].split(": ")[1].split(", ")) == sorted(names)
 
 
 def test_what_is_missing_or_old_is_named_with_the_way_to_get_it(

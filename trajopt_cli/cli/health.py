@@ -53,7 +53,7 @@ class Check:
 
 def looked_at() -> list[Check]:
     """Everything, in the order of print; the problem is solved only where all packages are there."""
-    found = [_trajopt(), _python(), *_packages(), _cache(), _machine(), _browser()]
+    found = [_trajopt(), _python(), *_packages(), _cache(), _leftovers(), _machine(), _browser()]
     if not any(one.state is State.WRONG for one in found):
         found.append(_solved())
     return found
@@ -134,6 +134,17 @@ def _cache() -> Check:
         pass
     remedy = "every run translates its expressions anew, some seconds; make it writable or set XDG_CACHE_HOME"
     return Check("cache", State.ABSENT, f"{folder} cannot be written", remedy)
+
+
+def _leftovers() -> Check:
+    """What killed runs left hidden in this folder and its results."""
+    from trajopt_cli.runs.files import leftovers
+
+    found = [str(path) for folder in (Path(), Path("results")) for path in leftovers(folder)]
+    if not found:
+        return Check("leftovers", State.OK, "none in this folder, none in results")
+    remedy = "the next run that writes NAME of .NAME.trajopt-... removes it; you may, too, but rename .old to NAME"
+    return Check("leftovers", State.ABSENT, f"of runs that were killed: {', '.join(found)}", remedy)
 
 
 def _machine() -> Check:

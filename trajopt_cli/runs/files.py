@@ -7,6 +7,7 @@ import errno
 import fcntl
 import glob
 import os
+import re
 import secrets
 import shutil
 import sys
@@ -23,6 +24,7 @@ from trajopt_cli.runs import EXPORTS, RUN
 
 PATIENCE = 10.0  # s, to wait for another run that is writing just now
 _TRIES = 100
+_LEFT = re.compile(r"\..+\.trajopt-[0-9a-f]{8}(\.old)?")
 _THERE = (errno.ENOTEMPTY, errno.EEXIST)
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 
@@ -130,6 +132,18 @@ def recover(path: Path) -> None:
                 with _free(leftover) as free:
                     if free:
                         shutil.rmtree(leftover, ignore_errors=True)  # another process may be at it, too
+
+
+def leftovers(folder: Path) -> list[Path]:
+    """What killed runs left in a folder, hidden: half-made files and folders, folders set aside. What a living run
+    holds is none; what cannot be opened is none of this user's."""
+    out = []
+    for path in sorted(folder.glob(".*.trajopt-*")):
+        with suppress(OSError):
+            if _LEFT.fullmatch(path.name):
+                with _free(path.with_suffix("") if path.suffix == ".old" else path) as free:
+                    out += [path] if free else []
+    return out
 
 
 @contextmanager
