@@ -54,17 +54,21 @@ def times(way: float, v: float, a: float) -> float:
     return way / v + v / a
 
 
-def log(a_1: float, wait: float, period: float = 0.02, lag: float = 0.03) -> tuple[str, list[float]]:
-    """A log of the program: joint 1 at a_1 [rad/s2], another wait; and how long each motion takes."""
+def log(
+    a_1: float, wait: float, period: float = 0.02, lag: float = 0.03, part: tuple[float, float] | None = None
+) -> tuple[str, list[float]]:
+    """A log of the program: joint 1 at a_1 [rad/s2], another wait; and how long each motion takes. It rests before and
+    after; with part it is the part of a production without rests at home, in cycles."""
     v, a_2 = np.radians(200), 15.0
     T = [times(SIDE, v, a_1), wait, times(UP, v, a_2), times(SIDE, v, a_1)]
-    ends = 1 + lag + np.cumsum([0, *T])
-    t = np.arange(0, ends[-1] + 1, period)
+    ends = (0 if part else 1 + lag) + np.cumsum([0, *T])
+    t = np.arange(0, ends[-1] + 1, period) if part is None else np.arange(part[0] * sum(T), part[1] * sum(T), period)
+    now = t if part is None else np.mod(t, sum(T))
     q = np.zeros((len(t), 6))
     q[:, 4] = np.radians(30)
-    q[:, 0] = trapezoid(t - ends[0], SIDE, v, a_1) - trapezoid(t - ends[3], SIDE, v, a_1)
+    q[:, 0] = trapezoid(now - ends[0], SIDE, v, a_1) - trapezoid(now - ends[3], SIDE, v, a_1)
     back = UP / SIDE  # coordinated: joint 2 shares joint 1's progress on the way home
-    q[:, 1] = -trapezoid(t - ends[2], UP, v, a_2) + back * trapezoid(t - ends[3], SIDE, v, a_1)
+    q[:, 1] = -trapezoid(now - ends[2], UP, v, a_2) + back * trapezoid(now - ends[3], SIDE, v, a_1)
     rows = [
         ";".join([f"{1e3 * now:.0f}", *(f"{x:.3f}" for x in np.degrees(row))]) for now, row in zip(t, q, strict=True)
     ]
@@ -148,14 +152,86 @@ def test_a_log_gives_every_motion_its_measured_time(
     assert told["calibration"].startswith("compared with log.csv")
 
 
-def test_a_second_cycle_before_it_does_no_harm(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text, T = log(7.0, 0.8)
-    lines = text.splitlines()
-    shift = 20 * (len(lines) - 1)
-    again = [f"{int(line.partition(';')[0]) + shift};{line.partition(';')[2]}" for line in lines[1:]]
-    Path("log.csv").write_text("\n".join([*lines, *again]) + "\n")
+ENDLESS = ("PROC main()", "PROC main()\nWHILE TRUE DO"), ("ENDPROC", "ENDWHILE\nENDPROC")
+
+
+@pytest.mark.parametrize("endless", [False, True])
+@pytest.mark.parametrize(
+    ("part", "passes", "held"),
+    [
+        ((0.0, 1.0), 1, 4),
+        ((0.0, 4.0), 4, 4),
+        ((0.6, 3.4), 2, 4),  # what is before and behind whole ones does not count
+        ((0.6, 1.4), 0, 3),  # the end of one cycle and the begin of the next: all but the wait
+        ((0.3, 0.95), 0, 1),  # from the wait on, not to the end
+    ],
+)
+def test_a_log_of_production_holds_passes_and_parts(
+    tiny: Path, capsys: pytest.CaptureFixture[str], endless: bool, part: tuple[float, float], passes: int, held: int
+) -> None:
+    text, T = log(7.0, 0.8, 0.008, part=part)
+    Path("log.csv").write_text(text)
+    if endless:
+        tiny.write_text(TEXT.replace(*ENDLESS[0]).replace(*ENDLESS[1]))
     told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
-    assert told["log"]["cycle_s"] == pytest.approx(sum(T), abs=0.01)
+    measured = {i: one["measured_s"] for i, one in enumerate(told["motions"]) if "measured_s" in one}
+    assert len(measured) == held
+    assert [*measured.values()] == pytest.approx([T[i] for i in measured], abs=0.01)
+    assert sum(one["whole"] for one in told["log"]["passes"]) == passes
+    assert told["log"]["whole"] is (passes > 0)
+    assert told["log"]["cycle_s"] == pytest.approx(sum(T[i] for i in measured), abs=0.01)
+    assert told["log"]["period_s"] == (pytest.approx(sum(T), abs=0.01) if passes > 1 else None)
+
+
+def test_the_start_of_the_cell_file_may_be_none_of_the_log(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    cell = Path("tiny.yaml")
+    cell.write_text(cell.read_text().replace("[0, 0, 0, 0, 30, 0]", "[0, 20, 0, 0, 30, 0]"))
+    text, T = log(7.0, 0.8, part=(0.0, 3.0))
+    Path("log.csv").write_text(text)
+    told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    wanted = [None, None, *(pytest.approx(one, abs=0.01) for one in T[2:])]
+    assert [one.get("measured_s") for one in told["motions"]] == wanted
+
+
+def test_all_logs_of_a_folder_are_one_table(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """With what is wrong with the others, and exit code 2 for those."""
+    Path("logs").mkdir()
+    for name, slow in (("a", 1.0), ("b", 1.3)):
+        heads, *lines = log(10.0, 0.8)[0].splitlines()
+        rows = [f"{float(line.partition(';')[0]) * slow:.1f};{line.partition(';')[2]}" for line in lines]
+        Path("logs", f"{name}.csv").write_text("\n".join([heads, *rows]))
+    told = answer(capsys, "estimate", str(tiny), "--log", "logs")
+    T = sum(log(10.0, 0.8)[1])
+    assert [one["cycle_s"] for one in told["logs"]] == pytest.approx([T, 1.3 * T], abs=0.02)
+    assert told["refused"] == []
+    assert [one.split(":")[0] for one in told["contradictions"]] == ["logs/b.csv"]  # all alike slower
+    Path("logs", "C.CSV").write_text("nothing\n1\n")
+    Path("logs", "notes.txt").write_text("no log")
+    assert run(["estimate", str(tiny), "--log", "logs"]) == 2
+    captured = capsys.readouterr()
+    assert captured.err.startswith("logs/C.CSV:1:")
+    assert captured.err.count("\n") == 1
+    cells = [line.split() for line in captured.out.splitlines() if line.split()[:1] in (["a.csv"], ["b.csv"])]
+    assert [(name, passes) for name, passes, *_ in cells] == [("a.csv", "1"), ("b.csv", "1")]
+    assert run(["identify", "logs", "--cell", "tiny.yaml"]) == 2
+    Path("logs", "C.CSV").unlink()
+    capsys.readouterr()
+    assert run(["identify", "logs", "--cell", "tiny.yaml"]) == 0
+    assert "b.csv: " in capsys.readouterr().out
+    Path("none").mkdir()
+    assert "none: " in refusal(capsys, "estimate", str(tiny), "--log", "none")
+    assert "nowhere: " in refusal(capsys, "estimate", str(tiny), "--log", "nowhere")
+
+
+def test_a_log_beyond_the_limits_in_force_is_told(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("log.csv").write_text(log(13.0, 0.8, 0.004)[0])
+    told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    (said,) = told["contradictions"]
+    assert said.startswith("joint_1 reached")
+    reached = {(one["axis"], one["kind"]): one["value"] for one in told["reached"]}
+    assert reached["joint_1", "acceleration"] == pytest.approx(13.0, rel=0.05)
+    run(["estimate", str(tiny), "--log", "log.csv"])
+    assert said in capsys.readouterr().out
 
 
 def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
@@ -174,11 +250,14 @@ def test_a_log_of_something_else_is_told_with_where_it_departs(tiny: Path, capsy
     err = refusal(capsys, "estimate", str(tiny), "--log", "log.csv")
     assert "departs from the program at MoveAbsJ j_up (tiny.mod:9" in err
     assert "joint_2 stays 20.00° away" in err
-    cut = [line for line in lines if float(line.split(";")[1]) > 5]  # begins on the way
-    Path("log.csv").write_text("\n".join([heads, *cut]) + "\n")
+    shifted = [";".join([t, f"{float(q) + 10:.3f}", *rest]) for t, q, *rest in (line.split(";") for line in lines)]
+    Path("log.csv").write_text("\n".join([heads, *shifted]) + "\n")
     assert "the log never is where the program starts: joint_1" in refusal(
         capsys, "estimate", str(tiny), "--log", "log.csv"
     )
+    back = [f"{20 * i};{one.partition(';')[2]}" for i, one in enumerate([*lines[:100], *lines[100::-1], *lines[:9]])]
+    Path("log.csv").write_text("\n".join([heads, *back]) + "\n")  # turns back on the way
+    assert "tiny.mod:9" in refusal(capsys, "estimate", str(tiny), "--log", "log.csv")
 
 
 def test_rows_that_a_log_lost_are_told(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:

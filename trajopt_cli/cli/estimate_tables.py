@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import PurePath
 
 from trajopt_cli.measured.align import Alignment
 from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.study.estimate import Estimate, EstimatedMotion
-from trajopt_cli.table import TextTable, place, seconds, tabulate
+from trajopt_cli.table import TextTable, place, seconds, signed, tabulate
 
 
 def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
@@ -33,6 +34,25 @@ def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
     return tabulate(title, answer.motions, columns)
 
 
+def logs_table(answer: Estimate, logs: Sequence[Alignment]) -> TextTable:
+    """A line per log."""
+    return tabulate(
+        f"{answer.job.title}: logs beside the program as written under the limits of {answer.job.cell_path}",
+        logs,
+        {
+            "~log": lambda one: PurePath(one.file).name,
+            ">passes": lambda one: str(len(one.counted)) if one.whole else "in part",
+            ">measured [s]": lambda one: seconds(one.cycle),
+            ">predicted [s]": lambda one: seconds(one.predicted),
+            ">measured - predicted [s]": lambda one: signed(one.cycle - one.predicted),
+            ">[%]": lambda one: signed(100 * (one.cycle - one.predicted) / one.cycle, 1),
+            ">motions [s]": lambda one: seconds(one.motion),
+            ">predicted motions [s]": lambda one: seconds(one.predicted_motion),
+            ">standing [s]": lambda one: seconds(one.waits),
+        },
+    )
+
+
 def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:
     """The cycle, a line each."""
     slower = answer.driven - answer.naive
@@ -44,8 +64,9 @@ def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:
     yield f"length over speed {answer.naive:.3f} s; ramps, corners and limits make that {slower:+.3f} s{share}"
     if log:
         off = log.cycle - log.predicted
+        what = "from the first move to the end of the last" if log.whole else "of the motions that the log holds"
         yield (
-            f"measured {log.cycle:.3f} s from the first move to the end of the last, predicted {log.predicted:.3f} s: "
+            f"measured {log.cycle:.3f} s {what}, predicted {log.predicted:.3f} s: "
             f"measured - predicted {off:+.3f} s ({100 * off / log.cycle:+.1f} %); motions {log.motion:.3f} s, "
             f"standing {log.waits:.3f} s"
         )

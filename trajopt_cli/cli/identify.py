@@ -12,7 +12,8 @@ from trajopt_cli.cli.options import AsJson, Columns, LogUnits, Quiet
 
 def identify(
     logs: Annotated[
-        list[Path], typer.Argument(metavar="LOG...", help="CSV with a time and every joint, rows 4 to 100 ms apart.")
+        list[Path],
+        typer.Argument(metavar="LOG...", help="CSV with a time and every joint, rows 4 to 100 ms apart; or a folder."),
     ],
     robot: Annotated[
         str | None,
@@ -49,17 +50,17 @@ def identify(
     from trajopt_cli.errors import InputError
     from trajopt_cli.measured.identify import identify
     from trajopt_cli.measured.limits_file import limits_section
-    from trajopt_cli.measured.log_csv import in_order, lost_rows, read_log
+    from trajopt_cli.measured.log_csv import logs_of, lost_rows, read_log
     from trajopt_cli.measured.nominal import limits_in_force
     from trajopt_cli.measured.reached import contradictions, reached_in
     from trajopt_cli.runs.files import check_file, write_file
 
+    logs = logs_of(logs)
     if output is not None and any(output.resolve() == path.resolve() for path in [*logs, *([cell] if cell else [])]):
         raise InputError("--output is one of the inputs; name another file", file=str(output))
     if output is not None:
         check_file(output, "--output")
     limits, place = limits_in_force(robot, cell)
-    in_order(logs)
     read = [read_log(path, limits, units, columns) for path in logs]
     names, motions = [path.name for path in logs], [one for one, _ in read]
     found, seen = identify(motions, limits)

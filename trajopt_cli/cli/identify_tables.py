@@ -53,7 +53,9 @@ def identified_table(found: Sequence[Limit], reached: Sequence[Reached], limits:
             "unit": unit,
             ">motions": lambda one: "" if one.value is None else str(one.motions),
             ">reached": lambda one: told(most[of].value, one, 4) if (of := (one.axis, one.kind)) in most else "",
-            ">in force": lambda one: told(_in_force(one, limits), one, 4),
+            ">in force": lambda one: told(
+                most[of].limit if (of := (one.axis, one.kind)) in most else _in_force(one, limits), one, 4
+            ),
             ">share": lambda one: (
                 percent(most[of].value / most[of].limit, 0) if (of := (one.axis, one.kind)) in most else ""
             ),

@@ -203,8 +203,18 @@ def lost_rows(t: Array) -> str:
     return f"no rows between {where}{more}; usually they are {1e3 * usual:.3g} ms apart" if at.size else ""
 
 
-def in_order(logs: Sequence[Path]) -> None:
-    """Refuse a log that is named twice."""
-    for one, other in pairwise(sorted(path.resolve() for path in logs)):
+def logs_of(paths: Sequence[Path]) -> list[Path]:
+    """The logs that are named; of a folder all of its files that end in .csv, by name.
+
+    Raises InputError for a folder without any, and for a log that is named twice.
+    """
+    out: list[Path] = []
+    for path in paths:
+        found = sorted(one for one in path.iterdir() if one.suffix.lower() == ".csv") if path.is_dir() else [path]
+        if not found:
+            raise InputError("is a folder without logs: no file in it ends in .csv", file=str(path))
+        out += found
+    for one, other in pairwise(sorted(path.resolve() for path in out)):
         if one == other:
             raise InputError("is named twice; its motions would count twice", file=str(one))
+    return out

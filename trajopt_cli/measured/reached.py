@@ -92,10 +92,8 @@ def _of_log(log: Trajectory, file: str, limits: JointLimits) -> Iterator[Reached
         fast_there = np.hypot(rates, bends * width / 2)
         noise = np.maximum(left, np.hypot(floor, clock * fast_there))
         noise *= _SURE * np.sqrt((1 + alike) / (1 - alike))
-        kinds = (
-            (Kind.SPEED, rates, rate_per, np.broadcast_to(limits.velocity, rates.shape)),
-            (Kind.ACCELERATION, bends, bend_per, acceleration_there(limits, middle, bends)),
-        )
+        allowed = np.where(bends < 0, *limits.acceleration_at(middle)), np.broadcast_to(limits.velocity, rates.shape)
+        kinds = (Kind.SPEED, rates, rate_per, allowed[1]), (Kind.ACCELERATION, bends, bend_per, allowed[0])
         for kind, values, per, limit in kinds:
             off = noise * per[:, None]
             sure = np.where(2 * off < np.abs(values), np.abs(values) - off, 0.0)
@@ -104,11 +102,6 @@ def _of_log(log: Trajectory, file: str, limits: JointLimits) -> Iterator[Reached
                     value, there, noise_there = (float(of[i, k]) for of in (sure, limit, off))
                     where = float(at[i]), dict(zip(log.names, middle[i].tolist(), strict=True))
                     yield Reached(log.names[k], kind, value, there, *where, noise_there, file)
-
-
-def acceleration_there(limits: JointLimits, q: Array, direction: Array) -> Array:
-    """The acceleration limits in force (m, n) at postures q (m, n), to the side of the sign of direction (m, n)."""
-    return np.broadcast_to(limits.acceleration, direction.shape)
 
 
 def contradictions(

@@ -4,14 +4,17 @@ on."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
-from trajopt_cli.measured.align import Alignment
+from trajopt_cli.measured.align import Alignment, align
+from trajopt_cli.measured.reached import Reached, contradictions, reached_in
 from trajopt_cli.motion import Move, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
@@ -19,6 +22,7 @@ from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.report.stepwise import StepMove, analyse
 from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
+from trajopt_cli.trajectory import Trajectory
 
 _STANDS = 1e-9  # m
 _RESTS = 1e-6  # m and parts of a turn: what is written to 0.001 mm
@@ -167,15 +171,52 @@ def doubts(answer: Estimate) -> Iterator[str]:
     yield LEFT_OUT
 
 
-def uncalibrated(alignment: Alignment | None) -> str:
+@dataclass(frozen=True)
+class Logs:
+    """Logs beside an estimate: those that follow the program, what is wrong with the others, what axes reached in them,
+    and where that and the limits in force cannot both be right."""
+
+    alignments: tuple[Alignment, ...]
+    wrong: tuple[InputError, ...]
+    reached: tuple[Reached, ...]
+    against: tuple[str, ...]
+
+    @property
+    def said(self) -> str:
+        """What was compared, one line."""
+        if len(self.alignments) == 1:
+            return self.alignments[0].said
+        shares = {one.file: 1 - one.predicted / one.cycle for one in self.alignments}
+        worst = max(shares, key=lambda file: abs(shares[file]))
+        mean = float(np.mean(np.abs([*shares.values()])))
+        return (
+            f"compared with {len(shares)} logs: |measured - predicted| {100 * mean:.1f} % on average, at most "
+            f"{100 * shares[worst]:+.1f} % ({PurePath(worst).name})"
+        )
+
+
+def beside(answer: Estimate, logs: Mapping[str, Trajectory], wrong: Sequence[InputError]) -> Logs:
+    """Logs by file, beside the estimate. wrong: with files that could not even be read."""
+    limits, found, out = answer.job.plant.limits, list[Alignment](), list(wrong)
+    for file, log in logs.items():
+        try:
+            found.append(align(answer.job.program, answer.plan, limits.velocity, log, file))
+        except InputError as error:
+            out.append(error)
+    motions, names = [logs[one.file] for one in found], [PurePath(one.file).name for one in found]
+    reached = reached_in(motions, names, limits)
+    against = contradictions(motions, names, limits, reached)
+    return Logs(tuple(found), tuple(out), tuple(reached), (*against, *(one.doubt for one in found if one.doubt)))
+
+
+def uncalibrated(logs: Logs | None) -> str:
     """What was compared, or that nothing was."""
-    if alignment is None:
-        return "uncalibrated: no log of this cell was compared with it; --log FILE.csv does that"
-    return alignment.said
+    return logs.said if logs else "uncalibrated: no log of this cell was compared with it; --log FILE.csv does that"
 
 
-def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, Any]:
-    """The whole answer as plain data, SI."""
+def estimate_record(answer: Estimate, logs: Logs | None, many: bool = False) -> dict[str, Any]:
+    """The whole answer as plain data, SI. many: logs of a folder."""
+    alignment = logs.alignments[0] if logs and not many else None
     measured = {} if alignment is None else {one.index: one for one in alignment.motions}
     motions = []
     for one in answer.motions:
@@ -197,8 +238,8 @@ def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, 
         "waits_s": answer.waits,
         "corners": answer.corners,
         "fly_bys_driven_as_stops": answer.stops,
-        "calibrated": alignment is not None,
-        "calibration": uncalibrated(alignment),
+        "calibrated": logs is not None,
+        "calibration": uncalibrated(logs),
         "rests_on": [
             {
                 "limit": one.limit, "value": one.value, "unit": one.unit, "source": one.source, "guess": one.guess,
@@ -210,9 +251,20 @@ def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, 
         "motions": motions,
     }  # fmt: skip
     if alignment is not None:
-        record["log"] = {
-            "file": alignment.file, "cycle_s": alignment.cycle, "predicted_s": alignment.predicted,
-            "motion_s": alignment.motion, "waits_s": alignment.waits, "from_s": alignment.t_0, "to_s": alignment.t_1,
-            "farthest": alignment.farthest,
-        }  # fmt: skip
+        record["log"] = _log_record(alignment)
+    if logs:
+        record["logs"] = [_log_record(one) for one in logs.alignments]
+        record["refused"] = [str(error) for error in logs.wrong]
+        record["reached"] = [asdict(one) for one in logs.reached]
+        record["contradictions"] = list(logs.against)
     return record
+
+
+def _log_record(one: Alignment) -> dict[str, Any]:
+    """What was compared as plain data, SI."""
+    return {
+        "file": one.file, "cycle_s": one.cycle, "predicted_s": one.predicted, "motion_s": one.motion,
+        "waits_s": one.waits, "whole": one.whole, "period_s": one.period, "from_s": one.counted[0].t_0,
+        "to_s": one.counted[-1].t_1, "passes": [{"from_s": a.t_0, "to_s": a.t_1, "whole": a.whole} for a in one.passes],
+        "farthest": one.farthest,
+    }  # fmt: skip
