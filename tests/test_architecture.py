@@ -61,7 +61,7 @@ STACK = {
     "limits": {"geometry"},
     "trajectory": {"geometry"},
     "joint_csv": {"errors", "geometry", "print_resolution", "sheet", "trajectory", "units"},
-    "moc": {"errors", "geometry", "warnings"},
+    "moc": {"errors", "geometry", "units", "warnings"},
     "sheet": {"errors", "geometry"},
     "print_resolution": {"geometry"},
     "errors": set[str](),

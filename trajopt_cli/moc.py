@@ -18,6 +18,7 @@ import numpy as np
 
 from trajopt_cli.errors import printable
 from trajopt_cli.geometry import Array, pose, rotation_from_wxyz
+from trajopt_cli.units import decimal
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _SECTION = re.compile(r"([A-Z][A-Z0-9_]*):")
@@ -176,7 +177,7 @@ class _Reader:
             return default
         given = entry.values[key]
         try:
-            value = float(given.text)
+            value = decimal(given.text)
             if math.isfinite(value):
                 return value
         except ValueError:

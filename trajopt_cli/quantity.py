@@ -43,7 +43,7 @@ def units_of(unit: str) -> dict[str, float]:
 
 _LIST = re.compile(r"\[(?P<items>[^\[\]]*)\]\s*(?P<unit>.*)", re.DOTALL)
 # DOTALL: a match that a line break ends would be tried anew for every digit before it
-_SCALAR = re.compile(r"(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>.*)", re.DOTALL)
+_SCALAR = re.compile(r"(?P<number>[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?)\s*(?P<unit>.*)", re.DOTALL)
 
 
 _Read = TypeVar("_Read")
@@ -121,6 +121,8 @@ def _bare_word(text: str) -> str:
 def _factor(unit: str, units: Mapping[str, float], text: str) -> float:
     if unit in units:
         return units[unit]
+    if unit.startswith("_"):
+        raise complain(f"{shown(text)} has '_' in a number; leave it out")
     if not any(units):
         raise complain(f"{shown(text)} has a unit; needs a plain number")
     if unit:

@@ -1,4 +1,4 @@
-"""Factors from the units of RAPID, cell files and reports to SI: value_in_si = value * FACTOR."""
+"""Factors from the units of RAPID, cell files and reports to SI: value_in_si = value * FACTOR. Numbers in texts."""
 
 from __future__ import annotations
 
@@ -6,3 +6,13 @@ from math import pi
 
 MM = 1e-3
 DEG = pi / 180.0
+
+
+def decimal(text: str) -> float:
+    """The number that a text spells as files do: float() also takes 1_0 and the digits of other scripts.
+
+    Raises ValueError, as float() does.
+    """
+    if "_" in text or not text.isascii():
+        raise ValueError(f"could not convert string to float: {text!r}")
+    return float(text)

@@ -276,6 +276,8 @@ class _Reader:
         kind = str(node.tag).removeprefix(_TAG)
         if kind == "int" and len(node.value) > _MAX_DIGITS:
             self._refuse(node, path, f"needs a finite number, not one of {len(node.value)} digits")
+        if kind in ("int", "float") and "_" in node.value:
+            self._refuse(node, path, f"{short(node.value)} has '_' in a number; leave it out, or write text in quotes")
         try:
             return self._yaml.constructor.construct_object(node)
         except (ValueError, KeyError, IndexError):  # a tag of the user's own, `!!int foo`

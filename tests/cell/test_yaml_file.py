@@ -102,7 +102,7 @@ def test_the_keys_of_a_path_cannot_grow_without_bound() -> None:
 
 def test_what_yaml_allows_still_means_the_same() -> None:
     text = (
-        "base: &b {x: 1, y: 1_000}\nmore: {<<: *b, x: 5, z: 0x10}\nlist: [*b, yes, ~, 1e3, .5, '7', =]\n"
+        "base: &b {x: 1, y: 1000}\nmore: {<<: *b, x: 5, z: 0x10}\nlist: [*b, yes, ~, 1e3, .5, '7', =]\n"
         "again: &b {on: true}\nlast: *b\n"
     )
     content, lines = parse(text, "t.yaml", "a key is needed")

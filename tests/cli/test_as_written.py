@@ -19,7 +19,7 @@ from trajopt_cli.plan import PlanCache, initial_plan, optimize, search_estimate
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.runs.uncertainty import changes
+from trajopt_cli.runs.uncertainty import between, changes
 from trajopt_cli.trajectories.axes import Axes
 
 
@@ -49,6 +49,9 @@ def test_the_answer_begins_with_what_was_saved(
         for after, share, ends, how in zip((rapid, stream), percent, ranges, hows, strict=True)
     ]
     assert out.splitlines()[0].startswith(f"as written {before:.3f} s → {told[0]}, {told[1]}")
+    low, high = plans["uncertainty"]["cycle_time_range_s"]["stream"]
+    assert low <= stream < high
+    assert f"{between((low, high))} s" in Path("results/tiny/report.html").read_text()
     assert "rapid [s]   stream [s]   what limits the rapid plan" in out
     assert "grid" not in out
     assert run(["optimize", str(program), "--target", "stream", "-v"]) == 0

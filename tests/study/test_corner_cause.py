@@ -61,6 +61,13 @@ def test_corners_come_first_and_all_causes_add_up(compared: Comparison) -> None:
     assert sum(step.saved for step in steps) == pytest.approx(whole, abs=1e-12)
     # two stops less at 0.5 m/s and at most 20 m/s2: at least v / a each, less what zones of 20 mm cut off or add
     assert 0.04 < steps[1].saved < 0.5
+    record = {row["name"]: row for row in comparison_record(compared)["rows"]}
+    for row in (record["as-written"], record["optimum stream"]):
+        low, high = row["cycle_time_range_s"]
+        assert low < row["cycle_time_s"] < high
+    assert record["as-written"]["saving_range"] is None
+    least, most = record["optimum stream"]["saving_range"]
+    assert least < record["optimum stream"]["saving"] <= most
     names = [step["name"] for step in comparison_record(compared)["saving_by_cause"]["steps"]]
     assert names == [step.name for step in steps]
 

@@ -24,11 +24,12 @@ import atexit
 import gc
 import re
 import sys
+from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import cache, partial
 from io import TextIOWrapper
 from itertools import pairwise
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import typer
 from typer.core import TyperGroup
@@ -203,7 +204,9 @@ def _cut(line: str) -> str:
 
 
 def _check_arguments(arguments: list[str]) -> None:
-    """Nothing that trajopt takes is empty; an empty path would be the current folder, an empty entry the default."""
+    """Nothing that trajopt takes is empty; an empty path would be the current folder, an empty entry the default. And
+    options that are numbers have no '_' in them: 1_0 is 10 for Python alone."""
+    numbers: set[str] | None = None
     for before, argument in pairwise(["", *arguments]):
         option = before if before.startswith("--") else ""
         if argument.startswith("--") and argument.endswith("="):
@@ -211,6 +214,20 @@ def _check_arguments(arguments: list[str]) -> None:
         if not argument.strip():
             advice = f"give {option} a value or leave it out" if option else "give one or leave it out"
             raise InputError(f"an empty name{f' for {option}' if option else ''}; {advice}")
+        if argument.startswith("--") and "=" in argument:
+            option, _, argument = argument.partition("=")
+        if option and "_" in argument and option in (numbers := numbers or {*_number_options(_commands())}):
+            raise InputError(f"{option}: '{_cut(argument)}' has '_' in a number; leave it out")
+
+
+def _number_options(command: Any) -> Iterator[str]:
+    """The options of a command and of those under it that take a plain number."""
+    for parameter in command.params:
+        kind = parameter.type_descriptor.annotation
+        if {int, float} & {kind, *get_args(kind)}:
+            yield from parameter.opts
+    for inner in getattr(command, "commands", {}).values():
+        yield from _number_options(inner)
 
 
 def _give_up_stdout() -> None:

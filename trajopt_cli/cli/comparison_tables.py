@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from trajopt_cli.cli.remarks import by_name
+from trajopt_cli.runs.uncertainty import within
 from trajopt_cli.study.comparison import Step
 from trajopt_cli.table import Bad, Good, TextTable, percent, seconds, tabulate
 
@@ -27,8 +28,8 @@ def rows_table(program: str, waits: float, records: Sequence[Record]) -> TextTab
         {
             "plan": lambda row: row["name"],
             "target": lambda row: row["target"],
-            ">T [s]": lambda row: seconds(row.get("cycle_time_s"), "-"),
-            ">saving": lambda row: percent(row.get("saving")),
+            ">T [s]": lambda row: within(seconds(row.get("cycle_time_s"), "-"), row.get("cycle_time_range_s")),
+            ">saving": lambda row: within(percent(row.get("saving")), row.get("saving_range"), 100),
             ">without waits [s]": lambda row: seconds(row.get("cycle_time_without_waits_s")),
             ">of it saved": lambda row: percent(row.get("saving_without_waits")),
             "legal": lambda row: "-" if "why" in row else Good("yes") if row["legal"] else Bad("NO"),

@@ -34,7 +34,7 @@ def _address_space() -> int | None:
     return None if limit == resource.RLIM_INFINITY else limit
 
 
-_REFUSED = ("bad_alloc", "failed to map segment", "cannot allocate memory", "can't start new thread")
+_REFUSED: tuple[str, ...] = ("bad_alloc", "failed to map segment", "cannot allocate memory", "can't start new thread")
 _REFUSED += ("error return without exception set",)  # what Python says where it found no memory for a MemoryError
 
 

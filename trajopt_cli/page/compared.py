@@ -15,6 +15,7 @@ from trajopt_cli.page.tables import Tile, facts, head, table
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, waterfall
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.runs.uncertainty import within
 from trajopt_cli.table import Bad, Good, percent, seconds, signed, tabulate
 
 Record = Mapping[str, Any]
@@ -96,9 +97,9 @@ def _rows(rows: Sequence[Record]) -> str:
     columns: dict[str, Callable[[Record], str]] = {
         "row": lambda row: f"<b>{text(row['name'])}</b>",
         "target": lambda row: row["target"],
-        ">cycle time [s]": lambda row: seconds(row.get("cycle_time_s"), "–"),
+        ">cycle time [s]": lambda row: within(seconds(row.get("cycle_time_s"), "–"), row.get("cycle_time_range_s")),
         "": bar,
-        ">saving": lambda row: percent(row.get("saving")),
+        ">saving": lambda row: within(percent(row.get("saving")), row.get("saving_range"), 100),
         ">bound [s]": lambda row: seconds(row.get("lower_bound_s")),
         "legal": legal,
     }

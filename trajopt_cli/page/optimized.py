@@ -76,7 +76,8 @@ def optimized_page(
         Section(
             "trust",
             "Assumptions",
-            doubts(told.limits, told.unchecked, told.warnings, told.notes) + limits(plant),
+            doubts([*told.uncertainty.intervals(target.first), *told.limits], told.unchecked, told.warnings, told.notes)
+            + limits(plant),
             f"Estimated, unchecked and assumed. {GRADES}",
         ),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
@@ -88,12 +89,13 @@ def optimized_page(
 def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     before = told.as_written
     if before.why_not is None:
-        tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", "the program under the same limits", "before")]
+        said = [*told.uncertainty.times("as_written"), "the program under the same limits"]
+        tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", "; ".join(said), "before")]
     else:
         why = before.why_not if before.why_not == NOT_TIMED else f"cannot be driven: {before.why_not}"
         tiles = [Tile(WRITTEN, "–", why, "before")]
     for one, kind in zip(target.first, ("after", "other"), strict=True):
-        plan, said = told.plans.of(one), [told.change(one)]
+        plan, said = told.plans.of(one), [*told.uncertainty.times(one.value), told.change(one)]
         if plan.gap is not None:
             said.append(f"lower bound {seconds(plan.lower_bound_s)} s, gap {100 * plan.gap:.1f} %")
         if plan.suspicious is not None:

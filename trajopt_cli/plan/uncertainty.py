@@ -29,8 +29,9 @@ _KINDS = {"velocity": "speed", "acceleration": "acceleration", "torque": "torque
 _Ends = tuple[float, float]
 
 
-def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan]) -> Uncertainty:
-    """Of plans of one program on one plant, by name, each with all its rows."""
+def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan], before: str = WRITTEN) -> Uncertainty:
+    """Of plans of one program on one plant, by name, each with all its rows. before: the one that others save against,
+    if it is there."""
     unsure = [*_unsure(plant)]
     again = {name: _Again(program, plant, plan) for name, plan in plans.items()} if unsure else {}
     guesses, found = list[Guess](), list[dict[str, _Ends]]()
@@ -42,9 +43,9 @@ def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan]) -> Un
     T = {name: plan.duration for name, plan in plans.items()}
     ranges = {name: around(T[name], [one[name] for one in found]) for name in plans}
     saved = {
-        name: saving(T[WRITTEN], T[name], [(one[WRITTEN], one[name]) for one in found])
+        name: saving(T[before], T[name], [(one[before], one[name]) for one in found])
         for name in plans
-        if WRITTEN in plans and name != WRITTEN and found
+        if before in plans and name != before and found
     }
     kept = [{name: ends for name, ends in one.items() if ends is not None} for one in (ranges, saved)]
     return Uncertainty(cycle_time_range_s=kept[0], saving_range=kept[1], guesses=guesses)

@@ -11,6 +11,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.robot.xml import robot_element
+from trajopt_cli.units import decimal
 
 FLANGE, RAIL = "tool0", "rail"
 
@@ -109,7 +110,7 @@ def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
         if text is None:
             raise InputError(f"joint '{name}': <{tag}> has no {key}", file=file)
         try:
-            values = [float(word) for word in text.split()]
+            values = [decimal(word) for word in text.split()]
         except ValueError as error:
             raise InputError(f"joint '{name}': <{tag}> {key}=\"{text}\" is not {count} number(s)", file=file) from error
         if len(values) != count or not np.all(np.isfinite(values)):

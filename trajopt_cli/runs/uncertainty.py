@@ -25,6 +25,11 @@ def between(ends: Sequence[float | None], passes: int = 1) -> str:
     return f"{first:.{digits}f} to {last:.{digits}f}"
 
 
+def within(value: str, ends: Sequence[float | None] | None, scale: float = 1.0) -> str:
+    """A value with its interval behind it, if it has one: "6.972 (6.6 to 7.5)"."""
+    return value if ends is None else f"{value} ({between([end and end * scale for end in ends])})".replace("-", "−")
+
+
 def changes(saved: Sequence[float | None]) -> str:
     """What becomes of a time of which between these shares are saved, in per cent: "−19 to −23"."""
     *ends, digits = _outward(*(100 * share for share in saved if share is not None))
@@ -61,6 +66,10 @@ class Uncertainty(Section):
         word = "guesses" if most.name[-1] in "CD" else "numbers"
         return f"with these {word} ({'most: ' * (len(self.guesses) > 1)}{most.name})"
 
+    def times(self, name: str) -> tuple[str, ...]:
+        """Between which times a motion is: "6.6 to 7.5 s"; nothing where it is sure."""
+        return (f"{between(self.cycle_time_range_s[name])} s",) if name in self.cycle_time_range_s else ()
+
     def around(self, name: str) -> str:
         """Behind a motion's time: ", 6.6 to 7.5 with these guesses (...)"; nothing where it is sure."""
         ends = self.cycle_time_range_s.get(name)
@@ -71,7 +80,7 @@ class Uncertainty(Section):
         ends = self.saving_range.get(name)
         return "" if ends is None else f", {changes(ends)}"
 
-    def intervals(self, names: tuple[str, ...], passes: int) -> tuple[str, ...]:
+    def intervals(self, names: tuple[str, ...], passes: int = 1) -> tuple[str, ...]:
         """Between which times a pass is by these motions, the first leads; a line where anything is unsure."""
         known = {name: self.cycle_time_range_s[name] for name in (WRITTEN, *names) if name in self.cycle_time_range_s}
         told = ", ".join(f"{name.replace('_', ' ')} {between(ends, passes)} s" for name, ends in known.items())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +19,7 @@ from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
+from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.workers import in_turns
 
 if TYPE_CHECKING:
@@ -72,13 +73,15 @@ _UNOBSTRUCTED = "without obstacles"
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """waits: seconds of programmed waiting in every row. steps: the saving by cause, or why it cannot be told."""
+    """waits: seconds of programmed waiting in every row. steps: the saving by cause, or why it cannot be told. unsure:
+    between which times legal plans are, by the row's name, and what they save against the first legal row."""
 
     job: Job
     rows: tuple[Row, ...]
     steps: tuple[Step, ...] | str
     waits: float
     notices: tuple[str, ...] = ()
+    unsure: Uncertainty = field(default_factory=Uncertainty)
 
 
 def compare(
@@ -93,6 +96,7 @@ def compare(
     rule: of the row `thesis`. loops: as in optimize_job. patience: once a row is legal its end cuts the others short;
     with a time limit the program as written and the RAPID optimum come first, then those that take least.
     """
+    from trajopt_cli.plan.uncertainty import uncertainty
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES
 
@@ -131,7 +135,14 @@ def compare(
     steps = _after(answers) if passed or limited else _steps(answers)
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
     notices = (*study.notices, *_cost_of_avoiding(results, study)) if job.plant.obstacles else study.notices
-    return Comparison(job, rows, steps, waits, notices)
+    before = next((row.name for row in rows if isinstance(row.result, Tried) and row.result.report.legal), "")
+    plans = {row.name: plan for row in rows if (plan := _legal_plan(row.result)) is not None and _own(plan, job)}
+    return Comparison(job, rows, steps, waits, notices, uncertainty(job.program, job.plant, plans, before))
+
+
+def _own(plan: Plan, job: Job) -> bool:
+    """Whether a plan is of the job's program as it is."""
+    return len(plan.motions) == len(job.program.motions)
 
 
 def _cost_of_avoiding(results: Mapping[Question | str, Result], study: _Study) -> Iterator[str]:
@@ -168,8 +179,10 @@ def comparison_pictures(answer: Comparison, target: Target = Target.STREAM) -> d
     own = [
         one.attempt.plan
         for row, one in tried
-        if one.attempt.plan and one.report.legal and row.baseline.target is target
-        if len(one.attempt.plan.motions) == len(answer.job.program.motions)
+        if one.attempt.plan
+        and one.report.legal
+        and row.baseline.target is target
+        and _own(one.attempt.plan, answer.job)
     ]
     if own:
         pictures = plan_pictures(answer.job, min(own, key=lambda plan: plan.duration))

@@ -46,6 +46,7 @@ def comparison_record(answer: Comparison) -> dict[str, Any]:
         "programmed_waits_s": answer.waits,
         "rows": row_records(answer),
         "saving_by_cause": causes,
+        "guesses": answer.unsure.model_dump()["guesses"],
     }
 
 
@@ -78,6 +79,8 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
                 bound = attempt.plan.lower_bound if attempt.plan is not None and row.baseline.optimum else None
                 record |= {
                     "cycle_time_s": time,
+                    "cycle_time_range_s": answer.unsure.cycle_time_range_s.get(row.name),
+                    "saving_range": answer.unsure.saving_range.get(row.name),
                     "cycle_time_without_waits_s": time - answer.waits,
                     "saving": 1.0 - time / reference if counted and reference else None,
                     "saving_without_waits": (

@@ -117,7 +117,10 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
         if row.count(",") != width - 1:
             raise InputError(f"{row.count(',') + 1} values, the header has {width} columns", file=file, line=i)
     try:
-        table = np.fromiter(map(float, ",".join(rows).split(",")), np.float64).reshape(-1, width)
+        body = ",".join(rows)
+        if "_" in body or not body.isascii():  # which float() takes for digits
+            raise ValueError("a letter that no number has")
+        table = np.fromiter(map(float, body.split(",")), np.float64).reshape(-1, width)
     except ValueError as error:
         line = next(i for i, row in enumerate(rows, start=2) if not all(map(_is_number, row.split(","))))
         raise InputError(f"holds what is no number: {error}", file=file, line=line) from error
@@ -132,7 +135,7 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
 def _is_number(field: str) -> bool:
     with suppress(ValueError):
         float(field)
-        return True
+        return field.isascii() and "_" not in field
     return False
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
+from trajopt_cli.units import decimal
 
 
 def read_numbers(rows: list[str], width: int, file: str, separator: str = ",") -> Array:
@@ -41,7 +42,7 @@ def read_numbers(rows: list[str], width: int, file: str, separator: str = ",") -
 
 def _is_finite(field: str) -> bool:
     try:
-        return bool(np.isfinite(float(field)))
+        return bool(np.isfinite(decimal(field)))
     except ValueError:
         return False
 
