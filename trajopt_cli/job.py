@@ -181,6 +181,7 @@ def read_job(
     loaded = _with_robot(path, robot)
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
+    scenario = replace(scenario, settle=loaded.settling(plant.robot.settle))
     flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
     plant = at_cycle(flat, plant)
     if not any(isinstance(motion, Move) for motion in flat.motions):

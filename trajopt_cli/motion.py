@@ -208,7 +208,8 @@ DEFAULT_SETTINGS = Settings()
 class Hold(Enum):
     """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, nobody,
     as it does in every wait that the cell file does not free, the program, whose instructions have deactivated its
-    unit, or SyncMoveOn, behind which no wait has room for a move."""
+    unit, SyncMoveOn, behind which no wait has room for a move, or the controller, as it waits for all axes to settle at
+    a stop."""
 
     PROGRAM = "program"
     CELL = "cell"
@@ -216,6 +217,7 @@ class Hold(Enum):
     WAIT = "wait"
     UNIT = "unit"
     SYNCHRONISED = "synchronised"
+    SETTLING = "settling"
 
 
 class Happens(Enum):
@@ -428,6 +430,11 @@ class Wait:
     in_position: bool = False
     hold: Hold | None = None
     beside: float | None = None
+
+    @property
+    def settles(self) -> bool:
+        """Whether no statement stands for it: the axes settle at the stop before it, see scenario.Settling."""
+        return self.hold is Hold.SETTLING
 
     @property
     def stops(self) -> bool:

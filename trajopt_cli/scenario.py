@@ -94,6 +94,30 @@ class RailUnit(NamedTuple):
     unit: str | None = None
 
 
+class Settling(NamedTuple):
+    r"""How long [s] the axes take from the end of a move until all are in position, where the controller waits for it:
+    at a stop point (fine), and at one with a criterion of its own, \Inpos of a move or of the wait behind a fly-by.
+
+    A stop point "means that the robot and external axes must reach the specified position (stand still) before program
+    execution continues with the next instruction" (RAPID reference manual, zonedata). It counts where the program then
+    waits, or reads or sets a signal, before it moves on. source: of the numbers, with the grade.
+    """
+
+    fine: float = 0.0
+    inpos: float = 0.0
+    source: str = ""
+
+    @property
+    def counts(self) -> bool:
+        """Whether any of them takes time."""
+        return self.fine > 0 or self.inpos > 0
+
+
+NO_SETTLING = Settling()
+# benchmarks/bench_logs.py: 0.21 s of eleven cycles of an IRB 6640 are at two stops that are waited for
+ESTIMATED_SETTLING = Settling(0.1, 0.1, "an estimate from the logs of another robot, a real IRB 6640 (grade C)")
+
+
 @dataclass(frozen=True)
 class Scenario:
     r"""Everything by name; names are in lower case, blanks left out of conditions.
@@ -113,7 +137,7 @@ class Scenario:
     in its plant. rail: None where there is none. rail_at: where it stands for targets that leave it open, by
     RailPlace.name as condition_key has it. active_units: the mechanical units that are active when the program starts,
     names in lower case; None for all that share no axis. partner: what the other robots take [s] for the moves that
-    they make together with this one (MultiMove), by \ID.
+    they make together with this one (MultiMove), by \ID. settle: what stops take that are waited for.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -135,6 +159,7 @@ class Scenario:
     rail_at: Mapping[str, RailPlace] = field(default_factory=dict)
     active_units: frozenset[str] | None = None
     partner: Mapping[int, float] = field(default_factory=dict)
+    settle: Settling = NO_SETTLING
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -31,7 +31,7 @@ TEXT = """MODULE Tiny
     ENDPROC
 ENDMODULE
 """
-CELL = "robot: irb140\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg'}\n"
+CELL = "robot: irb140\nsettle: 0\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg'}\n"
 # rad/s2 on joint_1, under its 15; the TCP, 0.51 m off, stays under v1000's 1 m/s
 ACCELERATION = {Target.STREAM: 10.0, Target.RAPID: 8.0}
 

@@ -36,7 +36,7 @@ def tiny(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     Path("tiny.mod").write_text(TEXT)
     Path("tiny.yaml").write_text(
         'robot: irb140\nfree_speed: true\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n'
-        "tcp: {speed: 9, acceleration: 90, source: a test}\n"
+        "tcp: {speed: 9, acceleration: 90, source: a test}\nsettle: 0\n"
         'limits: {joint_1: {acceleration: 10, source: "measured in spring"}}\n'
     )
     return Path("tiny.mod")

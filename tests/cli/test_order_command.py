@@ -21,6 +21,7 @@ PLACES = {1: -0.5, 2: 0.5, 3: -0.4, 4: 0.4}  # rad of joint 1: the written order
 CELL = """robot: irb140
 start: {joints: '[0, 0, 0, 0, 30, 0] deg'}
 order: {turns: [T1, T2, T3, T4]}
+settle: 0
 """
 
 

@@ -33,6 +33,7 @@ CELL = """robot: irb140_rail
 rail: {eax: a, stroke: [-0.1, 2.1]}
 tcp: {speed: 1000, acceleration: 100000, source: the simulated robot has none}
 free_speed: true
+settle: 0
 """
 TOUCH = [list(pair) for pair in load_robot("irb140_rail").self_pairs if "attached" not in pair]
 

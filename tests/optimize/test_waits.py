@@ -8,12 +8,16 @@ import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
+from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.plan import optimize
+from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.execution.rail_hold import without_unasked
+from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import HoldRail, Scenario, Settling
 
 pytestmark = pytest.mark.usefixtures("coarse")
 
@@ -109,3 +113,40 @@ def test_a_move_lasts_as_long_as_what_runs_beside_it_and_the_judge_holds_it_to_t
         assert plan.motions[1].binding == "wait beside it"
         failed = [f.check for f in verify(program, plant, bare.trajectory, advice=False).findings if not f.passed]
         assert failed == ["duration"]
+
+
+@pytest.mark.parametrize("target", Target)
+def test_what_settles_is_in_every_plan_and_bound_and_no_axis_moves_meanwhile(target: Target) -> None:
+    plant, plans, programs = plant_with_rail(), dict[float, Plan](), dict[float, Program]()
+    far = BODY.replace("j_home", "[[0,0,0,0,30,0],[1500,9E9,9E9,9E9,9E9,9E9]]") % "0.3"
+    for time in (0.0, 0.2):
+        scenario = Scenario(settle=Settling(time), hold_rail=HoldRail(free=True))
+        programs[time] = rapid(far, scenario)
+        plan = optimize(programs[time], plant, target)
+        assert isinstance(plan, Plan)
+        plans[time] = plan
+    none, plan = plans[0.0], plans[0.2]
+    assert None not in (none.lower_bound, plan.lower_bound)
+    aimed = 1e-3 if target is Target.RAPID else 0.02  # no bound is told closer than what it aims at
+    assert plan.lower_bound == pytest.approx((none.lower_bound or 0.0) + 0.2, abs=aimed)
+    _, settles, wait, _ = plan.motions
+    assert settles.t_1 - settles.t_0 == pytest.approx(0.2, abs=1e-9)
+    np.testing.assert_array_equal(settles.q_0, settles.q_1)
+    assert np.abs(wait.q_1 - wait.q_0)[0] > 1e-3  # the wait itself is used
+    report = verify(programs[0.2], plant, plan.trajectory, target=target, advice=False)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+    missing = verify(programs[0.2], plant, none.trajectory, target=target, advice=False)
+    found = [(f.check, f.source.line) for f in missing.findings if not f.passed and f.source]
+    assert found == [("dwell length", 6), ("way while held", 5)]  # the wait is short, and the rail moves before it
+    if target is Target.STREAM:  # whose rail would have driven through the stop
+        assert plan.duration >= none.duration + 0.2 - 1e-6
+        return
+    assert plan.duration == pytest.approx(none.duration + 0.2, abs=1e-4)
+    scenario = Scenario(settle=Settling(0.2), hold_rail=HoldRail(free=True))
+    export = export_rapid(programs[0.2], plan, plant, scenario=scenario)
+    (text,) = export.texts.values()
+    assert "WaitTime" not in text  # a line in its place, and nothing for what settles
+    read = run_program([TextFile("t.mod", text, "utf-8")], scenario)
+    again = optimize(read, plant, target, AS_WRITTEN, bounded=False)
+    assert isinstance(again, Plan)
+    assert again.duration == pytest.approx(plan.duration, abs=1e-4)

@@ -33,7 +33,7 @@ def group(folder: Path, main: str, order: str) -> Group:
         f"MODULE m\n{TARGETS} PROC main()\n{main}  MoveJ p0, v500, fine, tool0;\n ENDPROC\n{routines}ENDMODULE\n"
         .replace("\n", "\r\n").encode()
     )  # fmt: skip
-    (folder / "m.yaml").write_text(f"{CELL}order: {{g: {order}}}\n")
+    (folder / "m.yaml").write_text(f"{CELL}order: {{g: {order}}}\nsettle: 0\n")
     return group_of(read_job(folder / "m.mod"))
 
 
@@ -59,7 +59,7 @@ def test_what_is_written_back_reads_as_the_program_in_that_order(tmp_path: Path)
 def test_parts_that_run_twice_are_refused_and_parts_like_what_follows_are_told_apart(tmp_path: Path) -> None:
     loop = "".join(f" PROC {name}()\n  MoveJ p{i}, v500, fine, tool0;\n ENDPROC\n" for i, name in enumerate("AB"))
     main = " PROC main()\n  Both;\n{more}  MoveJ p0, v500, fine, tool0;\n ENDPROC\n PROC Both()\n  A;\n  B;\n ENDPROC\n"
-    (tmp_path / "m.yaml").write_text(f"{CELL}order: {{g: [A, B]}}\n")
+    (tmp_path / "m.yaml").write_text(f"{CELL}order: {{g: [A, B]}}\nsettle: 0\n")
     for more, motions in (("  MoveJ p0, v500, fine, tool0;\n", [(0, 1), (1, 2)]), ("  Both;\n", None)):
         (tmp_path / "m.mod").write_text(f"MODULE m\n{TARGETS}{main.format(more=more)}{loop}ENDMODULE\n")
         job = read_job(tmp_path / "m.mod")

@@ -329,6 +329,31 @@ TcpSection = create_model(
 )
 
 
+SLOWEST_SETTLING = 5.0  # s; beyond, somebody wrote milliseconds
+
+
+def _settling(value: Any) -> float:
+    seconds = from_zero(TIME)(value)
+    if seconds > SLOWEST_SETTLING:
+        least = f"{seconds:g} s is no time to settle, at most {SLOWEST_SETTLING:g} s"
+        raise complain(f"{least}; if these are milliseconds, write {seconds:g} ms")
+    return seconds
+
+
+SettlingTime = Annotated[float, BeforeValidator(Reader(_settling, from_zero(TIME).takes))]
+
+
+class SettleSection(_Section):
+    """How long the axes settle at a stop that is waited for [s]: at an ordinary one, and at one with \\Inpos."""
+
+    fine: SettlingTime | None = None
+    inpos: SettlingTime | None = None
+
+
+def _settle(value: Any) -> Any:
+    return value if isinstance(value, dict) else {"fine": value}
+
+
 class StartSection(_Section):
     """Where the cycle begins, at rest: arm joints [rad] in order, rail [m]. units: mechanical units that are active."""
 
@@ -552,6 +577,9 @@ class CellDocument(_Section):
         default_factory=dict
     )
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
+    settle: Annotated[SettleSection, BeforeValidator(_settle, json_schema_input_type=SettleSection | SettlingTime)] = (
+        SettleSection()
+    )
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
     rail_at: dict[StrictStr, Length] = Field(default_factory=dict)

@@ -231,6 +231,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         free_speed=document.free_speed,
         jerk_limits=document.jerk_limits,
         torque_limits=document.torque_limits,
+        settle=(document.settle.fine, document.settle.inpos),
         droppable=frozenset(name.lower() for name in document.optional),
         obstacles=_solids(document.obstacles, Path(file).parent),
         attached=_solids(document.attached, Path(file).parent),

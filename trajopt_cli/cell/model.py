@@ -13,7 +13,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import AXIS_LIMITS, JointLimits, TcpCaps
-from trajopt_cli.scenario import Lines, Scenario
+from trajopt_cli.scenario import ESTIMATED_SETTLING, Lines, Scenario, Settling
 from trajopt_cli.shapes import Grip, MeshFile, Solid
 from trajopt_cli.units import MM
 from trajopt_cli.validation import hint
@@ -67,7 +67,7 @@ class Cell:
     not held against each other. clearance: the least distance wanted from obstacles [m]. tool_radius [m]: of the
     capsule from flange to TCP that stands for the tool where nothing is attached; 0 for none. grips: which obstacles
     the flange takes on the way. doubts: numbers that look like another unit. order: groups of procedures and lines, by
-    name, that may be done in any order.
+    name, that may be done in any order. settle: what takes the place of the robot's Settling [s], fine and inpos.
     """
 
     file: str
@@ -93,6 +93,7 @@ class Cell:
     grips: tuple[Grip, ...] = ()
     doubts: tuple[ProgramWarning, ...] = ()
     torque_limits: bool = False
+    settle: tuple[float | None, float | None] = (None, None)
     order: Mapping[str, tuple[Lines | str, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -111,6 +112,16 @@ class Cell:
     def robot_files(self, files: Sequence[Path] = ()) -> tuple[Path, ...]:
         """The robot's own YAML file and those it names; none for a robot that ships."""
         return (Path(self.robot), *files) if self.robot.endswith((".yaml", ".yml")) else ()
+
+    def settling(self, robot: Settling | None) -> Settling:
+        """What is in force: the cell's times, else the robot's, else an estimate; inpos is fine where only that is
+        given."""
+        fine, inpos = self.settle
+        known = robot or ESTIMATED_SETTLING
+        if fine is None and inpos is None:
+            return known
+        inpos = inpos if inpos is not None else fine if fine is not None else known.inpos
+        return Settling(known.fine if fine is None else fine, inpos, f"settle of {self.file}")
 
     def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
         """limits with the cell's overrides and the rail's stroke in force, sources included.

@@ -119,7 +119,7 @@ def baseline(
         result(comparison_line(record["rows"]))
     else:
         console = stdout()
-        show(console, rows_table(program[0].name or job.title, answer.waits, record["rows"]))
+        show(console, rows_table(program[0].name or job.title, answer.waits, record["rows"], answer.settling))
         files = (*job.program.files, str(job.cell_path))
         tell(console, row_lines(record["rows"], files))
         console.print()

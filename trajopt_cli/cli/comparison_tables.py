@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from trajopt_cli.cli.remarks import by_name
+from trajopt_cli.runs.summary import Settled
 from trajopt_cli.runs.uncertainty import within
 from trajopt_cli.study.comparison import Step
 from trajopt_cli.table import Bad, Good, TextTable, percent, seconds, tabulate
@@ -14,7 +15,7 @@ Record = Mapping[str, Any]
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
 
-def rows_table(program: str, waits: float, records: Sequence[Record]) -> TextTable:
+def rows_table(program: str, waits: float, records: Sequence[Record], settling: Settled | None = None) -> TextTable:
     """The rows for people."""
     against = next((record["name"] for record in records if record["legal"]), None)
     saving = (
@@ -23,7 +24,8 @@ def rows_table(program: str, waits: float, records: Sequence[Record]) -> TextTab
         else "no row is legal, so there is no saving to show"
     )
     return tabulate(
-        f"{program}: {saving}; T holds {waits:g} s of programmed waits",
+        f"{program}: {saving}; T holds {waits:g} s of programmed waits"
+        f"{'' if settling is None else f' and {settling.line}'}",
         records,
         {
             "plan": lambda row: row["name"],

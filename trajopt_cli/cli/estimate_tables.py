@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import PurePath
 
 from trajopt_cli.measured.align import Alignment
-from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.summary import SETTLING, motion_label
 from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.study.estimate import Estimate, EstimatedMotion
 from trajopt_cli.table import TextTable, place, seconds, signed, tabulate
@@ -31,7 +32,11 @@ def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
         )
     columns["held back by"] = lambda one: "" if one.wait else one.binding
     title = f"{answer.job.title}: as written, driven by its controller under the limits of {answer.job.cell_path}"
-    return tabulate(title, answer.motions, columns)
+    made = tabulate(title, answer.motions, columns)
+    if answer.settling is None:
+        return made
+    cells = {"place": SETTLING, "target": answer.settling.how, ">wait [s]": seconds(answer.settling.seconds)}
+    return replace(made, rows=(*made.rows, tuple(cells.get(head, "") for head in made.heads)), total=True)
 
 
 def logs_table(answer: Estimate, logs: Sequence[Alignment]) -> TextTable:
@@ -59,6 +64,7 @@ def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:
     yield (
         f"cycle {answer.plan.duration:.3f} s{answer.unsure.around(WRITTEN)}: motions {answer.driven:.3f} s, "
         f"waits {answer.waits:.3f} s (their least time)"
+        f"{'' if answer.settling is None else f', {answer.settling.line}'}"
     )
     share = f" ({100 * slower / answer.naive:+.1f} %)" if answer.naive > 0 else ""
     yield f"length over speed {answer.naive:.3f} s; ramps, corners and limits make that {slower:+.3f} s{share}"

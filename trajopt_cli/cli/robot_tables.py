@@ -31,6 +31,7 @@ def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
         return record | {name: [float(value) for value in values] for name, values in joints}
     record["coupled"] = [asdict(one) for one in robot.profile().coupled]
     record["linkage"] = robot.linkage
+    record["settle"] = None if robot.settle is None else robot.settle._asdict()
     return record | {"tcp": {"speed_m_s": robot.tcp.speed, "acceleration_m_s2": robot.tcp.acceleration}}
 
 
@@ -79,6 +80,9 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     else:
         yield from _drives(robot, notes)
         yield from _caps(robot, notes)
+        if robot.settle is not None:
+            fine, inpos, source = robot.settle
+            yield f"settling at stops that are waited for {notes.mark(source)}: {fine:g} s, {inpos:g} s with \\Inpos\n"
     for name in robot.profiles:
         load = robot.notes.get(f"profiles.{name}.load")
         yield f"profile {name}: {robot.notes[f'profiles.{name}']}{f'; found with {load}' if load else ''}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from trajopt_cli.cli.listing import shortened
@@ -14,7 +15,7 @@ from trajopt_cli.pipeline.optimize import OptimizedJob
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.summary import NOT_TIMED, MotionRow, Plans, cycle_line, finding_record
+from trajopt_cli.runs.summary import NOT_TIMED, SETTLING, MotionRow, Plans, cycle_line, finding_record
 from trajopt_cli.table import TextTable, place, seconds, tabulate
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -90,7 +91,7 @@ def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
         ),
         "no_rapid": answer.no_rapid,
         "interrupted": interrupted,
-        **told.model_dump(include={"warnings", "limits", "unchecked", "undriven", "notes"}),
+        **told.model_dump(include={"warnings", "limits", "unchecked", "undriven", "notes", "settling"}),
     }
 
 
@@ -144,9 +145,9 @@ def motions_table(answer: OptimizedJob) -> TextTable:
 
         return cell
 
-    return tabulate(
+    made = tabulate(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
-        told.plans.of(lead).motions,
+        [row for row in told.plans.of(lead).motions if row.instruction != SETTLING],
         {
             "~place": lambda row: row.place,
             "instruction": lambda row: row.instruction,
@@ -161,6 +162,10 @@ def motions_table(answer: OptimizedJob) -> TextTable:
             "",
         ),
     )
+    if told.settling is None:
+        return made
+    times = [seconds(told.settling.seconds)] * 3
+    return replace(made, rows=(*made.rows[:-1], (SETTLING, "", told.settling.how, *times, ""), made.rows[-1]))
 
 
 def ways_told(plans: Plans) -> dict[int, str]:

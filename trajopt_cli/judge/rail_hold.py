@@ -22,6 +22,7 @@ _WHY = {
     Hold.UNIT: "its mechanical unit is not active",
     Hold.GRIPPER: "it holds still after an output; 'waits: {rail: free}' in the cell file lets it move",
     Hold.WAIT: "it holds still in every wait; 'waits: {rail: free}' in the cell file lets it move",
+    Hold.SETTLING: "every axis settles at a stop that is waited for",
     Hold.SYNCHRONISED: "no move has room in a wait behind SyncMoveOn",
 }
 

@@ -281,7 +281,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     slack = DWELL + rows.doubt_t + 2 * float(rows.open_time[visit.arrive] + rows.open_time[visit.depart])
     for hold in visit.holds:
         wait = hold.wait
-        note = f" at {visit.point.name}"
+        note = f"{': the axes settle' if wait.settles else ''} at {visit.point.name}"
         if wait.duration > 0:
             lasts = min(max(leaves - hold.begin, 0.0), wait.duration)
             out.append(

@@ -58,6 +58,7 @@ def optimized_page(
     ]
     at_first = [0, 1] if before else [1, 0]  # the plan that is shown comes last
     chosen = plans[target].plan
+    settling = [] if told.settling is None else [told.settling.line]
     data = cell_data(plant, program, shown, at_first, chosen)
     sections = [
         motion_section(),
@@ -76,7 +77,12 @@ def optimized_page(
         Section(
             "trust",
             "Assumptions",
-            doubts([*told.uncertainty.intervals(target.first), *told.limits], told.unchecked, told.warnings, told.notes)
+            doubts(
+                [*told.uncertainty.intervals(target.first), *told.limits, *settling],
+                told.unchecked,
+                told.warnings,
+                told.notes,
+            )
             + limits(plant),
             f"Estimated, unchecked and assumed. {GRADES}",
         ),

@@ -67,6 +67,9 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
     if results.cycle_time is not None:
         text = "its plans are the gentlest in a given time, and sensitivity asks about the least time; give the program"
         raise InputError(text, file=str(folder))
+    if len(results.summary.plans.rapid.motions) != len(job.program.motions):
+        text = "its plans have other motions than this version reads in its program; run trajopt optimize again"
+        raise InputError(text, file=str(folder))
     for target in Target:
         trajectory, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
         motions, q = [], trajectory.q[0]

@@ -35,7 +35,7 @@ from trajopt_cli.runs.results import (
     distinct_names,
 )
 from trajopt_cli.runs.rows import RowsFile
-from trajopt_cli.runs.summary import Judged, Summary, summary
+from trajopt_cli.runs.summary import Judged, Summary, settled, summary
 from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.workers import cores
 
@@ -178,6 +178,7 @@ def optimize_job(
             changes[Target.RAPID].kept,
             undriven(job),
             unsure,
+            settled(job.program, job.scenario.settle),
         )
         files = _files(job, told, judged, inputs, export)
         changed = no_rapid or ""

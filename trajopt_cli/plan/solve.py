@@ -254,7 +254,8 @@ def bounded(plan: Plan, bound: float, spent: float, cut: bool = False) -> Plan:
 
 def _bound(axes: Axes, problem: Problem, duration: float, cut: Callable[[], None]) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    return lower_bound(axes, problem, duration * 1.001, cut)
+    apart, settling = problem.without_settling()
+    return lower_bound(axes, apart, duration * 1.001 - settling, cut) + settling
 
 
 def _refutes(bound: float, duration: float) -> bool:

@@ -336,8 +336,9 @@ def _flange(motion: PoseMove) -> Array:
 
 
 def _stands_alone(motion: Motion) -> bool:
-    """Whether it is a wait, no function in an expression and not beside a move: a line may stand in its place."""
-    return isinstance(motion, Wait) and motion.written.target is None and motion.beside is None
+    """Whether it is a wait as a statement, no function in an expression and not beside a move: a line may stand in its
+    place."""
+    return isinstance(motion, Wait) and motion.written.target is None and motion.beside is None and not motion.settles
 
 
 def _moves_behind(program: Program) -> Sequence[Move | None]:

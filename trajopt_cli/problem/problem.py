@@ -60,6 +60,7 @@ _HOLDERS = {
     Hold.GRIPPER: "an output set just before",
     Hold.WAIT: "a wait",
     Hold.UNIT: "DeactUnit",
+    Hold.SETTLING: "settling at a stop",
 }
 _ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
 _LONG = 4.0  # times what the axes take to come to rest: a wait as long has a rest between its ends. Measured: with ends
@@ -219,6 +220,16 @@ class Problem:
         waypoints = (*self.waypoints[last:], *self.waypoints[1 : first + 1])
         legs = [replace(leg, start=k) for k, leg in enumerate((*self.legs[last:], *self.legs[:first]))]
         return replace(self, waypoints=waypoints, legs=tuple(legs), stations=_stations(legs, len(waypoints)), ties=())
+
+    def without_settling(self) -> tuple[Problem, float]:
+        """The problem whose stops do not settle, with no ties, and what settling takes in this one [s]: every legal
+        motion of it becomes one of that problem, shorter by so much, where the axes do not stand for it."""
+        waits = [one if isinstance(one := self.motion(leg.motion), Wait) else None for leg in self.legs]
+        kept = [k for k, wait in enumerate(waits) if wait is None or not wait.settles]
+        legs = [replace(self.legs[k], start=i) for i, k in enumerate(kept)]
+        waypoints = (self.waypoints[0], *(self.waypoints[k + 1] for k in kept))
+        apart = replace(self, waypoints=waypoints, legs=tuple(legs), stations=_stations(legs, len(waypoints)), ties=())
+        return apart, sum(wait.duration for wait in waits if wait is not None and wait.settles)
 
     def passes(self, k: int) -> bool:
         """Whether waypoint k is a fly-by."""

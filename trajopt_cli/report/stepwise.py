@@ -141,6 +141,8 @@ def analyse(program: Program, plant: Plant) -> Analysis:
     moves, waits, beside = [], [], 0.0  # what waits beside the last move (\Conc) take longer than it [s]
     for i, motion in enumerate(program.motions):
         match motion:
+            case Wait() if motion.settles:
+                continue
             case Wait():
                 waits.append(StepWait(i, motion.source, motion.duration + beside))
                 beside = 0.0

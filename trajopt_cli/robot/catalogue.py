@@ -115,6 +115,13 @@ class PostureTable(Origin):
     load: str
 
 
+class StopTimes(_Strict):
+    """How long the axes settle at a stop that is waited for [s], see scenario.Settling; inpos None: as fine."""
+
+    fine: Number
+    inpos: Number | None = None
+
+
 class Profile(_Strict):
     """Accelerations [rad/s2 or m/s2] by axis name and, where anybody has an idea of them, jerks [rad/s3 or m/s3]."""
 
@@ -190,6 +197,7 @@ class SixAxisFile(RobotFile):
     confdata: ConfRule
     tcp: Caps
     coupled: tuple[Coupled, ...] = ()
+    settle: StopTimes | None = None
 
 
 class SrsFile(RobotFile):

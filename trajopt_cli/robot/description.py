@@ -20,6 +20,7 @@ from trajopt_cli.robot.catalogue import PostureTable, Profile, Rate, RobotFile, 
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, chain_of
 from trajopt_cli.robot.xml import read_bytes
+from trajopt_cli.scenario import Settling
 from trajopt_cli.shapes import Capsule
 from trajopt_cli.yaml_file import remembered
 
@@ -202,6 +203,14 @@ def _acceleration_origins(
     """Where the acceleration of each axis comes from."""
     found = {name: profile.acceleration.get(name, table) for name in names}
     return {name: one for name, one in found.items() if one is not None}  # all: see catalogue.check_axes
+
+
+def settling(data: SixAxisFile) -> Settling | None:
+    """How long the axes settle at stops; None where nobody says."""
+    if data.settle is None:
+        return None
+    fine, inpos = data.settle.fine, data.settle.inpos or data.settle.fine
+    return Settling(fine.value, inpos.value, "; ".join(dict.fromkeys(map(str, (fine, inpos)))))
 
 
 def rotors(data: RobotFile, axes: list[UrdfJoint]) -> Array:

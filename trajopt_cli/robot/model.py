@@ -30,6 +30,7 @@ from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import NO_CONFDATA, Structure
 from trajopt_cli.robot.turns import ON_LIMIT
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
+from trajopt_cli.scenario import Settling
 from trajopt_cli.shapes import Capsule
 
 if TYPE_CHECKING:
@@ -53,7 +54,8 @@ class RobotModel:
     rotor (n,): inertias of the drives as the axes feel them [kg m2, kg for a rail], 0 where nobody says.
     confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at. linkage: of an
     arm with a parallel linkage 1 or -1: the URDF's joint_3 is axis 3 - linkage * axis 2; 0 for others. All axes, their
-    limits and motions are the controller's; chain_axes makes joints of the URDF of them.
+    limits and motions are the controller's; chain_axes makes joints of the URDF of them. settle: how long they settle
+    at stops, None where nobody says.
     """
 
     name: str
@@ -75,6 +77,7 @@ class RobotModel:
     linkage: float = 0.0
     tcp_spread: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     default_profile: str = "default"
+    settle: Settling | None = None
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -354,4 +357,5 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         confdata_rule=data.confdata.rule,
         linkage=linkage,
         default_profile=data.profile,
+        settle=description.settling(data),
     )

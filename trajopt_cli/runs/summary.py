@@ -21,9 +21,11 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.record import Section
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.uncertainty import Uncertainty
+from trajopt_cli.scenario import Settling
 from trajopt_cli.table import change
 
 NOT_TIMED = "not timed: stopped by Ctrl-C"
+SETTLING = "settling"
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,11 +158,42 @@ class Written(Section):
     why_not: str | None = None
 
 
+class Settled(Section):
+    """Settling at stops that are waited for, the same in every plan: at how many, how long at one and in all [s].
+    source: as Settling has it."""
+
+    stops: int
+    each_s: list[float]
+    seconds: float
+    source: str
+
+    @property
+    def how(self) -> str:
+        """At how many stops, how long at each, and how sure that is."""
+        each = " or ".join(f"{one:g}" for one in self.each_s)
+        graded = re.search(r"\((grade [A-D])\)$", self.source)
+        stops = f"{self.stops} stop{'s' if self.stops > 1 else ''}"
+        return f"{stops}, {each} s each, {graded[1] if graded else self.source}"
+
+    @property
+    def line(self) -> str:
+        """The same as a sentence."""
+        return f"settling {self.seconds:.3f} s ({self.how})"
+
+
+def settled(program: Program, settle: Settling) -> Settled | None:
+    """How long the axes settle in a program; None where no stop is waited for, or it takes no time."""
+    times = [one.duration for one in program.motions if isinstance(one, Wait) and one.settles]
+    if not times:
+        return None
+    return Settled(stops=len(times), each_s=sorted({*times}), seconds=sum(times), source=settle.source)
+
+
 class Summary(Section):
     """The whole answer. passes: of a loop that never ends in the cycle, whose times all others are. limits: how sure
     they are; uncertainty: what that makes of the times. unchecked: what the judge was given nothing to hold the motion
     against. undriven: what runs outside a loop's cycle and cannot be driven as written, and why. notes: what the RAPID
-    text changes, and what it could not; kept: those of the latter."""
+    text changes, and what it could not; kept: those of the latter. settling: None for none."""
 
     target: Annotated[Target, Field(strict=False)]
     plans: Plans
@@ -175,6 +208,7 @@ class Summary(Section):
     undriven: list[str] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
     kept: list[str] = Field(default_factory=list)
+    settling: Settled | None = None
 
     @property
     def verdict(self) -> str:
@@ -201,6 +235,8 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
     """The instruction's name and its target (or signal, condition, duration) of one motion, for tables."""
     motion = program.motions[index]
     match motion:
+        case Wait() if motion.settles:
+            return SETTLING, f"{motion.duration:g} s"
         case Wait(condition=None, duration=0.0, in_position=True):  # WaitRob \\InPos, ActUnit and the like
             return as_written(program, motion)
         case Wait(condition=None):
@@ -229,6 +265,7 @@ def summary(
     kept: Iterable[str] = (),
     undriven: Iterable[str] = (),
     unsure: Uncertainty | None = None,
+    settling: Settled | None = None,
 ) -> Summary:
     """The same for the same inputs. written: the program as it stands, or why it cannot be driven so, or NOT_TIMED.
     kept_speed: the stretches that should keep their programmed speed, by target. corners: of the whole program. passed:
@@ -255,6 +292,7 @@ def summary(
         undriven=list(undriven),
         notes=list(notes),
         kept=list(kept),
+        settling=settling,
     )
 
 

@@ -19,6 +19,7 @@ from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
+from trajopt_cli.runs.summary import Settled, settled
 from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.workers import in_turns
 
@@ -83,6 +84,16 @@ class Comparison:
     notices: tuple[str, ...] = ()
     unsure: Uncertainty = field(default_factory=Uncertainty)
 
+    @property
+    def settling(self) -> Settled | None:
+        """The same in every row; None for none."""
+        return settled(self.job.program, self.job.scenario.settle)
+
+    @property
+    def standing(self) -> float:
+        """Waiting and settling [s]."""
+        return self.waits + (0.0 if self.settling is None else self.settling.seconds)
+
 
 def compare(
     job: Job,
@@ -133,7 +144,7 @@ def compare(
     if limited:
         answers = [(_JERK_FREE, results[_JERK_FREE]), ("jerk limits", answers[0][1]), *answers[1:]]
     steps = _after(answers) if passed or limited else _steps(answers)
-    waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
+    waits = sum(one.duration for one in job.program.motions if isinstance(one, Wait) and not one.settles)
     notices = (*study.notices, *_cost_of_avoiding(results, study)) if job.plant.obstacles else study.notices
     before = next((row.name for row in rows if isinstance(row.result, Tried) and row.result.report.legal), "")
     plans = {row.name: plan for row in rows if (plan := _legal_plan(row.result)) is not None and _own(plan, job)}

@@ -44,6 +44,7 @@ def comparison_record(answer: Comparison) -> dict[str, Any]:
     return {
         "program": str(answer.job.program_path),
         "programmed_waits_s": answer.waits,
+        "settling": None if answer.settling is None else answer.settling.model_dump(),
         "rows": row_records(answer),
         "saving_by_cause": causes,
         "guesses": answer.unsure.model_dump()["guesses"],
@@ -63,6 +64,7 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
     """Rows as plain data; a saving is the share of the first legal row's cycle time, counted for legal rows only."""
     records: list[dict[str, Any]] = []
     reference: float | None = None
+    standing = answer.standing
     for row in answer.rows:
         record: dict[str, Any] = {
             "name": row.name,
@@ -81,10 +83,10 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
                     "cycle_time_s": time,
                     "cycle_time_range_s": answer.unsure.cycle_time_range_s.get(row.name),
                     "saving_range": answer.unsure.saving_range.get(row.name),
-                    "cycle_time_without_waits_s": time - answer.waits,
+                    "cycle_time_without_waits_s": time - standing,
                     "saving": 1.0 - time / reference if counted and reference else None,
                     "saving_without_waits": (
-                        1.0 - (time - answer.waits) / (reference - answer.waits) if counted and reference else None
+                        1.0 - (time - standing) / (reference - standing) if counted and reference else None
                     ),
                     "legal": report.legal,
                     "breaks": next((one.check for one in report.findings if not one.passed), None),

@@ -20,7 +20,7 @@ from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.report.stepwise import StepMove, analyse
-from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.summary import Settled, motion_label, settled
 from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
 from trajopt_cli.trajectory import Trajectory
 
@@ -30,7 +30,7 @@ _OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk|torque)")
 _KEY = {"speed": "velocity", "acceleration": "acceleration", "jerk": "jerk", "torque": "torque"}
 _GRADE = re.compile(r"\(grade ([A-D])\)$")
 LEFT_OUT = (
-    "not in the model: the servo's lag and settling at fine points, speeds the load costs, singularities that slow the "
+    "not in the model: the servo's lag, speeds the load costs, singularities that slow the "
     "controller down, and waits that take longer than their least time"
 )
 
@@ -91,6 +91,11 @@ class Estimate:
         return sum(one.driven for one in self.motions if one.wait)
 
     @property
+    def settling(self) -> Settled | None:
+        """At the stops that are waited for; None for none."""
+        return settled(self.job.program, self.job.scenario.settle)
+
+    @property
     def guesses(self) -> tuple[RestsOn, ...]:
         """The numbers that are guesses."""
         return tuple(one for one in self.rests if one.guess)
@@ -108,7 +113,7 @@ def estimate(job: Job) -> Estimate | str:
     motions = []
     for one in plan.motions:
         motion = job.program.motions[one.index]
-        if isinstance(motion, SignalEvent):
+        if isinstance(motion, SignalEvent) or (isinstance(motion, Wait) and motion.settles):
             continue
         wait, driven = isinstance(motion, Wait) or _rests(motion, steps[one.index]), one.t_1 - one.t_0
         naive = driven if wait else _naive(job, steps[one.index])
@@ -236,6 +241,7 @@ def estimate_record(answer: Estimate, logs: Logs | None, many: bool = False) -> 
         "motion_s": answer.driven,
         "length_over_speed_s": answer.naive,
         "waits_s": answer.waits,
+        "settling": None if answer.settling is None else answer.settling.model_dump(),
         "corners": answer.corners,
         "fly_bys_driven_as_stops": answer.stops,
         "calibrated": logs is not None,

@@ -231,7 +231,7 @@ def _times(indices: Sequence[int]) -> str:
 
 def _wait_levers(program: Program, plant: Plant) -> Iterator[Lever]:
     """Waits of a known length, each line or all together."""
-    lines = _by_line(program, lambda one: isinstance(one, Wait) and one.duration > 0)
+    lines = _by_line(program, lambda one: isinstance(one, Wait) and one.duration > 0 and not one.settles)
     groups = [(f"wait at {_place_of(source)}{_times(at)}", at) for source, at in lines.items()]
     if len(groups) > EACH:
         groups = [(f"all {len(lines)} waits", [i for at in lines.values() for i in at])]

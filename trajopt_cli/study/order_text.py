@@ -212,7 +212,7 @@ def _check_row(job: Job, key: str, path: str, routine: Routine, parts: Sequence[
         raise job.cell.error(key, f"line {line} of {path} stands between its parts and is in none; put it into one")
 
 
-_MARK = "WaitTime 0.001; "  # stands before every part and behind the last, and shows among the motions
+_MARK = "WaitTime 0; "  # stands before every part and behind the last, and shows among the motions; waits for nothing
 
 
 def _with_motions(group: Group, key: str) -> Group:

@@ -16,7 +16,19 @@ from typing import Optional, Protocol
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import DEFAULT_SETTINGS, ExternalAxes, Motion, PathEvent, Refusal, Source, Span
+from trajopt_cli.motion import (
+    DEFAULT_SETTINGS,
+    ExternalAxes,
+    Hold,
+    Motion,
+    Move,
+    PathEvent,
+    Refusal,
+    Source,
+    Span,
+    Wait,
+    Written,
+)
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Type, Value
 from trajopt_cli.rapid.data.errors import Fault, Mismatch, Undeclared
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
@@ -113,6 +125,8 @@ class Context(ABC):
         self.booked = 0  # error numbers given away
         self.stored = False  # whether a path is, between StorePath and RestoPath
         self.concurrent = 0  # how many moves with \Conc came last, with no other between them
+        self.unsettled: Move | None = None  # the last of the motions before looked_at that moves; None: it has settled
+        self.looked_at = 0
         self.heads: dict[int, Head] = {}  # by the routine's id
         self.labels: dict[int, dict[str, int]] = {}  # with where they stand, by the block's id
         self.unchanged: dict[int, frozenset[str]] = {}  # see loops.unchanged, by the loop's id
@@ -323,6 +337,7 @@ class Context(ABC):
 
     def read_signal(self, node: Node, name: str) -> float:
         """The value that a reading of a signal gives; name as the program spells it. Outputs begin at 0."""
+        self.settle_stop()
         value = self.external.signal(name.lower())
         if value is None:
             place = self.find(node.name) if isinstance(node, Name) else None
@@ -402,6 +417,25 @@ class Context(ABC):
             f"the program has not ended after {self.scenario.statement_limit} statements (statement_limit); "
             "give values that end it (signals, data, answers), or raise statement_limit in the cell file",
         )
+
+    def settle_stop(self, in_position: bool = False, behind: int = 0) -> None:
+        r"""The program waits, or reads or sets a signal: at a stop it comes to that when every axis is in position, see
+        Settling. in_position: it asks for that itself (\InPos). behind: how many of the motions come only then."""
+        times, here = self.scenario.settle, len(self.motions) - behind
+        if not times.counts:
+            return
+        moves = (one for one in reversed(self.motions[self.looked_at : here]) if isinstance(one, Move))
+        self.unsettled, self.looked_at = next(moves, self.unsettled), here
+        move = self.unsettled
+        if move is None or not (in_position or (move.zone.stop and not self.concurrent)):
+            return
+        self.unsettled = None
+        if duration := times.fine if move.zone.stop and move.zone.criterion is None else times.inpos:
+            file, _, end = move.written.statement
+            written = Written(Span(file, end, end))
+            wait = Wait(source=move.source, written=written, duration=duration, in_position=True, hold=Hold.SETTLING)
+            self.motions.insert(here, wait)
+            self.looked_at += 1
 
     def settle(self) -> None:
         """Remember which statements the motions so far come from."""

@@ -39,6 +39,8 @@ def fill_holds(run: Context, modules: Modules) -> None:
     held = _held(run, entries) if entries else {}
     after, freed = frozenset(map(id, _after_outputs(run.motions))), _freed(run, modules)
     for index, motion in enumerate(run.motions):
+        if isinstance(motion, Wait) and motion.settles:
+            continue
         hold = held.get(index)
         if hold is None and isinstance(motion, Wait) and motion.hold is None and index not in freed:
             hold = _of_wait(wish, id(motion) in after, run.scenario.rail is not None)
@@ -46,7 +48,7 @@ def fill_holds(run: Context, modules: Modules) -> None:
             object.__setattr__(motion, "hold", hold)  # still the run's own
     for first, end in run.units.rail_inactive:
         for motion in run.motions[first:end]:
-            if not isinstance(motion, SignalEvent):
+            if not (isinstance(motion, SignalEvent) or (isinstance(motion, Wait) and motion.settles)):
                 object.__setattr__(motion, "hold", Hold.UNIT)
 
 

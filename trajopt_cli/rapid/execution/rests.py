@@ -7,18 +7,31 @@ from collections.abc import Sequence
 import numpy as np
 
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveL, PoseMove, Wait
+from trajopt_cli.rapid.execution.context import Context
 
 _SAME = 1e-6  # m, entries of rotations, s
 
 
 def count_rests(motions: Sequence[Motion]) -> None:
     """Take the time of such a line off the least time of the wait behind it. The motions are still the run's own."""
+    motions = [one for one in motions if not (isinstance(one, Wait) and one.settles)]
     for before, line, wait in zip(motions, motions[1:], motions[2:], strict=False):
         signal = isinstance(wait, Wait) and wait.condition is not None
         if signal and isinstance(before, Move) and isinstance(line, MoveL):
             assert isinstance(wait, Wait)
             left = wait.duration - _rested(before, line)
             object.__setattr__(wait, "duration", left if left > _SAME else 0.0)
+
+
+def settle_before(run: Context) -> None:
+    """The last motion is a line with a time: where it stands for a wait, axes settle before it as before the wait."""
+    line = run.motions[-1]
+    before = next((one for one in reversed(run.motions) if isinstance(one, Move) and one is not line), None)
+    if isinstance(line, MoveL) and before is not None:
+        run.position.place()
+        if _rested(before, line):
+            run.settle_stop(behind=1)
+            run.unsettled, run.looked_at = None, len(run.motions)
 
 
 def _rested(before: Move, line: MoveL) -> float:

@@ -33,6 +33,7 @@ def _tells(type_: Type) -> Function:
 
     def handler(run: Context, node: Call) -> Value:
         (argument,) = bind(run, node, ("Signal",)).required
+        run.settle_stop()
         return Value(type_, run.external.output(run.signal(argument)))
 
     return handler

@@ -43,6 +43,7 @@ from trajopt_cli.rapid.execution.instructions.motion_settings import duration_of
 from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.position import Setup
 from trajopt_cli.rapid.execution.positioners import driven_axes, kept_axes, moved
+from trajopt_cli.rapid.execution.rests import settle_before
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 from trajopt_cli.warnings import WarningKind
@@ -246,6 +247,8 @@ def to_pose(
     if run.rail_places is not None:
         run.rail_places.happened(events)
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
+    if duration is not None and kind is MoveL and run.scenario.settle.counts:
+        settle_before(run)
 
 
 def _succession(run: Context, node: ProcedureCall, args: Arguments) -> None:

@@ -16,6 +16,7 @@ def _event(
     run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0, given: float | None = None
 ) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
+    run.settle_stop()
     drives = run.rail_places is not None and run.rail_places.set(signal, value if given is None else given)
     run.motions.append(
         SignalEvent(

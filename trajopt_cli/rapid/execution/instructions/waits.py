@@ -46,6 +46,8 @@ def record(
     """Stand still, or wait beside the move before it (\\Conc); see motion.Wait. names: of it in the cell file."""
     if in_position:
         run.concurrent = 0
+    if duration or condition is not None or in_position:  # WaitTime 0 waits for nothing
+        run.settle_stop(in_position)
     span = run.places().span(node.start, node.end)
     written = Written(statement=span, target=span if isinstance(node, Call) else None, counters=run.frame.counters)
     made = Wait(
