@@ -60,7 +60,7 @@ def test_what_ships_is_allowed(kind: str, path: Path, schemas: dict[str, Draft20
 def test_every_limit_is_a_key_of_the_cell_file(schemas: dict[str, Draft202012Validator]) -> None:
     found = schemas["cell"].schema["$defs"]  # type: ignore[index]
     for section in ("JointLimitSection", "RailLimitSection"):
-        assert {*AXIS_LIMITS} == {*found[section]["properties"]} - {"lower", "upper", "source"}
+        assert {*AXIS_LIMITS} == {*found[section]["properties"]} - {"lower", "upper", "acceleration_factor", "source"}
     caps = [one.name for one in fields(TcpCaps)]
     assert [*caps, "source"] == [*found["TcpSection"]["properties"]]
 

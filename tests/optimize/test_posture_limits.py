@@ -12,6 +12,8 @@ from scipy.ndimage import map_coordinates
 from scipy.optimize import brentq
 from small_cells import plant_with_rail, plant_without_rail, rapid
 
+from trajopt_cli.cell.loader import parse_cell
+from trajopt_cli.errors import InputError
 from trajopt_cli.judge.accelerations import Accelerations
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.limits import AccelerationTable, TcpCaps
@@ -87,6 +89,21 @@ def test_the_judge_sees_a_side_of_the_table_that_is_passed() -> None:
         assert (np.gradient(rows.qd[:, j], rows.t)[at] > 0) == (side == "upper")
     faster = Trajectory(rows.names, rows.t * 0.995, rows.q, rows.qd / 0.995)
     assert not verify(rapid(SWING), plant, faster, target=Target.RAPID).legal
+
+
+def test_a_cell_asks_for_a_share_of_a_table_or_for_another_number() -> None:
+    cell = "robot: irb6640_180_255\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\nlimits: {joint_1: {%s, source: ours}}"
+    robot, q = load_robot("irb6640_180_255"), np.array([0, 0.3, -0.7, 0, 0.5, 0])
+    before = robot.profile()
+    factor = parse_cell(cell % "acceleration_factor: 1.2", "c.yaml").apply_limits(before, robot.axis_names)
+    for found in (factor.acceleration_at(q), Accelerations(factor).at(q[None])[:, 0]):
+        np.testing.assert_allclose(found[0], before.acceleration_at(q)[0] * [1.2, 1, 1, 1, 1, 1], rtol=1e-12)
+    own = parse_cell(cell % "acceleration: 5", "c.yaml").apply_limits(before, robot.axis_names)
+    assert own.acceleration_at(q)[1][0] == own.most_acceleration[0] == Accelerations(own).most[0] == 5
+    assert own.table is not None
+    assert own.table.axes == ("joint_2", "joint_3")
+    with pytest.raises(InputError, match="keep one"):
+        parse_cell(cell % "acceleration: 5, acceleration_factor: 2", "c.yaml")
 
 
 @pytest.mark.parametrize("name", ["irb1200_5_90", "irb6640_180_255_rail"])

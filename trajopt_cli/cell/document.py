@@ -266,11 +266,13 @@ class LimitSection(_Section):
 
     @model_validator(mode="after")
     def _ordered(self) -> LimitSection:
-        given = {name: getattr(self, name) for name in ("lower", "upper", *AXIS_LIMITS)}
+        given = {name: getattr(self, name) for name in ("lower", "upper", *AXIS_LIMITS, "acceleration_factor")}
         _drives(**{name: given[name] for name, units in AXIS_LIMITS.items() if "/s" in units["rail"]})
         low, high = given["lower"], given["upper"]
         if low is not None and high is not None and not low < high:
             raise complain(f"lower {low:g} is not below upper {high:g}")
+        if given["acceleration"] is not None and given["acceleration_factor"] is not None:
+            raise complain("gives acceleration and acceleration_factor: keep one")
         if set(given.values()) == {None}:
             *names, last = given
             raise complain(f"names no limit: {', '.join(names)} or {last}")
@@ -287,6 +289,7 @@ def _limit_section(axis: str, end: Any, about: str) -> type[LimitSection]:
     """The section of an axis, turning or rail; end: the type of both ends of its range."""
     given: dict[str, Any] = {"lower": (end, None), "upper": (end, None)}
     given |= {name: _positive(units[axis]) for name, units in AXIS_LIMITS.items()}
+    given["acceleration_factor"] = Annotated[float, Field(gt=0, allow_inf_nan=False)] | None, None
     name = "JointLimitSection" if axis == "turning" else "RailLimitSection"
     return create_model(name, __base__=LimitSection, __doc__=about, **given, source=(SourceText, ...))
 

@@ -24,6 +24,7 @@ TOOL_RADIUS = 0.025
 """m: of the capsule that stands for a tool nobody described. As thick as the IRB 140's last link."""
 _NUMBER = r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*"
 _EXTERNAL_AXES = re.compile(rf"\[({_NUMBER}(?:,{_NUMBER}){{5}})\]\s*\]")  # the end of a robtarget or jointtarget
+_TOPICS = {"lower": "position", "upper": "position", "acceleration_factor": "acceleration"}
 _UNUSED = 9e8  # 9E9 says that an axis is not used
 
 
@@ -48,7 +49,7 @@ class Rail:
 @dataclass(frozen=True)
 class LimitOverride:
     """A number of the cell file (SI) instead of the robot's: kind is lower, upper, velocity, acceleration, jerk or
-    torque."""
+    torque; or acceleration_factor, by which the robot's accelerations are multiplied."""
 
     axis: str
     kind: str
@@ -145,11 +146,17 @@ class Cell:
             if change.axis not in axis_names:
                 message = f"robot {self.robot} has no such axis; {hint(change.axis, axis_names)}"
                 raise self.error(f"limits.{change.axis}", message)
-            values[change.kind][axis_names.index(change.axis)] = change.value
-            if change.kind == "acceleration" and table is not None:
-                table = table.without(change.axis)
-            topic = "position" if change.kind in ("lower", "upper") else change.kind
-            sources[f"{change.axis}.{topic}"] = change.source
+            i, topic = axis_names.index(change.axis), _TOPICS.get(change.kind, change.kind)
+            source = change.source
+            if change.kind == "acceleration_factor":
+                values[topic][i] *= change.value
+                table = table and table.scaled({change.axis: change.value})
+                source = f"{change.value:g} times {sources[f'{change.axis}.{topic}']}: {source}"
+            else:
+                values[change.kind][i] = change.value
+                if topic == "acceleration":
+                    table = table and table.without(change.axis)
+            sources[f"{change.axis}.{topic}"] = source
             for known in (grades, spread):
                 known.pop(f"{change.axis}.{topic}", None)
         for i, axis in enumerate(axis_names):

@@ -24,10 +24,13 @@ class Accelerations:
             return
         self._given, self._axes = limits.table, limits.table.axes
         values = self._table[1]
-        self.most = self._constant.copy()
+        self.most, self._times = self._constant.copy(), dict[str, float]()
         for axis in self._axes:
             j = self._names.index(axis)
-            self.most[j] = max(values[axis, sign].max() for sign in (NEGATIVE, POSITIVE))
+            sides = [values[axis, sign] for sign in (NEGATIVE, POSITIVE)]
+            own = self._given.file is not None  # then a cell may ask for more or less of what is read
+            self._times[axis] = float(limits.acceleration[j] / np.min(sides)) if own else 1.0
+            self.most[j] = np.max(sides) * self._times[axis]
 
     @cached_property
     def _table(self) -> tuple[dict[str, Array], dict[tuple[str, int], Array]]:
@@ -70,7 +73,7 @@ class Accelerations:
                 for corner in product(*corners):
                     weight = np.prod([share for _, share in corner], axis=0)
                     total += weight * values[axis, sign][tuple(i for i, _ in corner)]
-                out[sign, :, self._names.index(axis)] = total
+                out[sign, :, self._names.index(axis)] = total * self._times[axis]
         return out
 
     def along(self, q: Array) -> Array:
