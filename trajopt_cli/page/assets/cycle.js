@@ -88,7 +88,9 @@
     const least = axis.least_acceleration;
     const limits = quantity === "qdd" && least < high ? [low, -least, least, high] : [low, high];
     const middle = share ? (low + high) / 2 : 0;
+    const figureOf = (value) => figure((value - middle) * scale, 0);
     const scale = share ? 200 / (high - low) : 1 / axis.scale;
+    const told = limits.length > 2 ? `${figureOf(least)} to ${figureOf(high)} by posture` : figureOf(high);
     const unit = share ? "% of the limit" : `${axis.unit}${per}`;
     const stride = data.axes.length;
     const chart = {
@@ -97,7 +99,7 @@
       digits: share ? 1 : axis.unit === "mm" || quantity !== "q" ? 0 : 1,
       height: 150,
       spans: spans(),
-      limits: limits.map((value, i) => ({ value: (value - middle) * scale, name: i ? `limit ${figure((value - middle) * scale, 0)}` : "" })),
+      limits: limits.map((value, i) => ({ value: (value - middle) * scale, name: i === limits.length - 1 ? `limit ${told}` : "" })),
       series: series((one) => {
         const all = decode(one[quantity]).data;
         if (!middle) return { y: all, stride, offset: k, scale };
