@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 from small_cells import plant_without_rail
 
+from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import run
 from trajopt_cli.motion import Source
 from trajopt_cli.study.estimate import EstimatedMotion, _rests_on
@@ -150,6 +152,36 @@ def test_a_log_gives_every_motion_its_measured_time(
     assert told["log"]["cycle_s"] == pytest.approx(sum(T), abs=near)
     assert told["calibrated"] is True
     assert told["calibration"].startswith("compared with log.csv")
+
+
+def test_what_axes_stand_longer_than_a_programmed_wait_is_settling(
+    tiny: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cell, program = Path("tiny.yaml"), tiny.read_text()
+    cell.write_text(cell.read_text().replace("settle: 0", "settle: {fine: 0.2, inpos: 0.1}"))
+    Path("log.csv").write_text(log(10.0, 0.8, 0.004)[0])  # stands 0.3 s longer than the 0.5 s of WaitTime
+    told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    assert told["settling"] == {"stops": 1, "each_s": [0.2], "seconds": 0.2, "source": "settle of tiny.yaml"}
+    assert told["waits_s"] == pytest.approx(0.5)
+    assert told["log"]["predicted_s"] == pytest.approx(told["cycle_time_s"])
+    (seen,) = told["settling_seen"]
+    assert (seen["kind"], seen["stops"], seen["predicted"]) == ("fine", 1, pytest.approx(0.2))
+    assert seen["seconds"] == pytest.approx(0.3, abs=0.01)
+    wait = next(one for one in told["motions"] if one["wait"])
+    assert wait["measured_s"] == pytest.approx(0.5)  # the rest is settling
+    assert run(["estimate", str(tiny), "--log", "log.csv"]) == 0
+    out = capsys.readouterr().out
+    row = next(line.split() for line in out.splitlines() if line.startswith("settling"))
+    assert [float(cell) for cell in row[-3:]] == pytest.approx([0.2, 0.3, 0.1], abs=0.01)
+    (key,) = re.findall(r"for the cell file: '(settle: .*)'", out)
+    found = parse_cell(f"{cell.read_text().split('settle')[0]}{key}\n", "tiny.yaml")
+    assert found.settle[0] == pytest.approx(seen["seconds"], abs=6e-4)
+    # what a signal lets wait is not known, and tells nothing
+    tiny.write_text(program.replace("WaitTime 0.5", "WaitDI di1, 1"))
+    assert answer(capsys, "estimate", str(tiny), "--log", "log.csv")["settling_seen"] == []
+    tiny.write_text(program.replace("vmax, fine, tool0;", r"vmax, fine\Inpos:=inpos20, tool0;", 1))
+    (seen,) = answer(capsys, "estimate", str(tiny), "--log", "log.csv")["settling_seen"]
+    assert (seen["kind"], seen["predicted"]) == ("inpos", pytest.approx(0.1))
 
 
 ENDLESS = ("PROC main()", "PROC main()\nWHILE TRUE DO"), ("ENDPROC", "ENDWHILE\nENDPROC")

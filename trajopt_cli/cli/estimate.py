@@ -79,6 +79,6 @@ def estimate(
         for file, (motion, unused) in read.items():
             notes = [f"columns not used: {', '.join(unused)}" if unused else "", lost_rows(motion.t)]
             tell(console, [f"{file}: {note}" for note in notes if note])
-        tell(console, [*(logs.against if logs else ()), uncalibrated(logs)])
+        tell(console, [*((*logs.against, *logs.settled) if logs else ()), uncalibrated(logs)])
     if logs and logs.wrong:
         raise InputErrorGroup(logs.wrong)

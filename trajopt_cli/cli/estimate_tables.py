@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
-from trajopt_cli.measured.align import Alignment
+from trajopt_cli.measured.align import Alignment, settles
 from trajopt_cli.runs.summary import SETTLING, motion_label
 from trajopt_cli.runs.uncertainty import WRITTEN
 from trajopt_cli.study.estimate import Estimate, EstimatedMotion
@@ -36,6 +36,9 @@ def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
     if answer.settling is None:
         return made
     cells = {"place": SETTLING, "target": answer.settling.how, ">wait [s]": seconds(answer.settling.seconds)}
+    if log and (seen := [one for one in log.motions if settles(program.motions, one.index)]):
+        stood, off = sum(one.measured for one in seen), sum(one.measured - one.predicted for one in seen)
+        cells |= {">measured [s]": seconds(stood), ">measured - predicted [s]": f"{off:+.3f}"}
     return replace(made, rows=(*made.rows, tuple(cells.get(head, "") for head in made.heads)), total=True)
 
 

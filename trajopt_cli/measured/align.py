@@ -12,12 +12,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import takewhile
 
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import Move, Program, Wait, motion_name
+from trajopt_cli.motion import Motion, Move, Program, Wait, motion_name
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
@@ -267,12 +268,16 @@ class _Search:
             ]
             if i + 1 < len(runs):
                 waits = _waits_between(program, plan, run, runs[i + 1])
-                planned = sum(wait.t_1 - wait.t_0 for wait in waits)
-                stood = ends[i + 1][0] - ends[i][1]
+                settling = {one.index for one in waits if settles(program.motions, one.index)}
+                sure = settling and timed(program.motions, max(settling))  # what is more than programmed is theirs
+                given = sum(wait.t_1 - wait.t_0 for wait in waits if sure and wait.index not in settling)
+                planned = sum(wait.t_1 - wait.t_0 for wait in waits) - given
+                stood = ends[i + 1][0] - ends[i][1] - given
                 for wait in waits:
                     T = wait.t_1 - wait.t_0
                     share = T / planned if planned else 1 / len(waits)
-                    out.append(MeasuredMotion(wait.index, True, T, stood * share))
+                    measured = T if sure and wait.index not in settling else stood * share
+                    out.append(MeasuredMotion(wait.index, True, T, measured))
         off = np.max([np.abs(self.q[row] - self.stops[first + i]) for i, row in enumerate(rests)], axis=0)
         return Pass(tuple(out), ends[0][0], ends[-1][1], len(runs) == len(self.runs), off)
 
@@ -320,6 +325,18 @@ class _Search:
             text = f"the log holds no motion of the program from stop to stop, in {t[-1] - t[0]:.3f} s"
         text += "; is it a log of this program, with each axis in its own column?"
         return InputError(text, file=file, kind=ErrorKind.RESULTS)
+
+
+def settles(motions: Sequence[Motion], index: int) -> bool:
+    """Whether a motion is the settling at a stop."""
+    wait = motions[index]
+    return isinstance(wait, Wait) and wait.settles
+
+
+def timed(motions: Sequence[Motion], index: int) -> bool:
+    """Whether all waits from a motion on to the next move have a programmed time."""
+    waits = takewhile(lambda one: not isinstance(one, Move), motions[index:])
+    return all(one.condition is None for one in waits if isinstance(one, Wait))
 
 
 def _shown(name: str, value: float) -> str:

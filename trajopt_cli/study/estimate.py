@@ -15,6 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.measured.align import Alignment, align
 from trajopt_cli.measured.reached import Reached, contradictions, reached_in
+from trajopt_cli.measured.settling import SeenSettling, settling_seen
 from trajopt_cli.motion import Move, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
@@ -185,6 +186,17 @@ class Logs:
     wrong: tuple[InputError, ...]
     reached: tuple[Reached, ...]
     against: tuple[str, ...]
+    settling: tuple[SeenSettling, ...] = ()
+
+    @property
+    def settled(self) -> tuple[str, ...]:
+        """How long the axes settled, and the key of the cell file that says so; nothing where no log tells."""
+        seen = [
+            f"{one.kind} {one.seconds:.3f} s ({one.stops} seen, predicted {one.predicted:g} s)" for one in self.settling
+        ]
+        keys = ", ".join(f"{one.kind}: {one.seconds:.3f}" for one in self.settling)
+        line = f"settling at stops by the logs: {', '.join(seen)}; for the cell file: 'settle: {{{keys}}}'"
+        return (line,) if seen else ()
 
     @property
     def said(self) -> str:
@@ -210,8 +222,9 @@ def beside(answer: Estimate, logs: Mapping[str, Trajectory], wrong: Sequence[Inp
             out.append(error)
     motions, names = [logs[one.file] for one in found], [PurePath(one.file).name for one in found]
     reached = reached_in(motions, names, limits)
+    seen = tuple(settling_seen(answer.job.program.motions, found))
     against = contradictions(motions, names, limits, reached)
-    return Logs(tuple(found), tuple(out), tuple(reached), (*against, *(one.doubt for one in found if one.doubt)))
+    return Logs(tuple(found), tuple(out), tuple(reached), (*against, *(one.doubt for one in found if one.doubt)), seen)
 
 
 def uncalibrated(logs: Logs | None) -> str:
@@ -263,6 +276,7 @@ def estimate_record(answer: Estimate, logs: Logs | None, many: bool = False) -> 
         record["refused"] = [str(error) for error in logs.wrong]
         record["reached"] = [asdict(one) for one in logs.reached]
         record["contradictions"] = list(logs.against)
+        record["settling_seen"] = [asdict(one) for one in logs.settling]
     return record
 
 
