@@ -221,6 +221,7 @@ def test_the_start_of_the_cell_file_may_be_none_of_the_log(tiny: Path, capsys: p
     text, T = log(7.0, 0.8, part=(0.0, 3.0))
     Path("log.csv").write_text(text)
     told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    assert len(told["log"]["passes"]) == 3
     wanted = [None, None, *(pytest.approx(one, abs=0.01) for one in T[2:])]
     assert [one.get("measured_s") for one in told["motions"]] == wanted
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from trajopt_cli.cli import run
-from trajopt_cli.limits import JointLimits
+from trajopt_cli.limits import AccelerationTable, JointLimits
 from trajopt_cli.measured.identify import Kind
 from trajopt_cli.measured.reached import Reached, contradictions, reached_in
 from trajopt_cli.trajectory import Trajectory
@@ -68,6 +69,7 @@ def recorded(
     [
         (0.004, 1e-5, 0.0, 0.0, 0.0, 0.97),
         (0.008, CENT, 0.0, 0.0, 0.0, 0.95),
+        (0.004, 10 * CENT, 0.0, 0.0, 0.0, 0.9),  # steps as large as what is told: more noise than value in one window
         (0.004, CENT, 1e-3, 0.02, 0.0, 0.9),
         (0.008, CENT, 2e-3, 0.1, 0.1, 0.8),
         (0.024, 10 * CENT, 1e-3, 0.05, 0.0, 0.8),
@@ -94,6 +96,9 @@ def test_noise_and_bursts_are_no_acceleration() -> None:
     for jitter in (5e-4, 2e-3):
         found = of(one_axis(t, 0.1 * (t + rng.normal(size=len(t)) * jitter)), Kind.ACCELERATION)
         assert found is None or found.value < 0.02
+    q = 0.1 * t
+    q[3000] += 0.01  # one row that is off
+    assert of(one_axis(t, q), Kind.ACCELERATION) is None
     for rows in (5, 17, 40):
         stamps = t.copy()
         for end in (2000, 2100, 4000):
@@ -104,7 +109,7 @@ def test_noise_and_bursts_are_no_acceleration() -> None:
         assert of(log, Kind.SPEED).value == pytest.approx(0.1, rel=0.02)  # type: ignore[union-attr]
 
 
-@pytest.mark.parametrize(("a", "too_low"), [(9.0, False), (10.3, False), (12.5, True)])
+@pytest.mark.parametrize(("a", "too_low"), [(9.0, False), (10.45, False), (12.5, True)])
 def test_a_limit_that_a_log_passes_is_told_with_place_and_posture(a: float, too_low: bool) -> None:
     t = np.arange(0, 10, 0.004)
     log = one_axis(t, trapezoids(t, a, 1.5))
@@ -115,6 +120,21 @@ def test_a_limit_that_a_log_passes_is_told_with_place_and_posture(a: float, too_
     said = [*contradictions([log], ["a.csv"], LIMITS, [found])]
     assert [("joint_3 reached" in one, "a.csv" in one) for one in said] == [(True, True)] * too_low
     assert np.interp(found.at, t, log.q[:, 2]) == pytest.approx(found.posture["joint_3"], abs=0.05)
+
+
+def test_a_table_is_asked_at_the_posture_and_to_the_side() -> None:
+    """A limit that is lower to the negative side, and the lower the larger joint_2 is."""
+    grid = (np.array([0.0, 1.0]),)
+    lower, upper = np.array([[8.0], [4.0]]), np.array([[40.0], [40.0]])
+    table = AccelerationTable(("joint_3",), ("joint_2",), grid, lower, upper)
+    limits = replace(LIMITS, acceleration=np.where(np.arange(6) == 2, 4.0, 10.0), table=table)
+    t = np.arange(0, 10, 0.004)
+    log = one_axis(t, trapezoids(t, 6.0, 1.5))
+    log = Trajectory(NAMES, t, log.q + np.outer(t / 10, np.arange(6) == 1))
+    found = next(one for one in reached_in([log], ["a.csv"], limits) if one.kind is Kind.ACCELERATION)
+    assert found.at > 8
+    assert found.limit == pytest.approx(8 - 4 * found.posture["joint_2"])
+    assert 0.65 < np.mod(found.at, 1.8) < 1.15  # ramps of 0.25 s: it slows down, and then goes faster backwards
 
 
 def test_a_posture_beyond_the_range_in_force_is_told() -> None:
