@@ -240,6 +240,8 @@ def test_all_logs_of_a_folder_are_one_table(tiny: Path, capsys: pytest.CaptureFi
     assert [one.split(":")[0] for one in told["contradictions"]] == ["logs/b.csv"]  # all alike slower
     Path("logs", "C.CSV").write_text("nothing\n1\n")
     Path("logs", "notes.txt").write_text("no log")
+    Path("logs", ".a.csv").write_text("no log")
+    assert "--columns" in refusal(capsys, "estimate", str(tiny), "--log", "logs", "--columns", "ROB_1")  # once for all
     assert run(["estimate", str(tiny), "--log", "logs"]) == 2
     captured = capsys.readouterr()
     assert captured.err.startswith("logs/C.CSV:1:")

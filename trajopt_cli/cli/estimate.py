@@ -56,9 +56,9 @@ def estimate(
         try:
             read[str(path)] = read_log(path, job.plant.limits, units, columns)
         except InputError as error:
+            if not many or error.file is None:
+                raise
             wrong.append(error)
-    if wrong and not many:
-        raise wrong[0]
     answer = estimate(job)
     if isinstance(answer, str):
         no([f"as written it cannot be driven: {answer}"], as_json)

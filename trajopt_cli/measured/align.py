@@ -18,6 +18,7 @@ import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.measured.log_csv import lost_rows
 from trajopt_cli.motion import Motion, Move, Program, Wait, motion_name
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.trajectory import Trajectory
@@ -177,7 +178,7 @@ def align(program: Program, plan: Plan, velocity: Array, log: Trajectory, file: 
     found = _Search(program, plan, velocity, runs, near, grid, at(grid), at)
     passes = found.passes(0, len(grid))
     if not passes:
-        raise found.departure(log.names, file)
+        raise found.departure(log.names, file, lost_rows(log.t))
     off = np.max([one.off for one in passes], axis=0)
     k = int(np.argmax(off / near))
     moves = sum(len(run.motions) for run in runs)
@@ -305,8 +306,8 @@ class _Search:
             out.append(before)
         return out
 
-    def departure(self, names: Sequence[str], file: str) -> InputError:
-        """The message where the first stop is not met."""
+    def departure(self, names: Sequence[str], file: str, lost: str) -> InputError:
+        """The message where the first stop is not met. lost: where the log lost rows, in which it may have been."""
         q, t, stops = self.q / self.near, self.t, [stop / self.near for stop in self.stops]
         _, rows = _in_order(self.stops, self.q, t, self.near)
         missed = [i for i, row in enumerate(rows) if np.any(np.abs(q[row] - stops[i]) > 1)]
@@ -323,7 +324,7 @@ class _Search:
             text = f"the log never is where the program starts: {apart} it"
         if not missed:
             text = f"the log holds no motion of the program from stop to stop, in {t[-1] - t[0]:.3f} s"
-        text += "; is it a log of this program, with each axis in its own column?"
+        text += f"; {lost}" if lost else "; is it a log of this program, with each axis in its own column?"
         return InputError(text, file=file, kind=ErrorKind.RESULTS)
 
 

@@ -22,16 +22,14 @@ class Fitted:
     """Motions (m) that one axis leads.
 
     local (m, 6): begin [s], phases [s], where the axis starts and how far it goes. cov (3 m, 3 m): of the phases. lag:
-    mean delay [s] and shape. rough (m,): rms of what is left, as a share of the way; chi (m,): its mean square over
-    that of noise and clock. residual, rate: row by row. wider: by how much cov was raised as what is left
-    is more than noise, or alike from row to row.
+    mean delay [s] and shape. rough (m,): rms of what is left, as a share of the way. residual, rate: row by row. wider:
+    by how much cov was raised as what is left is more than noise, or alike from row to row.
     """
 
     local: Array
     cov: Array
     lag: tuple[float, float]
     rough: Array
-    chi: Array
     residual: tuple[Array, ...]
     rate: tuple[Array, ...]
     wider: float
@@ -66,14 +64,9 @@ def guesses(motion: Recorded, axis: int) -> list[Array]:
 
 
 def fit(
-    motions: Sequence[Recorded],
-    axis: int,
-    noise: float,
-    jitter: float,
-    starts: Sequence[Array],
-    lag: tuple[float, float] = (float(_LAG[0]), float(_LAG[1])),
-    jumps: bool = False,
-) -> Fitted:
+    motions: Sequence[Recorded], axis: int, noise: float, jitter: float, starts: Sequence[Array],
+    lag: tuple[float, float] = (float(_LAG[0]), float(_LAG[1])), jumps: bool = False,
+) -> Fitted:  # fmt: skip
     """All motions that one axis leads, at once: the lag is theirs in common.
 
     noise: of a position. jitter [s]: of the clock, which counts as noise in proportion to the speed. starts: local
@@ -123,17 +116,9 @@ def fit(
     if jumps:
         high[1 : m * _LOCAL : _LOCAL] = LEAST + 2e-6
     start = np.clip(start, low + 1e-6, high)
-    found = least_squares(
-        residual,
-        start,
-        jacobian,
-        bounds=(low, high),
-        x_scale="jac",
-        max_nfev=25 if m == 1 else 60,
-        ftol=1e-4 if m == 1 else 1e-7,
-        xtol=1e-9,
-        gtol=1e-12,
-    )
+    most, ftol = (25, 1e-4) if m == 1 else (60, 1e-7)
+    how = {"bounds": (low, high), "x_scale": "jac", "max_nfev": most, "ftol": ftol, "xtol": 1e-9, "gtol": 1e-12}
+    found = least_squares(residual, start, jacobian, **how)
     p = found.x
     table = p[:-2].reshape(m, _LOCAL)
     J, left = jacobian(p), residual(p)
@@ -143,14 +128,12 @@ def fit(
     alike = min(max(alike, 0.0), 0.97)
     wider = max(spread, 1.0) * (1 + alike) / (1 - alike)
     kept = np.concatenate([np.arange(1, 4) + i * _LOCAL for i in range(m)])
+    rough = [np.sqrt(np.mean((r / w) ** 2)) / abs(one[5]) for r, w, one in zip(parts, weights, table, strict=True)]
     return Fitted(
         local=table + np.r_[1.0, np.zeros(_LOCAL - 1)] * zero[:, None],
         cov=_inverse(J.T @ J)[np.ix_(kept, kept)] * wider,
         lag=(float(p[-2]), float(p[-1])),
-        rough=np.array(
-            [np.sqrt(np.mean((r / w) ** 2)) / abs(one[5]) for r, w, one in zip(parts, weights, table, strict=True)]
-        ),
-        chi=np.array([np.mean(r**2) for r in parts]),
+        rough=np.array(rough),
         residual=tuple(r / w for r, w in zip(parts, weights, strict=True)),
         rate=tuple(slopes(t[i] - one[0], one[1:4], p[-2], p[-1])[1] * one[5] for i, one in enumerate(table)),
         wider=wider,
@@ -161,9 +144,8 @@ def fit(
 def _inverse(normal: Array) -> Array:
     scale = np.sqrt(np.diag(normal))
     scale[scale == 0] = 1.0
-    return np.asarray(
-        np.linalg.pinv(normal / np.outer(scale, scale), rcond=1e-14, hermitian=True) / np.outer(scale, scale)
-    )
+    scales = np.outer(scale, scale)
+    return np.asarray(np.linalg.pinv(normal / scales, rcond=1e-14, hermitian=True) / scales)
 
 
 def clock_jitter(fits: Sequence[Fitted], noises: Sequence[float]) -> float:

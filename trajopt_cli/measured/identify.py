@@ -53,6 +53,14 @@ class Kind(StrEnum):
     JERK = "jerk"
 
 
+_UNSEEN = {
+    Kind.SPEED: "no motion in which its speed stays at its top",
+    Kind.ACCELERATION: "no motion in which its acceleration stays at its top long enough to be seen",
+    Kind.JERK: "its acceleration changes faster than this log can show, or not evenly",
+}
+_RIDES = "where it is fastest another axis may be what limits it"
+
+
 @dataclass(frozen=True)
 class Limit:
     """One limit of one axis [SI]. value, low, high: None where the logs do not show it, and why. motions: how many show
@@ -236,6 +244,7 @@ def _level(
     axis: str, kind: Kind, n: int, k: int, found: Sequence[_Motion], covs: Sequence[Array], nominal: float | None
 ) -> Limit:
     """The level of one axis, or why there is none."""
+    slow = "no full-speed motion: " if kind is Kind.SPEED else ""
     every = [one for one in found if one.way[k] > 0]
     if not every:
         return Limit(axis, kind, why="it does not move in a motion that could be fitted")
@@ -246,50 +255,33 @@ def _level(
             return Limit(axis, kind, why=f"{_count(len(every))} of this axis alone; at least {_FEWEST} are needed")
     can = [one for one in every if _reached(one, kind) and spread[id(one)] < _SURE[kind]]
     if not can:
-        why = {
-            Kind.SPEED: "no motion in which its speed stays at its top",
-            Kind.ACCELERATION: "no motion in which its acceleration stays at its top long enough to be seen",
-            Kind.JERK: "its acceleration changes faster than this log can show, or not evenly",
-        }[kind]
-        return Limit(axis, kind, why=why)
+        return Limit(axis, kind, why=_UNSEEN[kind])
     r = np.array([np.log(one.way[k]) + one.value[n] for one in can])
     s = np.array([np.hypot(spread[id(one)], one.off[k]) for one in can])
     most = float(np.exp(r.max()))
     members = _cluster(r, s, kind)
-    if members is None or members.sum() < _FEWEST:
-        count = 1 if members is None else int(members.sum())
-        what = "no full-speed motion: " if kind is Kind.SPEED else ""
-        return Limit(
-            axis,
-            kind,
-            why=f"{what}{_count(count)} at the highest of those that can tell; {_FEWEST} that agree are needed",
-            most=most,
-        )
+    count = 1 if members is None else int(members.sum())
+    if members is None or count < _FEWEST:
+        why = f"{_count(count)} at the highest of those that can tell; {_FEWEST} that agree are needed"
+        return Limit(axis, kind, why=slow + why, most=most)
     inside = [one for one, member in zip(can, members, strict=True) if member]
     own = inside if kind is Kind.JERK else [one for one in inside if _alone_at_top(one, k, n, kind, found, spread)]
     if not _differ([one.way for one in own]):
-        what = "no full-speed motion: " if kind is Kind.SPEED else ""
-        if own:
-            return Limit(
-                axis, kind, why=f"{what}all that agree are one move again; moves of other lengths are needed", most=most
-            )
-        return Limit(axis, kind, why=f"{what}where it is fastest another axis may be what limits it", most=most)
+        why = "all that agree are one move again; moves of other lengths are needed"
+        return Limit(axis, kind, why=slow + (why if own else _RIDES), most=most)
     mean, sigma = _combined(inside, r[members], n, k, covs)
     half = _QUANTILE[kind] * sigma + _FLOOR[kind]
-    value = float(np.exp(mean))
+    value, why = float(np.exp(mean)), ""
     if half > _WIDE[kind]:
-        return Limit(axis, kind, why=f"the interval would be ±{100 * half:.0f} %", most=most, motions=len(inside))
-    if nominal is not None and value < _PROGRAMMED * nominal:
-        why = (
-            f"no full-speed motion: its motions agree at {100 * value / nominal:.0f} % of the speed in force, as "
-            "programmed speeds do"
-        )
+        why = f"the interval would be ±{100 * half:.0f} %"
+    elif nominal is not None and value < _PROGRAMMED * nominal:
+        share = f"{100 * value / nominal:.0f} % of the speed in force"
+        why = f"{slow}its motions agree at {share}, as programmed speeds do"
+    if why:
         return Limit(axis, kind, why=why, most=most, motions=len(inside))
-    if kind is Kind.JERK:  # even in its inverse, the time the acceleration takes to change
-        low, high = value / (1 + half), value / (1 - half)
-    else:
-        low, high = value * float(np.exp(-half)), value * float(np.exp(half))
-    return Limit(axis, kind, value, low, high, len(inside), most=most)
+    # a jerk's is even in its inverse, the time the acceleration takes to change
+    low, high = (1 / (1 + half), 1 / (1 - half)) if kind is Kind.JERK else (float(np.exp(-half)), float(np.exp(half)))
+    return Limit(axis, kind, value, value * low, value * high, len(inside), most=most)
 
 
 def _count(n: int) -> str:

@@ -204,13 +204,13 @@ def lost_rows(t: Array) -> str:
 
 
 def logs_of(paths: Sequence[Path]) -> list[Path]:
-    """The logs that are named; of a folder all of its files that end in .csv, by name.
+    """The logs that are named; of a folder all of its files that end in .csv and are not hidden, by name.
 
     Raises InputError for a folder without any, and for a log that is named twice.
     """
     out: list[Path] = []
     for path in paths:
-        found = sorted(one for one in path.iterdir() if one.suffix.lower() == ".csv") if path.is_dir() else [path]
+        found = sorted(path.glob("[!.]*.[cC][sS][vV]")) if path.is_dir() else [path]
         if not found:
             raise InputError("is a folder without logs: no file in it ends in .csv", file=str(path))
         out += found

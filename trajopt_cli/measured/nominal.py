@@ -35,8 +35,6 @@ def limits_in_force(robot: str | None, cell: Path | None) -> tuple[JointLimits, 
     data, _, _ = read(robot)
     model = load_srs(robot) if data.structure is Structure.SRS else load_robot(robot)
     limits, name = model.profile(), getattr(model, "default_profile", "default")
-    lower, upper = np.array(limits.lower), np.array(limits.upper)
-    for i, name in enumerate(limits.names):
-        if name == "rail":
-            lower[i], upper[i] = -_ANYWHERE, _ANYWHERE
+    rail = np.array([one == "rail" for one in limits.names])
+    lower, upper = np.where(rail, -_ANYWHERE, limits.lower), np.where(rail, _ANYWHERE, limits.upper)
     return replace(limits, lower=lower, upper=upper), f"{data.name}, profile {name}"

@@ -27,7 +27,7 @@ from trajopt_cli.units import DEG, MM
 _SHORTEST = 0.04  # s: of windows
 _ROWS = 8  # of the shortest window, at least
 _WIDTHS = (1.0, 1.6, 2.5, 4.0, 6.3)  # of the shortest window: short ones see peaks, wide ones little noise
-_STEPS = 8  # windows begin so many times in the length of one
+_STEPS = 4  # windows begin so many times in the length of one
 _LOST, _MOST = 0.3, 2.0  # of its rows: a window that lost more, or has more than that, is left out
 _SURE = 4.0  # standard deviations of the noise
 _TOO_LOW = 1.05  # of the limit in force: below, a servo of damping 0.7 that overshoots by 4.6 % may be all that is seen
