@@ -60,10 +60,11 @@ class Reached:
         """That it is, and where it was seen."""
         unit = ("m" if self.axis == "rail" else "rad") + {"speed": "/s", "acceleration": "/s²"}[self.kind]
         arm = ", ".join(f"{value / DEG:.0f}" for name, value in self.posture.items() if name != "rail")
-        return (
-            f"{self.axis} reached {self.value:.3g} {unit} (at {self.at:.3f} s of {self.file}, arm at [{arm}] deg): the "
-            f"limit in force, {self.limit:.3g}, is too low by this log"
-        )
+        where = f"at {self.at:.3f} s of {self.file}, arm at [{arm}] deg"
+        factor = np.ceil(100 * self.value / self.limit) / 100
+        allows = f" (acceleration_factor: {factor:g})" if self.kind is Kind.ACCELERATION else ""
+        limit = f"the limit in force, {self.limit:.3g}, is too low by this log{allows}"
+        return f"{self.axis} reached {self.value:.3g} {unit} ({where}): {limit}"
 
 
 def reached_in(logs: Sequence[Trajectory], files: Sequence[str], limits: JointLimits) -> list[Reached]:
