@@ -36,10 +36,11 @@ def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan], befor
     again = {name: _Again(program, plant, plan) for name, plan in plans.items()} if unsure else {}
     guesses, found = list[Guess](), list[dict[str, _Ends]]()
     for name, source, shares, (low, high) in unsure:
-        steps = {plan: (one.longer(low), one.longer(high)) for plan, one in again.items()}
-        if any(abs(step) > _WORTH for both in steps.values() for step in both):
-            guesses.append(Guess(name=name, source=source, shares=shares, longer_s=steps))
-            found.append(steps)
+        slower = {plan: one.longer(low) for plan, one in again.items()}
+        # what binds nowhere when it is lower does not when it is higher
+        if max(slower.values(), default=0.0) > _WORTH or any(least == 1.0 for least, _ in shares.values()):
+            found.append({plan: (slower[plan], one.longer(high)) for plan, one in again.items()})
+            guesses.append(Guess(name=name, source=source, shares=shares, longer_s=found[-1]))
     T = {name: plan.duration for name, plan in plans.items()}
     ranges = {name: around(T[name], [one[name] for one in found]) for name in plans}
     saved = {
