@@ -2,7 +2,8 @@
 
 DIR holds X.mod, X.yaml and X_log.csv for each X. A line per log: the cycle from the first move's begin to the end of
 the last, measured; predicted without settling at stops, and with it (what the cell's robot has); then how long its
-axes settle at each stop that is waited for. The mean settling of the first logs (--fit so many, by name) is held
+axes settle at each stop that is waited for, and the interval of the prediction (OUTSIDE where the cycle is not in
+it). The mean settling of the first logs (--fit so many, by name) is held
 against the others. Nothing else is fitted: accelerations are the cell's.
 """
 
@@ -19,11 +20,13 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # run from a checkout withou
 
 from trajopt_cli.job import read_job
 from trajopt_cli.measured.log_csv import read_log
+from trajopt_cli.runs.uncertainty import WRITTEN, Ends, between
 from trajopt_cli.study.estimate import Estimate, beside, estimate
 
 
 class Row(NamedTuple):
-    """Times of one log [s]; settling: at all stops together, in force, and by the log at each."""
+    """Times of one log [s]; settling: at all stops together, in force, and by the log at each; ends: of the
+    prediction's interval."""
 
     name: str
     measured: float
@@ -31,6 +34,12 @@ class Row(NamedTuple):
     settling: float
     stops: int
     seen: float
+    ends: Ends
+
+    @property
+    def inside(self) -> bool:
+        low, high = (end or np.inf for end in self.ends)
+        return bool(low <= self.measured <= high)
 
     def off(self, settle: float | None) -> float:
         """How much longer the cycle is than predicted, as a share; settle: at each stop, None for what is in force."""
@@ -52,7 +61,8 @@ def row_of(program: Path, units: str) -> Row:
     told = answer.settling
     seen = {each.kind: each.seconds for each in found.settling}.get("fine", np.nan)
     stops, seconds = (0, 0.0) if told is None else (told.stops, told.seconds)
-    return Row(program.stem, one.cycle, one.predicted, seconds, stops, seen)
+    ends = answer.unsure.cycle_time_range_s.get(WRITTEN, (one.predicted, one.predicted))
+    return Row(program.stem, one.cycle, one.predicted, seconds, stops, seen, ends)
 
 
 def told(rows: list[Row], settle: float | None) -> str:
@@ -80,8 +90,11 @@ def main() -> None:
             f"{100 * cell:+.2f} %" if head == "error" else f"{cell:.3f}"
             for head, cell in zip(heads, cells, strict=True)
         ]
-        print(f"{row.name:28}" + "".join(f"{one:>16}" for one in texts))
+        print(
+            f"{row.name:28}" + "".join(f"{one:>16}" for one in texts), between(row.ends), "OUTSIDE" * (not row.inside)
+        )
     print(f"all {len(rows)}: without settling {told(rows, 0.0)}; with it {told(rows, None)}")
+    print(f"{sum(row.inside for row in rows)} of {len(rows)} cycles in their intervals")
     others = rows[arguments.fit :]
     if others:
         print(f"settling of the first {len(first)}, {fitted:.4f} s a stop: on all {told(rows, fitted)};")

@@ -15,12 +15,13 @@ from trajopt_cli.geometry import Array, BoolArray, readonly
 SPREADS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "velocity": {"B": (0.98, 1.02), "C": (0.9, 1.1), "D": (0.5, 2.0)},
     "acceleration": {"B": (0.9, 1.1), "C": (0.7, 1.5), "D": (0.6, 2.5)},
+    "settling": {"B": (0.9, 1.5), "C": (0.5, 1.75), "D": (0.25, 3.0)},
 }
-"""Between which shares of a number the true one is taken to be, by kind and grade; what is not here is sure. Nobody has
-measured speeds: a data sheet rounds by a percent or two, sources of one robot's speeds that disagree do by a tenth, and
-rails of the same name by two. Accelerations: the middles of a virtual controller's tables for the twelve axes of an IRB
-1200-5/0.9 and an IRB 6640-180/2.55 are 0.63 to 2.42 times an estimate of "full speed in 0.2 s" for the axes that carry
-the arm (3.6 times for its wrist), and half of that times one of "in 0.1 s"."""
+"""Between which shares of a number the true one is taken to be, by kind and grade; what is not here is sure. Speeds:
+chosen, not measured; data sheets of tracks say 1 to 4 m/s. Accelerations: the middles of a virtual controller's tables
+of an IRB 1200-5/0.9 and an IRB 6640-180/2.55 are 0.63 to 2.42 times "full speed in 0.2 s" for joints 1 to 3 (3.6 times
+for a wrist), and half of that times one of "in 0.1 s". Settling: eleven logged cycles of that IRB 6640 are 0.98 to 1.52
+times 0.1 s a stop longer than predicted without (benchmarks/bench_logs.py)."""
 
 _NEAREST_ROWS = 1e-5  # s: no rows of the files written here are nearer to each other
 

@@ -100,12 +100,14 @@ class Settling(NamedTuple):
 
     A stop point "means that the robot and external axes must reach the specified position (stand still) before program
     execution continues with the next instruction" (RAPID reference manual, zonedata). It counts where the program then
-    waits, or reads or sets a signal, before it moves on. source: of the numbers, with the grade.
+    waits, or reads or sets a signal, before it moves on. source: of the numbers, with the grade; spread: between which
+    shares of them the true ones are.
     """
 
     fine: float = 0.0
     inpos: float = 0.0
     source: str = ""
+    spread: tuple[float, float] = (1.0, 1.0)
 
     @property
     def counts(self) -> bool:
@@ -115,7 +117,12 @@ class Settling(NamedTuple):
 
 NO_SETTLING = Settling()
 # benchmarks/bench_logs.py: 0.21 s of eleven cycles of an IRB 6640 are at two stops that are waited for
-ESTIMATED_SETTLING = Settling(0.1, 0.1, "an estimate from the logs of another robot, a real IRB 6640 (grade C)")
+ESTIMATED_SETTLING = Settling(
+    0.1,
+    0.1,
+    "an estimate from the logs of another robot, a real IRB 6640 (grade C)",
+    (0.5, 1.75),  # limits.SPREADS
+)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.uncertainty import WRITTEN, Guess, Uncertainty, between, changes
+from trajopt_cli.scenario import ESTIMATED_SETTLING, NO_SETTLING, Scenario, Settling
 
 V, A = np.radians(200), 15.0  # of joint_1 of the IRB 140
 D_SPEED, D = (SPREADS[kind]["D"] for kind in ("velocity", "acceleration"))
@@ -31,12 +32,12 @@ def plant(**more: object) -> Plant:
     return plant_without_rail(**{"free_speed": True, "tcp": TcpCaps(90.0, 900.0), **more})
 
 
-def asked(body: str, machine: Plant) -> tuple[float, Uncertainty]:
+def asked(body: str, machine: Plant, settle: Settling = NO_SETTLING) -> tuple[float, Uncertainty]:
     """A program's time as written, and its interval."""
-    program = rapid(body)
+    program = rapid(body, Scenario(settle=settle))
     plan = optimize(program, machine, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan)
-    return plan.duration, uncertainty(program, machine, {WRITTEN: plan})
+    return plan.duration, uncertainty(program, machine, settle, {WRITTEN: plan})
 
 
 def ends(found: Uncertainty) -> tuple[float, float]:
@@ -91,6 +92,16 @@ def test_what_the_program_times_is_no_shorter_with_faster_axes():
     T, found = asked(f"WaitTime 2;\n{turning(20, way=chr(92) + 'T:=2')}", plant())
     np.testing.assert_allclose(T, 6.0, atol=1e-6)
     assert not found.guesses
+
+
+def test_stops_that_are_waited_for_settle_as_long_as_the_robot_does():
+    machine = plant(limits=replace(plant().limits, spread={}))
+    body = f"WaitTime 1;\n{turning(20).splitlines()[0]}\nWaitTime 1;\n{turning(0).splitlines()[0]}\nWaitTime 1;"
+    T, found = asked(body, machine, Settling(0.1, 0.1, "a test (grade C)", (0.5, 1.75)))
+    np.testing.assert_allclose(T, 3 + 2 * 0.1 + 2 * takes(np.radians(20)), atol=2e-3)
+    assert ends(found) == pytest.approx([T - 2 * 0.05, T + 2 * 0.075])
+    assert [one.name for one in found.guesses] == ["settling, grade C"]
+    assert ESTIMATED_SETTLING.spread == SPREADS["settling"]["C"]
 
 
 def test_nothing_is_unsure_where_the_cell_measured_everything():

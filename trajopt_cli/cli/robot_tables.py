@@ -81,7 +81,7 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
         yield from _drives(robot, notes)
         yield from _caps(robot, notes)
         if robot.settle is not None:
-            fine, inpos, source = robot.settle
+            fine, inpos, source, _ = robot.settle
             yield f"settling at stops that are waited for {notes.mark(source)}: {fine:g} s, {inpos:g} s with \\Inpos\n"
     for name in robot.profiles:
         load = robot.notes.get(f"profiles.{name}.load")

@@ -145,7 +145,7 @@ def optimize_job(
     judged = {one: found[one] for one in Target}
     timed = {one.value: judged[one].plan for one in Target} | ({} if isinstance(written, str) else {WRITTEN: written})
     with clock.phase("uncertainty"):
-        unsure = uncertainty(job.program, job.plant, timed)
+        unsure = uncertainty(job.program, job.plant, job.scenario.settle, timed)
     listen("results", Progress("loops"))
     with clock.phase("loops"), patience.cutting():
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Program, Wait
 from trajopt_cli.path_timing.retiming import Course
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.detours import unfolded, with_detours
@@ -21,6 +21,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg, build_problem
 from trajopt_cli.runs.uncertainty import WRITTEN, Guess, Uncertainty
+from trajopt_cli.scenario import Settling
 from trajopt_cli.trajectories.axes import Axes
 
 _WORTH = 5e-4  # s, or share of a time: an interval as narrow is none, for times are printed to a millisecond
@@ -29,12 +30,20 @@ _KINDS = {"velocity": "speed", "acceleration": "acceleration", "torque": "torque
 _Ends = tuple[float, float]
 
 
-def uncertainty(program: Program, plant: Plant, plans: Mapping[str, Plan], before: str = WRITTEN) -> Uncertainty:
-    """Of plans of one program on one plant, by name, each with all its rows. before: the one that others save against,
-    if it is there."""
+def uncertainty(
+    program: Program, plant: Plant, settle: Settling, plans: Mapping[str, Plan], before: str = WRITTEN
+) -> Uncertainty:
+    """Of plans of one program on one plant, by name, each with all its rows. settle: what settling rests on, which
+    takes as long in all of them. before: the plan that others save against, if it is there."""
     unsure = [*_unsure(plant)]
     again = {name: _Again(program, plant, plan) for name, plan in plans.items()} if unsure else {}
     guesses, found = list[Guess](), list[dict[str, _Ends]]()
+    settling = sum(one.duration for one in program.motions if isinstance(one, Wait) and one.settles)
+    least, most = ((share - 1) * settling for share in settle.spread)
+    if most - least > _WORTH:
+        found.append(dict.fromkeys(plans, (least, most)))
+        name, shares = f"settling, {_grade(settle.source)}", {"stops": settle.spread}
+        guesses.append(Guess(name=name, source=settle.source, shares=shares, longer_s=found[-1]))
     for name, source, shares, (low, high) in unsure:
         slower = {plan: one.longer(low) for plan, one in again.items()}
         # what binds nowhere when it is lower does not when it is higher

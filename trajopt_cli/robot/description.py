@@ -210,7 +210,7 @@ def settling(data: SixAxisFile) -> Settling | None:
     if data.settle is None:
         return None
     fine, inpos = data.settle.fine, data.settle.inpos or data.settle.fine
-    return Settling(fine.value, inpos.value, "; ".join(dict.fromkeys(map(str, (fine, inpos)))))
+    return Settling(fine.value, inpos.value, "; ".join(dict.fromkeys(map(str, (fine, inpos)))), fine.spread("settling"))
 
 
 def rotors(data: RobotFile, axes: list[UrdfJoint]) -> Array:

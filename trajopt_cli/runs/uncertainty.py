@@ -43,8 +43,9 @@ def _outward(low: float, high: float) -> tuple[float, float, int]:
 
 
 class Guess(Section):
-    """Numbers of one kind and one source. shares: by axis or "tcp", between which shares of its number the true one is;
-    longer_s: by motion, how much longer it takes with the lower ends and with the upper ones, None: for ever."""
+    """Numbers of one kind and one source. shares: by axis, "tcp" or "stops", between which shares of its number the
+    true one is; longer_s: by motion, how much longer it takes with the lower ends and with the upper ones, None: for
+    ever."""
 
     name: str
     source: str

@@ -77,7 +77,9 @@ def check(job: Job) -> Checked:
     report = judge(job.plant, job.program, rows.text, "as written", (), Target.RAPID, advice=False)
     reaches = Light("reaches", State.OK, "every point and line, as programmed")
     lights = (reads, reaches, *_judged(report, job.plant.unchecked))
-    return Checked(lights, plan.duration, _worst(report), uncertainty(job.program, job.plant, {WRITTEN: plan}))
+    return Checked(
+        lights, plan.duration, _worst(report), uncertainty(job.program, job.plant, job.scenario.settle, {WRITTEN: plan})
+    )
 
 
 def _judged(report: Report, unchecked: tuple[str, ...]) -> Iterator[Light]:

@@ -148,7 +148,9 @@ def compare(
     notices = (*study.notices, *_cost_of_avoiding(results, study)) if job.plant.obstacles else study.notices
     before = next((row.name for row in rows if isinstance(row.result, Tried) and row.result.report.legal), "")
     plans = {row.name: plan for row in rows if (plan := _legal_plan(row.result)) is not None and _own(plan, job)}
-    return Comparison(job, rows, steps, waits, notices, uncertainty(job.program, job.plant, plans, before))
+    return Comparison(
+        job, rows, steps, waits, notices, uncertainty(job.program, job.plant, job.scenario.settle, plans, before)
+    )
 
 
 def _own(plan: Plan, job: Job) -> bool:

@@ -122,7 +122,7 @@ def estimate(job: Job) -> Estimate | str:
     programmed = corners_of(job.program, job.plant)
     passed = len(passed_in(job.program, job.plant, plan))
     stopped = len(programmed.passed) + len(programmed.stopped) - passed
-    unsure = uncertainty(job.program, job.plant, {WRITTEN: plan})
+    unsure = uncertainty(job.program, job.plant, job.scenario.settle, {WRITTEN: plan})
     return Estimate(job, plan, unsure, tuple(motions), tuple(_rests_on(job, motions)), passed, stopped)
 
 
