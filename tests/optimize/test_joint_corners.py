@@ -27,6 +27,7 @@ PERS tooldata b:=[TRUE,[[30,0,140],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
 PERS wobjdata w:=[FALSE,TRUE,"",[[400,Y,350],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
 PERS wobjdata v:=[FALSE,TRUE,"",[[400,Y,350],[0.984807753,0,0,0.173648178]],[[0,0,0],[1,0,0,0]]];"""
 X_FA, X_FB = pose(np.eye(3), [0, 0, 0.1]), pose(np.eye(3), [0.03, 0, 0.14])
+FREE = "[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]"
 RAIL = "600,9E9,9E9,9E9,9E9,9E9"
 BESIDE = {  # what follows the first line, of 60 mm, in a zone of 20 mm
     "tool": "MoveL [[90,60,20],[0,0,1,0],[0,0,0,0],[RAIL]], v200, fine, b\\WObj:=w;",
@@ -166,3 +167,24 @@ def test_zones_that_all_but_meet_leave_no_sliver_between_them(gap: float) -> Non
     sizes = [part.size for part in course.parts if part.leg == 2]
     assert len(sizes) == (2 if gap < 1e-6 else 3)
     assert sum(sizes) == pytest.approx(0.017, rel=1e-9)
+
+
+@pytest.mark.parametrize(("off", "tool"), [(3e-4, "a"), (2e-3, "a"), (2e-3, "b")])
+def test_a_turn_whose_point_is_rounded_is_driven_in_its_zones(off: float, tool: str) -> None:
+    """Points of one place that digits put 0.3 or 2 um apart: turns in place whose zones count degrees, or ways with
+    zones of half of them, in which another tool may come in."""
+    turns = [Rotation.from_euler("yx", (180, angle), degrees=True).as_quat() for angle in (0, 6, 14)]
+    places = (0, 0, "z20"), (0, off, "z20"), (off, off, "fine")
+    lines = [
+        "ConfJ\\Off; ConfL\\Off;",
+        f"MoveJ [[0,-30,0],[0,0,1,0],{FREE}], v500, z10, a\\WObj:=w;",
+    ]
+    for (x, y, zone), (b, c, d, a), one in zip(places, turns, ("a", tool, "a"), strict=True):
+        shift = [30, 0, 40] if one == "b" else [0, 0, 0]  # where the other tool stands meanwhile
+        p = Rotation.from_quat((b, c, d, a)).apply(shift) + np.array([x, y, 0])
+        place, turn = (",".join(f"{value:.9f}" for value in values) for values in (p, (a, b, c, d)))
+        lines.append(f"MoveL [[{place}],[{turn}],{FREE}], v100, {zone}, {one}\\WObj:=w;")
+    program, plant = rapid("\n".join(lines), data=DATA.replace("Y", "0")), plant_without_rail()
+    plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan), plan
+    assert verify(program, plant, plan.trajectory, target=Target.RAPID, advice=False).legal

@@ -22,10 +22,11 @@ from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.segment import JointSegment, Segment, along_all, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.rapid.zones import NO_WAY
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import unwound
 
-_SHRINKS = 12  # times at most.
+_SHRINKS = 40  # times at most. What a corner strays goes with its square: of 0.9 um beside 0.1 rad it took 20.
 _SPHERE = 1 + 1e-06  # times the zone's radius that they may be away.
 _SHRINK = 0.8  # a corner of all axes that leaves its zone is made smaller by this.
 
@@ -292,7 +293,7 @@ class _RunParts:
         """What a leg's zones count, and how much sigma the run's first leg is: metres of the tool's path, radians of a
         turn in place, 1 for what is neither."""
         leg = self._problem.legs[k]
-        return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
+        return leg.chord if leg.chord >= NO_WAY else leg.angle if leg.angle > NO_WAY else 1.0
 
     # ---- a leg's parts
     def _leg(self, k: int, start: _CornerAt | None, end: _CornerAt | None, measure: float) -> Iterator[PathPart]:
@@ -413,9 +414,9 @@ class _RunParts:
             if not np.array_equal(tools[0], tools[1]):
                 begins = float(np.linalg.norm((halves[0][0] @ tools[1])[:3, 3] - points[1]))
             if first <= radius * _SPHERE and last <= max(radius, begins) * _SPHERE:
-                break
+                return _CornerAt(corner, *fractions)
             fractions = [fraction * _SHRINK for fraction in fractions]
-        return _CornerAt(corner, *fractions)
+        return None
 
     def _state(self, k: int, fraction: float) -> tuple[Array, Array]:
         """Axes (n,) at a fraction of leg k, and their derivative by it."""
