@@ -188,3 +188,25 @@ def test_a_turn_whose_point_is_rounded_is_driven_in_its_zones(off: float, tool: 
     plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan
     assert verify(program, plant, plan.trajectory, target=Target.RAPID, advice=False).legal
+
+
+def test_an_arc_in_the_spheres_of_two_zones_in_which_tools_change_need_not_be_gone_around() -> None:
+    """Arc of 5 mm on a radius of 5 mm, both its zones 2.495 mm: 0.01 mm lie outside them along it, none off their
+    spheres, which hold 2 r asin(2.495 / 2 r) = 2.52 mm of it each."""
+    zone = "[FALSE,2.495,2.495,2.495,10,10,10]"
+    via, end = (5 - 5 * np.cos(one) for one in (0.5, 1.0)), (5 * np.sin(one) for one in (0.5, 1.0))
+    (x_0, x_1), (y_0, y_1) = via, end
+    over, turn = f"[0,0,1,0],{FREE}", np.array([-30.0, 0.0, 40.0])
+    other = [f"[[{x + turn[0]:.6f},{y:.6f},{-turn[2]:.6f}],{over}]" for x, y in ((x_0, y_0), (x_1, y_1))]
+    lines = [
+        "ConfJ\\Off; ConfL\\Off;",
+        f"MoveJ [[0,-40,0],{over}], v500, fine, a\\WObj:=w;",
+        f"MoveL [[0,0,0],{over}], v500, {zone}, a\\WObj:=w;",
+        f"MoveC {other[0]}, {other[1]}, v500, {zone}, b\\WObj:=w;",
+        f"MoveL [[30,30,0],{over}], v500, fine, a\\WObj:=w;",
+    ]
+    program, plant = rapid("\n".join(lines), data=DATA.replace("Y", "0")), plant_without_rail()
+    plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan), plan
+    report = verify(program, plant, plan.trajectory, target=Target.RAPID, advice=False)
+    assert [f.message for f in report.findings if not f.passed] == []

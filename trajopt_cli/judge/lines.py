@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
-from trajopt_cli.judge.geometry import Path, angle_between, lengths, off_triangles, rotation_vectors
+from trajopt_cli.judge.geometry import Arc, Path, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
@@ -99,13 +99,15 @@ def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
     """A curve from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
     them, so long is the tool's path from the one to the other."""
     path, places, point = run.paths[leg], run.places, run.visits[leg + 1].point
-    if path is None or path.straight:
+    if not isinstance(path, Arc):
         return
     a, b = run.between(leg)
     rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))
     gone = float(lengths(np.diff(places.p[a : b + 1], axis=0)).sum())
     gone += 2 * np.pi * float(run.frame.reach[rows].sum())  # around a circle between two rows
-    missing = WHOLE * (path.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
+    around = 2 * float(np.linalg.norm(path.first))  # in the sphere of a zone lies more of a circle than its radius
+    inside = around * np.arcsin(np.clip(run.zones("radius")[leg : leg + 2] / around, 0.0, 1.0))
+    missing = WHOLE * (path.length - inside.sum()) - gone
     if missing > LINE_POSITION:
         note = f" of the {path.kind} to {point.name} missing: the tool does not go around on it"
         yield finding(f"{path.kind} position", "TCP", missing, LINE_POSITION, "m", False, time=float(places.t[a]),
