@@ -76,6 +76,13 @@ def test_a_line_under_the_tools_caps_alone_takes_its_trapezoid(speed: float, way
     assert wanted <= got <= wanted * 1.002
 
 
+def test_slow_ramps_beside_a_long_line_in_a_run_take_no_longer_than_they_do() -> None:
+    """D/v + v/a over 160 mm with a corner of no angle: a ramp of 0.06 mm, a step between nodes is 1.5 mm."""
+    lines = "MoveL Offs(p_a,0,0,-140), v50, z_t, tool0;\nMoveL Offs(p_a,0,0,-160), v50, fine, tool0;"
+    wanted = 0.160 / 0.05 + 0.05 / 20
+    assert wanted <= time_of(lines, strong(2.5, 20.0)) <= wanted + 0.002
+
+
 def test_an_arc_is_as_fast_as_the_acceleration_towards_its_centre_allows() -> None:
     """With x = v^2: dx/ds = 2 sqrt(a^2 - x^2/r^2), so x = a r sin(2 s/r) until v = sqrt(a r) at s = pi r/4, in
     sqrt(r/a) B(1/4, 1/2)/4."""

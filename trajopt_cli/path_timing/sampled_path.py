@@ -30,6 +30,7 @@ _SHRINKS = 40  # times at most. What a corner strays goes with its square: of 0.
 _SPHERE = 1 + 1e-06  # times the zone's radius that they may be away.
 _SHRINK = 0.8  # a corner of all axes that leaves its zone is made smaller by this.
 
+_RAMP_HALVINGS = 6  # of the step beside a stop. At v50 on 140 mm a stop cost 30 ms without, 3 ms with them.
 _SHORT = 1e-9  # of a path, or of its parameter: no part of it
 _SLIVER = 1e-6  # fraction of a path between two corners: no part of it; a corner goes on along its own segments
 _INSIDE = 1e-9  # fraction of a part by which a sample keeps from its ends, where derivatives jump
@@ -318,7 +319,10 @@ class _RunParts:
             N = settings.corner_nodes if corner else max(settings.corner_nodes, round(nodes * (b - a)))
             joints = isinstance(segment, JointSegment)
             rail = None if joints else self._rail(k, start, end, a, b)
-            u = spaced(N, self._axes.settings.end_spacing) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
+            if b - a == 1.0:
+                u = spaced(N, settings.end_spacing)
+            else:
+                u = _with_ramps(np.linspace(0.0, 1.0, N + 1), a == 0.0 and not start, b == 1.0 and not end)
             yield PathPart(
                 k,
                 segment,
@@ -436,6 +440,13 @@ def spaced(N: int, closer: float) -> Array:
     """Path parameters (N+1,) between two stops, closer together where the tool speeds up and slows down."""
     x = np.linspace(0.0, 1.0, N + 1)
     return np.asarray(x - closer * np.sin(2 * np.pi * x) / (2 * np.pi))
+
+
+def _with_ramps(u: Array, first: bool, last: bool) -> Array:
+    """Path parameters with more beside a stop at the first one and at the last: a slow ramp is shorter than a step."""
+    closer = 0.5 ** np.arange(1, _RAMP_HALVINGS + 1)
+    at_first, at_last = closer * u[1] if first else [], 1 - closer * (1 - u[-2]) if last else []
+    return np.sort(np.r_[u, at_first, at_last])
 
 
 def _distinct(cuts: set[float]) -> list[float]:
