@@ -57,6 +57,16 @@ def signed(value: float, digits: int = 3) -> str:
     return text[1:] if float(text[1:]) == 0.0 else text
 
 
+TOLD_GAP = 0.5  # a gap beyond says more of the bound than of the plan
+
+
+def told_gap(gap: float) -> str:
+    """How far above its lower bound a plan is, or why that says little."""
+    if gap > TOLD_GAP:
+        return "which says little here: it leaves out obstacles, the wrist and the rail in corners"
+    return f"gap {100 * gap:.1f} %"
+
+
 def percent(share: float | None, digits: int = 1) -> str:
     """A share as "26.5 %"; nothing for None."""
     if share is None:

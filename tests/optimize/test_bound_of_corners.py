@@ -79,7 +79,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
 ) -> None:
     plan, problem = solved(name, "z20", target)
     axes = Axes.of(problem.plant)
-    chain = lower_bound._chain(axes, problem)
+    chain = lower_bound._chain(axes, problem, [0.0] * len(problem.runs))
     assert sum(place.gate is not None for place in chain.places) == 3
     ends = np.array([0.0, *(m.t_1 for m in plan.motions)])
     times, held = [], []

@@ -3,9 +3,9 @@
 A cell at a stop is a range of rail position, a range of rail velocity and a pair of shoulder and elbow signs; it
 encloses the first three arm joints and their velocities. Between cells of one stop and the next no motion is faster
 than the least time in which rail and these joints can cover the gap within their limits (ends free inside the cells),
-nor than the tool on its way (tool_time). Points that are passed have no cells, so any configuration may pass them; but
-where a line ends beside a joint move, every motion goes through one pose at any velocity, and that has cells. Lines and
-arcs keep the signs, as a problem's stations do.
+nor than the tool on its way (tool_time) and through corners (corner_time). Points that are passed have no cells, so any
+configuration may pass them; but where on a rail a line ends beside a joint move, every motion goes through one pose at
+any velocity, and that has cells. Lines and arcs keep the signs, as a problem's stations do.
 Everything else (wrist, ranges on the way, the tool's caps on joint moves beyond the chord) is left out, so the bound
 holds for every legal motion of the target; it is not called certified because its arithmetic is not outward rounded.
 """
@@ -18,12 +18,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, straight, tool_time
+from trajopt_cli.bound.corner_time import corner_time
+from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, tool_time
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Stopped, checkpoint
 from trajopt_cli.robot.enclosure import Enclosure, Range
-from trajopt_cli.timing.double_integrator import reach, trapezoid_time
+from trajopt_cli.timing.double_integrator import least_time, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 
 _BOUND_LIKELY = 8  # cells behind each that are looked at first where only the least time is asked for.
@@ -84,10 +85,10 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float, cut: Callable[[]
     are left, that value is the bound, whatever the incumbent's quality. cut: called where the time for it was over
     before; the bound is what was proved by then.
     """
-    chain = _chain(axes, problem)
-    proved = [min(sum(run.floor for run in chain.hops), incumbent)]
+    least = [tool_time(problem, *ends) for ends in problem.runs]
+    proved = [min(sum(least), incumbent)]
     try:
-        return _refined(axes, problem, incumbent, chain, proved)
+        return _refined(axes, problem, incumbent, _chain(axes, problem, least), proved)
     except Stopped:
         cut()
         return max(proved)
@@ -195,7 +196,7 @@ class _Refinement:
             parents = [
                 (np.zeros(len(c.key)) if ends is None else at_first)
                 if found is None or keys is None
-                else _parent_values(c, keys, found)
+                else _coarse_values(c, 1, keys, found)
                 for c, keys, found, at_first in zip(cells, keep, ahead, known, strict=True)
             ]
             if ends is None:
@@ -225,7 +226,7 @@ class _Refinement:
 
 
 def _coarse_values(cells: _Cells, level: int, keys: IndexArray, values: Array) -> Array:
-    """Of each cell the value of the one of the first level that it is in."""
+    """Of each cell the value of the one that it is in, so many levels above."""
     table = {tuple(key): value for key, value in zip(keys.tolist(), values.tolist(), strict=True)}
     return np.array([table[s, d >> level, v >> level] for s, d, v in cells.key.tolist()])
 
@@ -284,20 +285,22 @@ def _costs(
     return forward, backward[::-1]
 
 
-def _chain(axes: Axes, problem: Problem) -> _Chain:
-    """The problem as places and what is asked between them."""
+def _chain(axes: Axes, problem: Problem, least: Sequence[float]) -> _Chain:
+    """The problem as places and what is asked between them. least: of each run, what the tool takes [s]."""
     places, hops, direct = [_Place(0, None, problem.waypoints[0].rail)], [], {}
-    for first, last in problem.runs:
+    for (first, last), floor in zip(problem.runs, least, strict=True):
         begin, parts = len(places) - 1, list[TcpPart]()
-        for part in course(problem, first, last):
+        for part in course(problem, first, last) if axes.layout.has_rail else ():  # else corner_time knows all
             if isinstance(part, TcpPart):
                 parts.append(part)
+                continue
+            if all(leg.kind is not LegKind.JOINT for leg in problem.legs[part.k - 1 : part.k + 1]):
                 continue
             places.append(_Place(part.k, part, _rail_at(axes, problem, part.k)))
             hops.append(_between(axes, problem, parts, *places[-2:]))
             parts = []
         places.append(_Place(last, None, problem.waypoints[last].rail))
-        run = _run(axes, problem, first, last)
+        run = _run(axes, problem, first, last, max(floor, corner_time(axes, problem, first, last)))
         if len(places) - 2 == begin:
             hops.append(run)
         else:
@@ -306,10 +309,10 @@ def _chain(axes: Axes, problem: Problem) -> _Chain:
     return _Chain(places, hops, direct)
 
 
-def _run(axes: Axes, problem: Problem, first: int, last: int) -> _Run:
+def _run(axes: Axes, problem: Problem, first: int, last: int, floor: float) -> _Run:
     """From stop to stop."""
     legs = problem.legs[first:last]
-    run = _asked(axes, problem, legs, tool_time(problem, first, last))
+    run = _asked(axes, problem, legs, floor)
     straight = problem.coordinated and len(legs) == 1 and legs[0].kind is LegKind.JOINT
     fixed = legs[0].kind is LegKind.DWELL and legs[0].duration is not None
     given = any(problem.waypoints[k].q is not None for k in (first, last))  # cells of given joints have no signs
@@ -321,10 +324,7 @@ def _between(axes: Axes, problem: Problem, parts: list[TcpPart], a: _Place, b: _
     first, last = a.gate.leg if a.gate else a.k, b.gate.leg if b.gate else b.k - 1
     legs = problem.legs[first : last + 1]
     stops = (a.gate is None) + (b.gate is None)
-    X_a, X_b = (place.gate.X_WF if place.gate else problem.waypoints[place.k].X_WF for place in (a, b))
-    ramps = ramps_of(legs)
-    ways = parts, [straight(problem, legs, X_a, X_b)]
-    run = _asked(axes, problem, legs, max(parts_time(way, *ramps, stops) for way in ways))
+    run = _asked(axes, problem, legs, parts_time(parts, *ramps_of(legs), stops))
     given = any(place.gate is None and problem.waypoints[place.k].q is not None for place in (a, b))
     return replace(run, branch=run.branch and not given)
 
@@ -363,12 +363,6 @@ def _grid(axes: Axes, problem: Problem, place: _Place) -> Array:
     return d[first : max(last, first + settings.bound_coarse) + 1]
 
 
-def _parent_values(cells: _Cells, parent_keys: IndexArray, values: Array) -> Array:
-    """What the level above knew to be still ahead of each cell."""
-    table = {tuple(key): value for key, value in zip(parent_keys.tolist(), values.tolist(), strict=True)}
-    return np.array([table[s, d // 2, v // 2] for s, d, v in cells.key.tolist()])
-
-
 def _children(keys: IndexArray) -> IndexArray:
     """The four halves of each kept cell."""
     s, d, v = keys.T
@@ -376,14 +370,9 @@ def _children(keys: IndexArray) -> IndexArray:
 
 
 def _cells(
-    axes: Axes,
-    problem: Problem,
-    place: _Place,
-    grid: Array,
-    level: int,
-    kept: IndexArray | None,
+    axes: Axes, problem: Problem, place: _Place, grid: Array, level: int, kept: IndexArray | None,
     cache: dict[bytes, Enclosure],
-) -> _Cells:
+) -> _Cells:  # fmt: skip
     stop, gate = problem.waypoints[place.k], place.gate
     if gate is None and stop.q is not None:
         q = stop.q[_columns(axes), None]
@@ -498,7 +487,7 @@ def _pairs(
                 time = trapezoid_time(least, V[j], A[j])
         else:
             rates = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
-            time = _least_of_axis(T, low, high, rates, V[j], A[j])
+            time = least_time(T, low, high, rates, V[j], A[j])
         if run.fixed:
             live = time <= run.floor + 1e-9
         else:
@@ -506,39 +495,3 @@ def _pairs(
             live = so_far[ia] + T + ahead[ib] <= incumbent
         ia, ib, T, top_v, top_a = ia[live], ib[live], T[live], top_v[live], top_a[live]
     return T, ia, ib
-
-
-def _least_of_axis(T: Array, low: Array, high: Array, rates: tuple[Array, ...], V: float, A: float) -> Array:
-    """The least times >= T (k,) in which an axis can travel between low and high, from the first range of velocity to
-    the second: rates (lo, hi, lo, hi). Where it gets as far as low at last it is not beyond high, and reversely."""
-    a_lo, a_hi, c_lo, c_hi = rates
-    out = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
-    _leave(out, low, a_hi, c_hi, V, A)
-    _leave(out, -high, -a_lo, -c_lo, V, A)
-    return out
-
-
-def _leave(T: Array, D: Array, a: Array, c: Array, V: float, A: float) -> None:
-    """Put T (k,), in place, to the least time >= T in which some motion with end velocities below a and c travels at
-    least D; see _most."""
-    short = np.flatnonzero(_most(T, a, c, V, A) < D - 1e-9)
-    t, d, v, w = T[short], D[short], a[short], c[short]
-    m, M = np.minimum(v, w), np.maximum(v, w)
-    squares = (v * v + w * w) / 2
-    with np.errstate(invalid="ignore", divide="ignore"):
-        early = (np.sqrt(np.maximum(m * m + 2 * A * d, 0)) - m) / A
-        peak = np.sqrt(np.maximum(A * d + squares, 0))
-        slow = (2 * peak - v - w) / A
-        fast = (2 * V - v - w) / A + (d - (V * V - squares) / A) / V
-    late = np.where(peak <= V, slow, fast)
-    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > d), early, late)
-    T[short] = np.maximum(t, end - 1e-9)
-
-
-def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
-    """Most displacement in T when the end velocities may be chosen below a and c: convex and smooth in T."""
-    out = reach(T, a, c, V, A)
-    early = np.flatnonzero(np.abs(c - a) > T * A)
-    m, T = np.minimum(a[early], c[early]), T[early]
-    out[early] = m * T + A * T * T / 2
-    return out

@@ -31,13 +31,14 @@ class TcpPart:
 @dataclass(frozen=True, eq=False)
 class Gate:
     """A pose X_WF (4, 4) that the flange goes through on every legal motion: on a line or an arc, number leg, where
-    the zone of waypoint k begins or ends that lies between it and a joint move; nothing is rounded there. twist (6,):
-    of the flange there at the greatest speed."""
+    the zone of waypoint k begins or ends; nothing is rounded there. twist (6,): of the flange there at the greatest
+    speed; velocity (3,): of the tool."""
 
     k: int
     leg: int
     X_WF: Array
     twist: Array
+    velocity: Array
 
 
 def course(problem: Problem, first: int, last: int) -> Iterator[TcpPart | Gate]:
@@ -82,16 +83,6 @@ def parts_time(parts: Sequence[TcpPart], up: float, down: float, rests: int = 2)
     return least
 
 
-def straight(problem: Problem, legs: Sequence[Leg], X_WF_0: Array, X_WF_1: Array) -> TcpPart:
-    """From one pose of the flange to another, over several legs as if there were nothing between; no way where their
-    tools differ."""
-    a, b = (X_WF @ legs[0].X_FT for X_WF in (X_WF_0, X_WF_1))
-    v, v_ori = np.max([_caps(problem, leg) for leg in legs], axis=0)
-    if any(not np.array_equal(leg.X_FT, legs[0].X_FT) for leg in legs):
-        return TcpPart(0.0, v)
-    return TcpPart(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), v, _angle(a, b) / v_ori)
-
-
 def _caps(problem: Problem, leg: Leg) -> tuple[float, float]:
     r"""Speeds of tool [m/s] and turning [rad/s]; a programmed time replaces the programmed ones (RAPID: \T)."""
     return (leg.v_tcp, leg.v_ori) if leg.duration is None else (problem.plant.tcp.speed, np.inf)
@@ -118,7 +109,8 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[TcpPart | Gate]:
     v = min(v, float(np.sqrt(leg.a_tcp * leg.segment.radius)))
     if not leg.segment.evenly_turned:
         turn = 0.0  # where it turns slowly nobody can say what a part of it takes
-    begins, ends_at = (0.0 if zone is None else zone.turning for zone in zones)
+    near, far = (_within(leg.segment, size) for size in (near, far))
+    begins, ends_at = (_within(leg.segment, _reach(problem, k)) for k in ends)
     exact = max(way - begins - ends_at, 0.0)
     steady = min(v, v_ori * way / turn) if turn > 0 else v
     return [
@@ -130,16 +122,32 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[TcpPart | Gate]:
     ]
 
 
+def _within(segment: Segment, size: float) -> float:
+    """The part of a line or an arc that lies so near to its end [m]; of an arc more than its chord."""
+    around = 2 * segment.radius
+    return size if np.isinf(around) else around * float(np.arcsin(min(size / around, 1.0)))
+
+
+def _reach(problem: Problem, k: int) -> float:
+    """How far from waypoint k the flange may be off its way [m]: where nothing turns, no farther than the tool."""
+    zone, beside = problem.waypoints[k].fly_by, problem.legs[max(k - 1, 0) : k + 1]
+    if zone is None:
+        return 0.0
+    steady = all(leg.segment is not None and leg.segment.angle <= POINT for leg in beside) and not zone.joint
+    return zone.radius if steady else zone.turning
+
+
 def _gate(problem: Problem, leg: Leg, k: int, way: float, speed: float) -> list[Gate]:
-    """The gate at a length on a leg beside waypoint k, if that is passed to or from a joint move; greatest speed."""
-    if not problem.passes(k) or problem.legs[k - 1 if leg.start == k else k].kind is not LegKind.JOINT:
+    """The gate at a length on a leg beside waypoint k, if that is passed; greatest speed."""
+    if not problem.passes(k):
         return []
     assert leg.segment is not None
     X_WF = _at(leg.segment, way) @ inverse_pose(leg.X_FT)
     share = np.array([way / leg.segment.length])
     twist = leg.segment.twist(share)[0] * speed / leg.segment.length
     arm = X_WF[:3, :3] @ leg.X_FT[:3, 3]  # from the flange to the tool
-    return [Gate(k, leg.start, X_WF, np.concatenate([twist[:3] - np.cross(twist[3:], arm), twist[3:]]))]
+    of_flange = np.concatenate([twist[:3] - np.cross(twist[3:], arm), twist[3:]])
+    return [Gate(k, leg.start, X_WF, of_flange, twist[:3])]
 
 
 def _at(segment: Segment, way: float) -> Array:
@@ -163,5 +171,8 @@ def _through(problem: Problem, k: int) -> TcpPart:
     if before is None or after is None or zone is None or zone.joint:
         jump = not np.array_equal(legs[0].X_FT, legs[1].X_FT)
         return TcpPart(0.0, caps[0], jump=jump)  # joint moves may go anywhere
-    (a, b), (c, d) = ((_at(before, _whole(before) - size), _at(after, size)) for size in (zone.radius, zone.turning))
+    (a, b), (c, d) = (
+        (_at(before, _whole(before) - _within(before, size)), _at(after, _within(after, size)))
+        for size in (zone.radius, zone.turning)
+    )
     return TcpPart(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), caps[0], _angle(c, d) / caps[1])

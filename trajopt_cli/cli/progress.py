@@ -11,6 +11,7 @@ from typing import TextIO
 
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.table import TOLD_GAP
 
 _ABREAST = 2  # plans under way at once: one for each process
 _ALONE = frozenset({"program", "results"})  # what is under way before and after all plans
@@ -171,6 +172,6 @@ def _numbers(progress: Progress) -> list[str]:
         parts.append(f"best {progress.incumbent:.3f} s")
     if progress.bound is not None:
         parts.append(f"bound {progress.bound:.3f} s")
-    if progress.gap is not None:
+    if progress.gap is not None and progress.gap <= TOLD_GAP:
         parts.append(f"gap {100 * progress.gap:.1f} %")
     return parts

@@ -18,7 +18,7 @@ from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.summary import NOT_TIMED, Judged, Summary, cycle_line
-from trajopt_cli.table import seconds, signed
+from trajopt_cli.table import seconds, signed, told_gap
 
 WRITTEN = "as written"
 _NAMES = {Target.RAPID: "rapid plan", Target.STREAM: "stream plan (EGM)"}
@@ -103,7 +103,7 @@ def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     for one, kind in zip(target.first, ("after", "other"), strict=True):
         plan, said = told.plans.of(one), [*told.uncertainty.times(one.value), told.change(one)]
         if plan.gap is not None:
-            said.append(f"lower bound {seconds(plan.lower_bound_s)} s, gap {100 * plan.gap:.1f} %")
+            said.append(f"lower bound {seconds(plan.lower_bound_s)} s, {told_gap(plan.gap)}")
         if plan.suspicious is not None:
             said.append(f"suspicious: {plan.suspicious}")
         tiles.append(Tile(_NAMES[one], f"{seconds(plan.cycle_time_s)} s", "; ".join(filter(None, said)), kind))

@@ -34,8 +34,8 @@ class Range:
         return Range(self.lo - other.hi, self.hi - other.lo)
 
     def __mul__(self, other: Range) -> Range:
-        p = np.stack([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
-        return Range(p.min(axis=0), p.max(axis=0))
+        a, b, c, d = self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi
+        return Range(*(f(f(a, b), f(c, d)) for f in (np.minimum, np.maximum)))  # np.stack takes twice as long
 
     def scaled(self, k: float) -> Range:
         """Times a number."""
@@ -218,6 +218,8 @@ class _Triangle:
         def constant(value: float) -> Range:
             return Range(np.full(n, value), np.full(n, value))
 
+        if not way.any():  # no rail
+            return constant(0.0), constant(0.0), constant(0.0)
         q1_rate = _hull(self.w[0] * way[1] - self.w[1] * way[0]).over(self.r2)
         outward = _hull(self.w[0] * way[0] + self.w[1] * way[1])
         u_rate = outward.over(self.r).scaled(self.shoulder)

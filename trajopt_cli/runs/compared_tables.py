@@ -9,7 +9,7 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.compared import AlignedMotion, ComparedRuns, OneRun
 from trajopt_cli.runs.inputs_compared import Difference
 from trajopt_cli.runs.summary import MotionRow
-from trajopt_cli.table import Bad, Good, TextTable, percent, seconds, signed, tabulate
+from trajopt_cli.table import TOLD_GAP, Bad, Good, TextTable, percent, seconds, signed, tabulate
 
 
 def cycles_table(answer: ComparedRuns) -> TextTable:
@@ -25,7 +25,7 @@ def cycles_table(answer: ComparedRuns) -> TextTable:
             run.letter,
             seconds(plan.cycle_time_s),
             seconds(plan.lower_bound_s),
-            percent(plan.gap),
+            percent(plan.gap if (plan.gap or 0.0) <= TOLD_GAP else None),
             against,
             legal,
         )

@@ -22,7 +22,7 @@ from trajopt_cli.runs.record import Section
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.scenario import Settling
-from trajopt_cli.table import change
+from trajopt_cli.table import change, told_gap
 
 NOT_TIMED = "not timed: stopped by Ctrl-C"
 SETTLING = "settling"
@@ -351,7 +351,7 @@ def _eased(eased: Eased) -> dict[str, Any]:
 
 def cycle_line(label: str, plan: PlanSummary, grid: bool = True) -> str:
     """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
-    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound_s:.3f} s, gap {100 * plan.gap:.1f} %)"
+    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound_s:.3f} s, {told_gap(plan.gap)})"
     bound += "" if plan.suspicious is None else ", SUSPICIOUS: see the warning"
     on = f", grid {plan.grid}" if grid else ""
     if plan.least_effort is None:
