@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_cells import plant_without_rail, rapid
+from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.limits import SPREADS, TcpCaps
 from trajopt_cli.plan import optimize
@@ -92,6 +92,19 @@ def test_what_the_program_times_is_no_shorter_with_faster_axes():
     T, found = asked(f"WaitTime 2;\n{turning(20, way=chr(92) + 'T:=2')}", plant())
     np.testing.assert_allclose(T, 6.0, atol=1e-6)
     assert not found.guesses
+
+
+def test_a_long_wait_of_a_stream_stays_as_long(unrefined):
+    """Its rail moves at the beginning and at the end: three legs of the problem, one motion of the program."""
+    machine = plant_with_rail()
+    spread = {f"{axis}.acceleration": D for axis in machine.limits.names}
+    sources = dict.fromkeys(spread, "a test (grade D)")
+    machine = replace(machine, limits=replace(machine.limits, spread=spread, sources=sources))
+    program = rapid("MoveJ p_in,v500,fine,tool0;\nWaitTime 20;\nMoveL p_low,v500,fine,tool0;")
+    plan = optimize(program, machine, Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    low, high = ends(uncertainty(program, machine, NO_SETTLING, {WRITTEN: plan}))
+    assert 20 < low < plan.duration < high
 
 
 def test_stops_that_are_waited_for_settle_as_long_as_the_robot_does():

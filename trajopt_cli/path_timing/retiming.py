@@ -48,7 +48,8 @@ class Course:
         N = len(self._link)
         sides = [np.where(self._link[:, None], 0.0, one) for one in (*_halves(rows.slopes, N), *_halves(rows.bends, N))]
         tops = np.where(np.tile(self._link, 2), _FASTEST, np.min(rows.top, axis=1, initial=_FASTEST))
-        least = np.array([max(leg.duration or 0.0, leg.least) for leg in legs])
+        own = np.diff(self.ends, prepend=0.0)  # what the program times lasts so long
+        least = np.array([leg.least if leg.duration is None else T for leg, T in zip(legs, own, strict=True)])
         kept = [paced or bool(leg.units) for leg in legs] | ((least > 0) & ~self._apart)
         begin, end = _halves(np.where(kept[self._number], np.minimum(tops, 1.0), tops), N)
         top = np.minimum(np.append(begin, _FASTEST), np.insert(end, 0, _FASTEST))

@@ -32,12 +32,13 @@ def within(value: str, ends: Sequence[float | None] | None, scale: float = 1.0) 
 
 def changes(saved: Sequence[float | None]) -> str:
     """What becomes of a time of which between these shares are saved, in per cent: "−19 to −23"."""
-    *ends, digits = _outward(*(100 * share for share in saved if share is not None))
+    low, high = (100 * (share or 0.0) for share in saved)
+    *ends, digits = _outward(low, high, 1)
     return " to ".join(f"{0.0 - end:+.{digits}f}".replace("-", "−") for end in ends)
 
 
-def _outward(low: float, high: float) -> tuple[float, float, int]:
-    digits = min(3, max(0, math.ceil(-math.log10((high - low) / 4))))
+def _outward(low: float, high: float, most: int = 3) -> tuple[float, float, int]:
+    digits = min(most, max(0, math.ceil(-math.log10((high - low) / 4))))
     scale, hair = 10**digits, 0.05  # of the last digit: 6.4999 begins at 6.5
     return math.floor(low * scale + hair) / scale, math.ceil(high * scale - hair) / scale, digits
 
