@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import pytest
 
 from trajopt_cli.collision.merge_via_points import merge_via_points
+from trajopt_cli.job import Job
+from trajopt_cli.pipeline import planning
 from trajopt_cli.plan.initial_plan import InitialPlan
+from trajopt_cli.problem.plan import Infeasible, NoPlan, Target
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.runs.summary import Judged
 from trajopt_cli.settings import DEFAULT
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
@@ -34,6 +39,17 @@ def coarse_search(patch: pytest.MonkeyPatch) -> None:
     """The rail's places are searched on coarse grids and refined once, for who does not ask how good they are."""
     set_defaults(patch, coarse_grid=17, coarse_spacing=0.15, fine_grid=9, polished_legs=0)
     patch.setattr("trajopt_cli.plan.rail_refinement._REFINE_ROUNDS", 1)
+
+
+def rapid_alone(patch: pytest.MonkeyPatch) -> None:
+    """Only the RAPID plan is made, and no bound, for who asks nothing of streams and gaps."""
+    solve = planning.solve
+
+    def solved(job: Job, target: Target, *more: Any, **options: Any) -> Judged | Infeasible | NoPlan:
+        return NoPlan(target.value, "not asked") if target is Target.STREAM else solve(job, target, *more, **options)
+
+    patch.setattr(planning, "solve", solved)
+    patch.setattr("trajopt_cli.plan.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
 
 
 def set_defaults(patch: pytest.MonkeyPatch, **numbers: float) -> None:

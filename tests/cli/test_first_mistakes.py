@@ -111,34 +111,23 @@ def test_the_cell_file_that_is_offered_suits_the_program() -> None:
     assert (alone.robot, alone.rail) == ("irb140", None)
 
 
-@pytest.fixture
-def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The program bench_irb140 and its cell, in the current folder."""
-    monkeypatch.chdir(tmp_path)
-    for name in ("bench_irb140.mod", "bench_irb140.yaml"):
-        shutil.copy(PROGRAMS / name, tmp_path)
-
-
-@pytest.mark.usefixtures("bench")
 def test_an_export_without_output_goes_into_the_folder_and_is_no_stranger_there(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    results: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    make = ["optimize", "bench_irb140.mod", "--time-limit", "0", "-q"]
-    assert run(make) == 0
     for _ in range(2):  # it may be written over
-        assert run(["export", "joint", "results/bench_irb140"]) == 0
-    written = Path("results/bench_irb140/joint.csv")
+        assert run(["export", "joint", "results/tiny"]) == 0
+    written = Path("results/tiny/joint.csv")
     assert written.read_text().startswith("t [s],")
-    assert run(["verify", "results/bench_irb140", "-q"]) == 0
+    assert run(["verify", "results/tiny", "-q"]) == 0
     there = tmp_path / "elsewhere"
     there.mkdir()
     monkeypatch.chdir(there)
-    before = (tmp_path / "bench_irb140.mod").read_bytes()
-    assert run(["export", "rapid", "../results/bench_irb140", "--in-place"]) == 0
-    assert (tmp_path / "bench_irb140.mod.bak").exists() == ((tmp_path / "bench_irb140.mod").read_bytes() != before)
+    before = (tmp_path / "tiny.mod").read_bytes()
+    assert run(["export", "rapid", "../results/tiny", "--in-place"]) == 0
+    assert (tmp_path / "tiny.mod.bak").exists() == ((tmp_path / "tiny.mod").read_bytes() != before)
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "bench_irb140.mod").write_bytes(before)
-    assert run(make) == 0
+    (tmp_path / "tiny.mod").write_bytes(before)
+    assert run(["optimize", "tiny.mod", "-q"]) == 0
     assert not written.exists()
 
 
@@ -154,15 +143,16 @@ def test_an_option_that_is_like_none_suggests_none(capsys: pytest.CaptureFixture
     assert load_cell(CELL).rail is not None  # the file itself is fine
 
 
-@pytest.mark.usefixtures("bench")
-def test_an_export_never_writes_over_the_program(capsys: pytest.CaptureFixture[str]) -> None:
-    before = Path("bench_irb140.mod").read_bytes()
-    assert run(["optimize", "bench_irb140.mod", "--export", "./bench_irb140.mod", "-q"]) == 2
+def test_an_export_never_writes_over_the_program(
+    program: Path, request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = program.read_bytes()
+    assert run(["optimize", "tiny.mod", "--export", "./tiny.mod", "-q"]) == 2
     assert "--in-place" in capsys.readouterr().err
     assert not Path("results").exists()
-    assert run(["optimize", "bench_irb140.mod", "--time-limit", "0", "-q"]) == 0
-    assert run(["export", "rapid", "results/bench_irb140", "--output", "bench_irb140.mod"]) == 2
-    assert Path("bench_irb140.mod").read_bytes() == before
+    results = request.getfixturevalue("results")
+    assert run(["export", "rapid", str(results), "--output", "tiny.mod"]) == 2
+    assert program.read_bytes() == before
 
 
 def test_the_only_cell_file_of_a_folder_is_its_cell(tmp_path: Path) -> None:

@@ -5,18 +5,16 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from typing import Any
 
 import pytest
-from unrefined import coarse_search
+from unrefined import coarse_search, rapid_alone
 
 from trajopt_cli.cli import run
-from trajopt_cli.job import Job, read_job
+from trajopt_cli.job import read_job
 from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import changes_of, may_change
 from trajopt_cli.problem.editable import Loops
-from trajopt_cli.problem.plan import Infeasible, NoPlan, Target
-from trajopt_cli.runs.summary import Judged
+from trajopt_cli.problem.plan import Target
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")
 DATA = """MODULE work
@@ -52,13 +50,7 @@ ENDMODULE
 """
 # No cap of the tool binds, which takes less time to find.
 FREE = re.sub("tcp: .*", "tcp: {speed: 9, acceleration: 90, source: none}", CELL)
-SOLVE = planning.solve
 NUMBER = re.compile(r"-?\d+(\.\d+)?")
-
-
-def rapid_alone(job: Job, target: Target, *more: Any, **options: Any) -> Judged | Infeasible | NoPlan:
-    """A stream has no loops: its plan is the rapid one."""
-    return NoPlan(target.value, "not asked") if target is Target.STREAM else SOLVE(job, target, *more, **options)
 
 
 @pytest.mark.parametrize("body", [LOOP, ROUTINE], ids=["loop", "routine"])
@@ -68,8 +60,7 @@ def test_loops_stay_unless_they_are_unrolled(
     """The pick is best served from the left when it comes from there and goes there, and from the right likewise: a
     FOR loop takes both from an array, a routine needs a copy."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("trajopt_cli.plan.lower_bound_of", lambda *_, **__: 1.0)
-    monkeypatch.setattr(planning, "solve", rapid_alone)
+    rapid_alone(monkeypatch)  # a stream has no loops
     monkeypatch.setattr(planning, "as_written", lambda *_: "not asked")
     coarse_search(monkeypatch)  # the saving is far larger than what that misses
     Path("work.mod").write_text(DATA + body, encoding="utf-8")

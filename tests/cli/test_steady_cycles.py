@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unrefined import coarse_search, rapid_alone
 
 from trajopt_cli.cli import run
 from trajopt_cli.job import read_job
@@ -41,9 +42,11 @@ ENDMODULE
 
 
 @pytest.fixture
-def rails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, unrefined: None) -> object:
+def rails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> object:
     """Plan a program on its cell and give back where the rail is at the points of its text with the plan in it."""
     monkeypatch.chdir(tmp_path)
+    rapid_alone(monkeypatch)
+    coarse_search(monkeypatch)
 
     def of(more: str = "", text: str = PROGRAM) -> list[float]:
         Path("cycle.mod").write_text(text, encoding="utf-8")
