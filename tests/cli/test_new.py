@@ -16,7 +16,7 @@ from trajopt_cli.robot.structure import Structure
 SIX, SRS = robot_names(Structure.SIX_AXIS), robot_names(Structure.SRS)
 
 
-@pytest.mark.parametrize("robot", ["irb140", "irb140_rail", "puma560", "kr6_r900_rail", "ur5e"])
+@pytest.mark.parametrize("robot", ["irb140_rail", "puma560", "ur5e"])
 def test_a_new_program_is_planned_at_once(
     robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -46,7 +46,6 @@ def rails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> object:
     """Plan a program on its cell and give back where the rail is at the points of its text with the plan in it."""
     monkeypatch.chdir(tmp_path)
     rapid_alone(monkeypatch)
-    coarse_search(monkeypatch)
 
     def of(more: str = "", text: str = PROGRAM) -> list[float]:
         Path("cycle.mod").write_text(text, encoding="utf-8")
@@ -61,6 +60,13 @@ def rails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> object:
     return of
 
 
+@pytest.fixture
+def few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests that ask nothing of how good the rail's places are."""
+    coarse_search(monkeypatch)
+
+
+@pytest.mark.usefixtures("few")
 def test_two_passes_of_the_exported_loop_are_the_steady_pass_as_planned(rails) -> None:  # type: ignore[no-untyped-def]
     """As written the rail goes 0.3 m there and back; it ends up where it hardly goes."""
     found = rails()
@@ -71,6 +77,7 @@ def test_two_passes_of_the_exported_loop_are_the_steady_pass_as_planned(rails) -
     assert run(["verify", "results/cycle"]) == 0
 
 
+@pytest.mark.usefixtures("few")
 def test_the_way_into_the_loop_keeps_its_targets(rails) -> None:  # type: ignore[no-untyped-def]
     """rInit must hold the rail at p_a, 0.6 m, where its declaration stays; the loop's own moves say where they go."""
     held = rails("hold_rail: {procedures: [rInit]}\n")
@@ -95,6 +102,7 @@ def test_a_target_serves_the_passes_that_are_not_planned_as_well(  # type: ignor
     assert (found[0] == 0.9) == told
 
 
+@pytest.mark.usefixtures("few")
 def test_savings_of_several_passes_are_told_per_pass(rails, capsys: pytest.CaptureFixture[str]) -> None:  # type: ignore[no-untyped-def]
     rails()
     once = capsys.readouterr().out.splitlines()[0]
@@ -118,6 +126,7 @@ def test_the_plant_of_a_job_stands_where_its_cycle_begins(tmp_path: Path) -> Non
     assert job.plant.at_home.start == pytest.approx([1.5, 0, 0, 0, 0, np.pi / 6, 0])
 
 
+@pytest.mark.usefixtures("few")
 @pytest.mark.parametrize(
     ("given", "instead", "line"),
     [

@@ -262,7 +262,7 @@ def test_no_zone_is_named_where_none_would_do() -> None:
 
 
 @pytest.mark.parametrize("target", Target)
-def test_a_held_rail_stands_on_the_way_around_too(target: Target) -> None:
+def test_a_held_rail_stands_on_the_way_around_too(target: Target, unrefined: None) -> None:
     """The post is between the two points, and the rail would swerve for it if it might."""
     data = """CONST robtarget p_a:=[[450,-150,250],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,9E9]];
 CONST robtarget p_b:=[[450,350,250],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,9E9]];"""
