@@ -57,6 +57,8 @@ def _row(case: Case, jerk: Array | None) -> Answer:
     pieces = each_once(given.runs, partial(_piece, given.axes, jerk))
     notes = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []
     notes.append("rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line")
+    if case.plant.limits.table is not None:
+        notes.append("of accelerations by posture the least, which every posture allows")
     if any(run.by_parts for run in given.runs):
         notes.append("corners and arcs: one profile along the path, with a speed and an acceleration for each part")
         if jerk is not None:
