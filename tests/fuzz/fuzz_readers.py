@@ -267,7 +267,7 @@ def _beside(here: Workspace, *names: str) -> Callable[[Path, bytes], Path]:
 
     def place(folder: Path, data: bytes) -> Path:
         for name in names[1:]:
-            (folder / name).symlink_to(here.folder / name)
+            os.link(here.folder / name, folder / name)  # a symbolic one leads out
         path = folder / names[0]
         path.write_bytes(data)
         return path
