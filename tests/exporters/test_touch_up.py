@@ -9,7 +9,9 @@ from small_cells import plant_with_rail
 from touch_up import differences, export, random_program, read, taught, touch_up
 
 from trajopt_cli.problem.editable import Loops
+from trajopt_cli.scenario import Scenario
 
+NO = Scenario()
 PLANT = plant_with_rail()
 SEEDS = 25  # benchmarks/bench_touch_up.py tries more
 
@@ -24,14 +26,14 @@ def test_copies_of_points_would_be_noticed() -> None:
     move = "MoveL Offs(p,-40,0,0),v500,fine,tool0;"
     literal = "[[500,200,450],[1,0,0,0],[0,0,0,0],[{},9E9,9E9,9E9,9E9,9E9]]"
     given = f"MODULE m\nPERS robtarget p:={literal.format(150)};\nPROC main()\n{move}\nENDPROC\nENDMODULE\n"
-    program = read(given, PLANT)
-    exported, intents = export(program, PLANT, random.Random(1), Loops.KEEP)
-    new = read(taught(given), PLANT)
-    assert differences(new, read(taught(exported), PLANT), PLANT, intents) == []
+    program = read(given, PLANT, NO)
+    exported, intents = export(program, PLANT, NO, random.Random(1), Loops.KEEP)
+    new = read(taught(given), PLANT, NO)
+    assert differences(new, read(taught(exported), PLANT, NO), PLANT, intents) == []
     rail = intents[0].rail
     copied = given.replace("Offs(p,-40,0,0)", literal.format(rail).replace("500", "460"))
-    assert differences(program, read(copied, PLANT), PLANT, intents) == []
-    (said,) = differences(new, read(taught(copied), PLANT), PLANT, intents)
+    assert differences(program, read(copied, PLANT, NO), PLANT, intents) == []
+    (said,) = differences(new, read(taught(copied), PLANT, NO), PLANT, intents)
     assert said.startswith("m.mod:4:1: ")
 
 

@@ -16,7 +16,7 @@ from trajopt_cli.problem.editable_text import EditableText
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import NO_SETTLING, Scenario, Settling
 from trajopt_cli.units import MM
 
 NUMBER = r"-?[\d.]+"
@@ -132,9 +132,9 @@ class _Text:
         return ["grip;"]
 
 
-def read(text: str, plant: Plant) -> Program:
+def read(text: str, plant: Plant, scenario: Scenario) -> Program:
     """A module's program on a plant."""
-    return run_program([TextFile("m.mod", text, "utf-8")], None, "main", PlantKinematics(plant))
+    return run_program([TextFile("m.mod", text, "utf-8")], scenario, "main", PlantKinematics(plant))
 
 
 def random_intents(program: Program, text: EditableText, rng: random.Random) -> dict[int, Intent]:
@@ -173,11 +173,13 @@ def taught(text: str) -> str:
     return "\n".join(POSITION.sub(shifted, line) if "tooldata" not in line else line for line in text.split("\n"))
 
 
-def export(program: Program, plant: Plant, rng: random.Random, loops: Loops) -> tuple[str, Mapping[int, Intent]]:
+def export(
+    program: Program, plant: Plant, scenario: Scenario, rng: random.Random, loops: Loops
+) -> tuple[str, Mapping[int, Intent]]:
     """The text with random rail positions in it, and these."""
-    text = EditableText(program, plant, Scenario(), loops)
+    text = EditableText(program, plant, scenario, loops)
     intents = random_intents(program, text, rng)
-    return written(program, plant, Scenario(), intents, loops).texts["m.mod"], intents
+    return written(program, plant, scenario, intents, loops).texts["m.mod"], intents
 
 
 def differences(program: Program, exported: Program, plant: Plant, intents: Mapping[int, Intent]) -> list[str]:
@@ -211,12 +213,13 @@ def differences(program: Program, exported: Program, plant: Plant, intents: Mapp
 
 
 def touch_up(seed: int, plant: Plant) -> list[str]:
-    """What is wrong with the export of one random program, before and after its points are taught anew."""
-    rng = random.Random(seed)
+    """What is wrong with the export of one random program, before and after its points are taught anew; every second
+    one settles at its stops."""
+    rng, scenario = random.Random(seed), Scenario(settle=Settling(0.1, 0.2) if seed % 2 else NO_SETTLING)
     text = random_program(rng)
-    program = read(text, plant)
+    program = read(text, plant, scenario)
     loops = rng.choice([Loops.KEEP, Loops.KEEP, Loops.UNROLL])
-    exported, intents = export(program, plant, rng, loops)
-    same = [f"as exported: {one}" for one in differences(program, read(exported, plant), plant, intents)]
-    new, new_exported = read(taught(text), plant), read(taught(exported), plant)
+    exported, intents = export(program, plant, scenario, rng, loops)
+    same = [f"as exported: {one}" for one in differences(program, read(exported, plant, scenario), plant, intents)]
+    new, new_exported = (read(taught(one), plant, scenario) for one in (text, exported))
     return [*same, *(f"taught anew: {one}" for one in differences(new, new_exported, plant, intents))]

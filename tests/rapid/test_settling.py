@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from trajopt_cli.motion import Hold, Move, Program, TextFile, Wait
+from trajopt_cli.motion import Hold, Move, Program, Source, TextFile, Wait
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import NO_SETTLING, Scenario, Settling
+from trajopt_cli.scenario import NO_SETTLING, HoldRail, RailUnit, Scenario, Settling
 
 FINE, INPOS = 0.25, 0.125
 BOTH = Settling(FINE, INPOS)
@@ -89,3 +89,13 @@ def test_a_line_that_stands_for_a_wait_settles_like_the_wait() -> None:
         assert settling(program) == [FINE]
         assert [one.hold for one in program.motions[1:2] if isinstance(one, Wait)] == [Hold.SETTLING]
         assert sum(one.duration for one in program.motions if isinstance(one, Wait)) == FINE
+
+
+def test_what_settles_is_no_wait_that_the_cell_file_frees_and_no_time_between_an_output_and_a_wait() -> None:
+    freed = HoldRail(free={"di1": Source("c.yaml", 1, 1), "main": Source("c.yaml", 2, 1)})
+    program = run(f"{STOP} SetDO do1,1; WaitTime 0.5; WaitDI di1,1; {ON}", hold_rail=freed, rail=RailUnit(0))
+    assert [one.hold for one in program.motions if isinstance(one, Wait)] == [Hold.SETTLING, None, None]
+    program = run(f"MoveLDO p,v100,fine,tool0,do1,1; WaitTime 1; {ON}")
+    assert [one.hold for one in program.motions if isinstance(one, Wait)] == [Hold.SETTLING, Hold.GRIPPER]
+    program = run(f"{STOP} ! trajopt: hold rail\nWaitTime 1; ! trajopt: hold rail\n{ON}")
+    assert [one.hold for one in program.motions if isinstance(one, Wait)] == [Hold.SETTLING, Hold.PROGRAM]

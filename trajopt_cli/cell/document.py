@@ -354,7 +354,7 @@ class SettleSection(_Section):
 
 
 def _settle(value: Any) -> Any:
-    return value if isinstance(value, dict) else {"fine": value}
+    return value if isinstance(value, dict) else {"fine": _settling(value)}
 
 
 class StartSection(_Section):

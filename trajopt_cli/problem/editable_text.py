@@ -249,16 +249,20 @@ class EditableText:
     # ---------------------------------------------------------------------------------------------------------- waits
 
     def _places_to_dwell(self) -> Iterator[tuple[int, int]]:
-        """Waits in whose place a line to where the tool is could stand, and the move before each."""
-        before = -1
+        """Waits in whose place a line to where the tool is could stand, and the move before each. Behind a fly-by axes
+        settle for \\InPos alone, which no line says."""
+        before = settled = -1
         for i, motion in enumerate(self.program.motions):
             if isinstance(motion, Move):
                 before = i
+            elif isinstance(motion, Wait) and motion.settles:
+                settled = i
             elif isinstance(motion, Wait) and _stands_alone(motion) and before >= 0:
                 move, own = self.program.motions[before], motion.written.statement
                 assert isinstance(move, Move)
                 compact = motion.condition is not None and self._compact(own)
-                stands = isinstance(move, PoseMove) or (isinstance(move, MoveAbsJ) and move.zone.stop)
+                stands = move.zone.stop or (isinstance(move, PoseMove) and settled < before)
+                stands = stands and not isinstance(move, MoveExtJ)
                 if not compact and stands and self._fits_behind(own, move, self._moves_behind[i]):
                     yield i, before
 
@@ -336,9 +340,8 @@ def _flange(motion: PoseMove) -> Array:
 
 
 def _stands_alone(motion: Motion) -> bool:
-    """Whether it is a wait as a statement, no function in an expression and not beside a move: a line may stand in its
-    place."""
-    return isinstance(motion, Wait) and motion.written.target is None and motion.beside is None and not motion.settles
+    """Whether it is a wait, no function in an expression and not beside a move: a line may stand in its place."""
+    return isinstance(motion, Wait) and motion.written.target is None and motion.beside is None
 
 
 def _moves_behind(program: Program) -> Sequence[Move | None]:

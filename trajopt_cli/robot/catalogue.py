@@ -115,11 +115,17 @@ class PostureTable(Origin):
     load: str
 
 
-class StopTimes(_Strict):
-    """How long the axes settle at a stop that is waited for [s], see scenario.Settling; inpos None: as fine."""
+class StopTime(Number):
+    """What the axes may take to settle [s]."""
 
-    fine: Number
-    inpos: Number | None = None
+    value: Annotated[float, Field(gt=0, le=5)]
+
+
+class StopTimes(_Strict):
+    """How long the axes settle at a stop that is waited for, see scenario.Settling; inpos None: as fine."""
+
+    fine: StopTime
+    inpos: StopTime | None = None
 
 
 class Profile(_Strict):

@@ -71,7 +71,7 @@ def _freed(run: Context, modules: Modules) -> Set[int]:
     free = run.scenario.hold_rail.free
     if isinstance(free, bool):
         return frozenset()
-    out, waits = set[int](), [i for i, motion in enumerate(run.motions) if isinstance(motion, Wait)]
+    out, waits = set[int](), [i for i, one in enumerate(run.motions) if isinstance(one, Wait) and not one.settles]
     for one, place in free.items():
         if isinstance(one, Lines):
             with placed(place):
@@ -143,6 +143,8 @@ def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:
     """The waits that begin at most _AFTER_OUTPUT after an output was set, by an instruction or at a move's end."""
     since: float | None = None  # [s] since the last output, None where a move has begun since
     for motion in motions:
+        if isinstance(motion, Wait) and motion.settles:
+            continue
         if isinstance(motion, Wait):
             if since is not None:
                 if since <= _AFTER_OUTPUT and motion.beside is None:
