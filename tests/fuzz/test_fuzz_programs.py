@@ -57,7 +57,7 @@ def _no_garbage_of_others() -> None:
     gc.freeze()
 
 
-@pytest.mark.parametrize("number", range(5))
+@pytest.mark.parametrize("number", range(2))
 def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None:
     assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
 

@@ -49,7 +49,8 @@ def along(plant: Plant, plan: Plan, first: int) -> Array:
 @pytest.mark.parametrize("target", Target)
 @pytest.mark.parametrize("body", [LINE, ROUND, JOINTS], ids=["line", "round", "joints"])
 def test_only_what_is_limited_is_limited(body: str, target: Target) -> None:
-    for setting, sign in ((BRAKE, -1), (GO, 1)):
+    once = body == JOINTS and target is Target.STREAM  # which takes longest, and one way is as the other
+    for setting, sign in ((BRAKE, -1), (GO, 1))[: 1 if once else 2]:
         program, plant, plan = plan_of(setting, body, target)
         found = along(plant, plan, 0)
         assert 0.97 <= (sign * found).max() <= 1 + 1e-4
