@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from trajopt_cli.cli import run
-from trajopt_cli.limits import AccelerationTable, JointLimits
+from trajopt_cli.limits import AccelerationTable, JointLimits, TcpCaps
 from trajopt_cli.measured.identify import Kind
-from trajopt_cli.measured.reached import Reached, contradictions, reached_in
+from trajopt_cli.measured.reached import Reached, contradictions, reached_in, tool_beyond
 from trajopt_cli.trajectory import Trajectory
 
 NAMES = tuple(f"joint_{i}" for i in range(1, 7))
@@ -161,3 +161,13 @@ def test_identify_answers_of_a_log_without_rests(tmp_path: Path, capsys: pytest.
     assert told["contradictions"][0].startswith("joint_1 reached")
     assert run(["identify", str(log), "--robot", "irb140", "--output", str(tmp_path / "limits.yaml")]) == 1
     assert "NOTHING WRITTEN" in capsys.readouterr().err
+
+
+def test_a_tool_beyond_its_caps_is_told() -> None:
+    """On a circle in space that it goes around at 1.5 m/s, which takes 4.5 m/s2 towards the middle."""
+    t = np.arange(0, 8, 0.004)
+    angle, tilt = 3.0 * t, np.array([[0.6, 0.0, 0.8], [0.0, 1.0, 0.0]])
+    p = np.rint((0.5 * np.column_stack([np.cos(angle), np.sin(angle)]) @ tilt) / 1e-5) * 1e-5
+    for speed, acceleration, told in ((1.45, 4.4, []), (1.35, 9.0, ["speed"]), (9.0, 4.0, ["acceleration"])):
+        said = [*tool_beyond(t, p, TcpCaps(speed, acceleration), "a.csv")]
+        assert ["acceleration" if "m/s²" in one else "speed" for one in said] == told

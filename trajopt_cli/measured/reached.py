@@ -13,11 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.limits import JointLimits
+from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.measured.identify import Kind
 from trajopt_cli.measured.log_csv import long_gaps
 from trajopt_cli.measured.motions import at_rest, noise_of
@@ -27,12 +28,13 @@ from trajopt_cli.units import DEG, MM
 _SHORTEST = 0.04  # s: of windows
 _ROWS = 8  # of the shortest window, at least
 _WIDTHS = (1.0, 1.6, 2.5, 4.0, 6.3)  # of the shortest window: short ones see peaks, wide ones little noise
-_STEPS = 4  # windows begin so many times in the length of one
+_STEPS = 8  # windows begin so many times in the length of one
 _LOST, _MOST = 0.3, 2.0  # of its rows: a window that lost more, or has more than that, is left out
 _SURE = 4.0  # standard deviations of the noise
 _TOO_LOW = 1.05  # of the limit in force: below, a servo of damping 0.7 that overshoots by 4.6 % may be all that is seen
 _BESIDE = {"deg": 0.1 * DEG, "mm": 1 * MM}  # of a range: farther out is not what stops and rounding make
 _BATCH = 20_000  # windows at a time
+_Seen = tuple[Array, Array]
 
 
 @dataclass(frozen=True)
@@ -80,9 +82,28 @@ def reached_in(logs: Sequence[Trajectory], files: Sequence[str], limits: JointLi
 
 
 def _of_log(log: Trajectory, file: str, limits: JointLimits) -> Iterator[Reached]:
-    t, q = log.t, log.q
+    for at, middle, rates, bends in _slopes(log.t, log.q):
+        speeds = np.broadcast_to(limits.velocity, middle.shape)
+        allowed = np.where(bends[0] < 0, *limits.acceleration_at(middle))
+        for kind, seen, limit in (Kind.SPEED, rates, speeds), (Kind.ACCELERATION, bends, allowed):
+            sure = _sure(np.abs(seen[0]), seen[1])
+            for k, i in enumerate(np.argmax(sure / limit, axis=0)):
+                if sure[i, k] > 0:
+                    where = float(at[i]), dict(zip(log.names, middle[i].tolist(), strict=True))
+                    value, there, noise = (float(of[i, k]) for of in (sure, limit, seen[1]))
+                    yield Reached(log.names[k], kind, value, there, *where, noise, file)
+
+
+def _sure(values: Array, noise: Array) -> Array:
+    """What is left of values without the noise; 0 where that is less than it."""
+    return np.where(2 * noise < values, values - noise, 0.0)
+
+
+def _slopes(t: Array, q: Array) -> Iterator[tuple[Array, Array, _Seen, _Seen]]:
+    """By width of windows (m,): their middle [s], mean posture (m, n), speeds and accelerations (m, n), each with its
+    noise (m, n)."""
     period = float(np.median(np.diff(t)))
-    floor = noise_of(t, q, at_rest(t, q))
+    floor = noise_of(t, q, at_rest(t, q)).astype(np.float32)
     for width in max(_SHORTEST, _ROWS * period) * np.array(_WIDTHS):
         found = _windows(t, q, width, period)
         if found is None:
@@ -90,19 +111,22 @@ def _of_log(log: Trajectory, file: str, limits: JointLimits) -> Iterator[Reached
         at, middle, rates, rate_per, bends, bend_per, left, alike = found
         fast = np.abs(rates) >= np.maximum(0.3 * np.abs(rates).max(axis=0), 1e-12)
         clock = np.sqrt(np.sum((left / np.where(fast, rates, np.inf)) ** 2, axis=0) / np.maximum(fast.sum(axis=0), 1))
-        fast_there = np.hypot(rates, bends * width / 2)
-        noise = np.maximum(left, np.hypot(floor, clock * fast_there))
+        noise = np.maximum(left, np.hypot(floor, clock * np.hypot(rates, bends * width / 2)))
         noise *= _SURE * np.sqrt((1 + alike) / (1 - alike))
-        allowed = np.where(bends < 0, *limits.acceleration_at(middle)), np.broadcast_to(limits.velocity, rates.shape)
-        kinds = (Kind.SPEED, rates, rate_per, allowed[1]), (Kind.ACCELERATION, bends, bend_per, allowed[0])
-        for kind, values, per, limit in kinds:
-            off = noise * per[:, None]
-            sure = np.where(2 * off < np.abs(values), np.abs(values) - off, 0.0)
-            for k, i in enumerate(np.argmax(sure / limit, axis=0)):
-                if sure[i, k] > 0:
-                    value, there, noise_there = (float(of[i, k]) for of in (sure, limit, off))
-                    where = float(at[i]), dict(zip(log.names, middle[i].tolist(), strict=True))
-                    yield Reached(log.names[k], kind, value, there, *where, noise_there, file)
+        yield at, middle, (rates, noise * rate_per), (bends, noise * bend_per)
+
+
+def tool_beyond(t: Array, p: Array, caps: TcpCaps, file: str) -> Iterator[str]:
+    """Where the tool centre point, at p (n, 3) [m] at times t (n,) [s], passes the caps on it, a line each."""
+    most = {"speed": (0.0, 0.0), "acceleration": (0.0, 0.0)}
+    for at, _, *both in _slopes(t, p):
+        for what, seen in zip(most, both, strict=True):
+            sure = _sure(*(np.linalg.norm(one, axis=1) for one in seen))
+            most[what] = max(most[what], (float(sure.max()), float(at[np.argmax(sure)])))
+    for (what, (value, when)), unit in zip(most.items(), ("m/s", "m/s²"), strict=True):
+        if value > _TOO_LOW * getattr(caps, what):
+            limit = f"the cap in force, {getattr(caps, what):.3g}, is too low by this log"
+            yield f"the tool centre point reached {value:.3g} {unit} (at {when:.3f} s of {file}): {limit}"
 
 
 def contradictions(
@@ -134,7 +158,8 @@ def _windows(t: Array, q: Array, width: float, period: float) -> tuple[Array, ..
     late = np.sort(2 * t[gaps + 1] - t[gaps])  # what a recorder held back comes in a burst, no longer than it was held
     hindered = np.searchsorted(t[gaps], middle + width / 2) > np.searchsorted(late, middle - width / 2)
     whole = ~hindered & (rows >= _ROWS - 1) & (rows >= (1 - _LOST) * usual - 1) & (rows < _MOST * usual)
-    parts, alike = [], np.zeros((2, q.shape[1]))
+    parts: list[list[Any]] = []
+    alike = np.zeros((2, q.shape[1]))
     for count in np.unique(rows[whole]):
         some = np.flatnonzero(whole & (rows == count))
         for chosen in np.split(some, range(_BATCH, len(some), _BATCH)):
@@ -150,7 +175,10 @@ def _windows(t: Array, q: Array, width: float, period: float) -> tuple[Array, ..
             p -= u[:, :, None] * slope[:, None] + w[:, :, None] * bend[:, None]
             alike += np.sum(p[:, 1:] * p[:, :-1], axis=(0, 1)), np.sum(p**2, axis=(0, 1))
             left = np.sqrt(np.sum(p**2, axis=1) / (count - 3))
-            parts.append((middle[chosen], mean, slope, 1 / np.sqrt(uu), 2 * bend, 2 / np.sqrt(ww), left))
+            found = mean, slope, 1 / np.sqrt(uu)[:, None], 2 * bend, 2 / np.sqrt(ww)[:, None], left
+            parts.append([middle[chosen], *(one.astype(np.float32) for one in found)])  # there are many
     if not parts:
         return None
-    return *(np.concatenate(part) for part in zip(*parts, strict=True)), np.clip(alike[0] / (alike[1] + 1e-300), 0, 0.9)
+    return *(np.concatenate(part) for part in zip(*parts, strict=True)), np.clip(
+        alike[0] / (alike[1] + 1e-300), 0, 0.9
+    ).astype(np.float32)

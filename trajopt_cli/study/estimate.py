@@ -14,9 +14,9 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.measured.align import Alignment, align
-from trajopt_cli.measured.reached import Reached, contradictions, reached_in
+from trajopt_cli.measured.reached import Reached, contradictions, reached_in, tool_beyond
 from trajopt_cli.measured.settling import SeenSettling, settling_seen
-from trajopt_cli.motion import Move, SignalEvent, Source, Wait
+from trajopt_cli.motion import Move, MoveAbsJ, PoseMove, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
@@ -223,7 +223,12 @@ def beside(answer: Estimate, logs: Mapping[str, Trajectory], wrong: Sequence[Inp
     motions, names = [logs[one.file] for one in found], [PurePath(one.file).name for one in found]
     reached = reached_in(motions, names, limits)
     seen = tuple(settling_seen(answer.job.program.motions, found))
-    against = contradictions(motions, names, limits, reached)
+    against = [*contradictions(motions, names, limits, reached)]
+    tools = {one.tool.name: one.tool for one in answer.job.program.motions if isinstance(one, PoseMove | MoveAbsJ)}
+    if len(tools) == 1 and not (tool := tools.popitem()[1]).stationary:
+        for name, log in zip(names, motions, strict=True):
+            p = (answer.job.plant.robot.forward(log.q) @ tool.X_FT)[:, :3, 3]
+            against += tool_beyond(log.t, p, answer.job.plant.tcp, name)
     return Logs(tuple(found), tuple(out), tuple(reached), (*against, *(one.doubt for one in found if one.doubt)), seen)
 
 
