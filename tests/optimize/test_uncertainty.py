@@ -57,8 +57,8 @@ def test_one_joint_takes_between_the_times_of_both_ends(degrees):
     T, found = asked(turning(degrees), plant())
     low, high = ends(found)
     way = np.radians(degrees)
-    assert low == pytest.approx(2 * takes(way, a=D[1] * A), abs=4e-3)
-    assert high == pytest.approx(2 * takes(way, a=D[0] * A), abs=4e-3)
+    assert low == pytest.approx(2 * takes(way, a=D[1] * A), abs=1e-3)
+    assert high == pytest.approx(2 * takes(way, a=D[0] * A), abs=1e-3)
     assert low < T < high
     assert ends(asked(turning(degrees), plant())[1]) == (low, high)
 

@@ -45,16 +45,18 @@ class Course:
         """How long it takes [s] under the limits of other axes and legs; infinite where it cannot be driven at all.
         paced: it is nowhere driven faster than it is."""
         rows = stacked(path_rows(limits_of(axes), samples_of(axes, legs, self._number, self._along)))
-        N = len(self._link)
-        sides = [np.where(self._link[:, None], 0.0, one) for one in (*_halves(rows.slopes, N), *_halves(rows.bends, N))]
-        tops = np.where(np.tile(self._link, 2), _FASTEST, np.min(rows.top, axis=1, initial=_FASTEST))
+        link, N = self._link, len(self._link)
+        slopes, bends, rests = (
+            np.where(link[:, None], 0.0, one.reshape(2, N, -1)) for one in (rows.slopes, rows.bends, rows.rests)
+        )
+        tops = np.where(np.tile(link, 2), _FASTEST, np.min(rows.top, axis=1, initial=_FASTEST))
         own = np.diff(self.ends, prepend=0.0)  # what the program times lasts so long
         least = np.array([leg.least if leg.duration is None else T for leg, T in zip(legs, own, strict=True)])
         kept = [paced or bool(leg.units) for leg in legs] | ((least > 0) & ~self._apart)
-        begin, end = _halves(np.where(kept[self._number], np.minimum(tops, 1.0), tops), N)
+        begin, end = np.where(kept[self._number], np.minimum(tops, 1.0), tops).reshape(2, N)
         top = np.minimum(np.append(begin, _FASTEST), np.insert(end, 0, _FASTEST))
-        rests = [one[None] for one in _halves(rows.rests, N)] if np.any(rows.rests) else []
-        begins, ends = ((sides[i][None], sides[i + 2][None], *rests[i : i + 1]) for i in (0, 1))
+        asked = (slopes, bends, rests) if np.any(rests) else (slopes, bends)
+        begins, ends = (tuple(one[side : side + 1] for one in asked) for side in (0, 1))
         rates = fastest_laws(self._s, top[None], begins, ends, np.inf, np.inf).rates[0]
         times = 2 * np.diff(self._s) / (rates[1:] + rates[:-1])
         return float(np.maximum(np.bincount(self._number[:N], times, len(legs)), least).sum())
@@ -117,7 +119,3 @@ class Course:
         turned = np.array([bool(leg.units) for leg in self.legs])[self._number]
         tool[turned] = 0.0  # against work that turns: the rate 1, which it is driven with at most, keeps its caps
         return PathDerivatives(q, dq, ddq, tool[:, 0, :3], tool[:, 0, 3:], tool[:, 1, :3], np.zeros((len(at), 2)))
-
-
-def _halves(values: Array, N: int) -> tuple[Array, Array]:
-    return values[:N], values[N:]
