@@ -14,7 +14,7 @@ from trajopt_cli.cell.model import minimal_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.problem.plant import build_plant
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import ESTIMATED_SETTLING, Scenario, Settling
 
 REPOSITORY = Path(__file__).parents[2]
 HOME = math.radians(30.0)
@@ -284,3 +284,30 @@ def test_the_scenario_has_values_sequences_answers_waits_searches_and_limits() -
 )
 def test_messages_of_the_scenario(text: str, expected: str) -> None:
     assert message(ARM + text) == f"cell.yaml:{expected}"
+
+
+@pytest.mark.parametrize(
+    ("said", "expected"),
+    [
+        ("", (0.2, 0.3)),
+        ("settle: 50 ms\n", (0.05, 0.05)),
+        ("settle: 0\n", (0.0, 0.0)),
+        ("settle: {fine: 0.05}\n", (0.05, 0.05)),  # inpos is as fine, unless somebody says more
+        ("settle: {inpos: 0.05}\n", (0.2, 0.05)),
+        ("settle: {fine: 0, inpos: 0.05}\n", (0.0, 0.05)),
+    ],
+)
+def test_settling_is_the_cells_else_the_robots_else_an_estimate(said: str, expected: tuple[float, float]) -> None:
+    cell = parse_cell(f"robot: irb140\nstart: {{joints: [0, 0, 0, 0, 0, 0]}}\n{said}", "cell.yaml")
+    assert cell.settling(Settling(0.2, 0.3, "measured"))[:2] == expected
+    nobody = cell.settling(None)
+    assert nobody.source == ("settle of cell.yaml" if said else ESTIMATED_SETTLING.source)
+    if not said:
+        assert nobody == ESTIMATED_SETTLING
+
+
+@pytest.mark.parametrize("value", ["-1 ms", "100", "", "{fine: 6}", "{stop: 0.1}", "[0.1]", "true"])
+def test_a_settling_that_is_none_is_placed_at_its_line(value: str) -> None:
+    with pytest.raises(InputError) as refused:
+        parse_cell(f"robot: irb140\nstart: {{joints: [0, 0, 0, 0, 0, 0]}}\nsettle: {value}\n", "cell.yaml")
+    assert (refused.value.file, refused.value.line) == ("cell.yaml", 3)

@@ -205,3 +205,10 @@ def test_the_judge_passes_rows_of_any_spacing(speeds: bool, step: int) -> None:
     q, qd, _ = hermite(rows, t)
     report = verify(program, plant, replace(rows, t=t, q=q, qd=qd if speeds else None), target=Target.RAPID)
     assert report.legal, [finding.message for finding in report.findings if not finding.passed]
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_move_to_where_the_arm_is_takes_no_time(target: Target) -> None:
+    alone, again = (without_rail(body, target) for body in (AWAY, f"{AWAY}\nWaitTime 0.2;\n{AWAY}\nWaitTime 0.1;"))
+    assert again.duration == pytest.approx(alone.duration + 0.3, abs=1e-6)
+    assert again.motions[2].binding == "already there"

@@ -110,6 +110,21 @@ def test_a_number_may_say_between_what_the_true_one_is_else_its_grade_does(copy)
     assert in_force.keys() == spread.keys() - {"joint_1.acceleration"}
 
 
+def test_how_long_axes_settle_is_the_robots_files(copy):
+    assert load_robot("ur5e").settle is None
+    for name in robot_names(Structure.SIX_AXIS):
+        if name.startswith(("irb", "crb")):
+            assert load_robot(name).settle[:2] == (0.1, 0.1)  # at \\Inpos as at fine points, where nobody says more
+    line = "  fine: {value: 0.1,"
+    more = '  inpos: {value: 0.3, source: "a log", grade: B}\n' + line
+    assert load_robot(copy(yaml={line: more})).settle[:2] == (0.1, 0.3)
+    for value in ("0", "-0.1", "100"):  # milliseconds
+        path = copy(yaml={line: line.replace("0.1", value)})
+        with pytest.raises(InputError) as refused:
+            load_robot(path)
+        assert refused.value.line == line_with("fine: {value", path)
+
+
 def test_an_unknown_robot_or_profile_lists_the_known():
     with pytest.raises(InputError) as error:
         load_robot("irb41")

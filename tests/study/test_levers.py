@@ -91,6 +91,8 @@ def test_speeds_waits_and_times_are_those_of_their_line() -> None:
         assert changed(program, plant, shorter) == ({}, [index])
         assert shorter.change(1.0)[0].motions[index].duration == pytest.approx(wanted)  # type: ignore[union-attr]
     assert not [one for one in levers(program, plant) if "v200 of MoveL p_in" in one.name]  # its time stands for it
+    settling = rapid(STATION, settle=0.1)  # which is nobody's line to shorten
+    assert [one.name for one in levers(settling, plant)] == [one.name for one in levers(program, plant)]
 
 
 def test_a_line_that_runs_often_is_one_lever_and_many_lines_are_asked_together() -> None:

@@ -22,7 +22,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import Scenario, Settling
 from trajopt_cli.study.case import Answer, Attempt, Case
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -45,9 +45,9 @@ MoveExtJ j_ext, v500, fine;
 MoveJ p_in, vmax, fine, tGrip;"""
 
 
-def rapid(body: str) -> Program:
+def rapid(body: str, settle: float = 0.0) -> Program:
     lines = ["MODULE T", DATA.replace("\n", " "), "PROC main()", body, "ENDPROC", "ENDMODULE"]
-    scenario = Scenario(signals={"di_part": 1}, waits={"di_part": 0.12})
+    scenario = Scenario(signals={"di_part": 1}, waits={"di_part": 0.12}, settle=Settling(settle))
     return run_program([TextFile("t.mod", "\n".join(lines), "utf-8")], scenario)
 
 

@@ -214,8 +214,9 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
     tried: dict[int, JointProfiles] = {}
     for i, ((first, last), own) in enumerate(zip(runs, q, strict=True)):
         leg, q_0, q_1 = problem.legs[first], own[first], own[first + 1]
-        if last == first + 1 and leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
-            out[i] = hold(leg.duration or 0.0, q_0)
+        stays = leg.kind is LegKind.DWELL or (leg.kind is LegKind.JOINT and not axes.in_closed_form)
+        if last == first + 1 and stays and np.abs(q_1 - q_0).max() < _SAME:
+            out[i] = hold(leg.duration or leg.least, q_0)
         if last > first + 1 or leg.kind is not LegKind.JOINT or not axes.in_closed_form:
             continue
         still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))

@@ -53,8 +53,9 @@ class JointJerk(Limit):
         """Mean jerks from each sample to the next in the same interval; zero at the last."""
         sample = motion.sample
         out = np.zeros_like(sample.qdd)
-        inside = np.setdiff1d(np.arange(len(out) - 1), motion.first - 1)
-        steps = (sample.t[inside + 1] - sample.t[inside])[:, None]
+        apart = np.diff(sample.t)  # 0 in a move to where the arm is
+        inside = np.setdiff1d(np.flatnonzero(apart), motion.first - 1)
+        steps = apart[inside, None]
         out[inside] = np.abs(sample.qdd[inside + 1] - sample.qdd[inside]) / steps / self._limits
         return out
 
