@@ -289,14 +289,6 @@ def test_in_place_writes_over_rapid_modules_alone(
     assert victim.read_text() == TEXT
 
 
-def test_in_place_adds_rapid_modules_alone(given: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    put(given, "program/job.desktop", b"[Desktop Entry]\n")
-    forged(given, lambda record: record.update(added=[{"path": "job.desktop", "rapid": "program/job.desktop"}]))
-    assert run(["export", "rapid", "given", "--in-place"]) == 2
-    assert "job.desktop: is no RAPID module by its name" in capsys.readouterr().err
-    assert not Path("job.desktop").exists()
-
-
 LISTS = {
     "above": "<Program><Module>../secret.mod</Module></Program>",
     "absolute": "<Program><Module>/etc/passwd</Module></Program>",

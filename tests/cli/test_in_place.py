@@ -6,7 +6,6 @@ import os
 import shutil
 import stat
 import subprocess
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -14,8 +13,6 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.pipeline.folder import rapid_export
-from trajopt_cli.runs.results import RapidModule, write_in_place
 from trajopt_cli.runs.transaction import replace_files
 
 OLD, NEW = b"MODULE m\r\nENDMODULE", b"MODULE m\r\n! edited\r\nENDMODULE"
@@ -88,19 +85,6 @@ def test_a_new_file_replaces_nothing(tmp_path: Path) -> None:
     assert tree(tmp_path) == before
 
 
-def test_modules_of_results_go_in_place_together(tmp_path: Path) -> None:
-    main, flat = tmp_path / "m.mod", tmp_path / "main_flat.mod"
-    main.write_bytes(OLD)
-    modules = [RapidModule(main, Path("m.mod"), NEW, OLD), RapidModule(flat, Path("main_flat.mod"), NEW, None)]
-    flat.write_bytes(b"somebody's")
-    with pytest.raises(InputError) as caught:
-        write_in_place(modules)
-    assert str(caught.value) == f"{flat}: is a new module of the plan, and the name is taken; move it away"
-    flat.unlink()
-    assert write_in_place(modules) == {main: tmp_path / "m.mod.bak"}
-    assert tree(tmp_path) == {"m.mod": NEW, "m.mod.bak": OLD, "main_flat.mod": NEW}
-
-
 # ----------------------------------------------------------------------------------------------------- the command
 
 
@@ -111,7 +95,7 @@ def edited() -> bytes:
     return content
 
 
-def recorded(files: dict[str, bytes], added: Sequence[Mapping[str, str]] = ()) -> None:
+def recorded(files: dict[str, bytes]) -> None:
     """Put files into the results of the tiny program as if the run had written them."""
     folder = Path("results/tiny")
     record = json.loads((folder / "run.json").read_text())
@@ -119,7 +103,6 @@ def recorded(files: dict[str, bytes], added: Sequence[Mapping[str, str]] = ()) -
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(content)
         record["files"][name] = hashlib.sha256(content).hexdigest()
-    record["added"] = [*record["added"], *added]
     (folder / "run.json").write_text(json.dumps(record))
 
 
@@ -161,23 +144,3 @@ def test_the_printed_diff_can_be_applied(
     assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
     subprocess.run(["patch", "-p1", "--fuzz=0"], input=capfdbinary.readouterr().out, check=True, capture_output=True)
     assert program.read_bytes() == content
-
-
-def test_new_modules_are_kept_in_the_results(program: Path, results: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    content = edited()
-    assert json.loads(Path("results/tiny/run.json").read_text())["added"] == []
-    recorded({"program/main_flat.mod": NEW}, [{"path": "main_flat.mod", "rapid": "program/main_flat.mod"}])
-    files = rapid_export(Path("results/tiny"))
-    assert [(one.path, one.place, one.content) for one in files.modules] == [
-        (Path("tiny.mod"), Path("tiny.mod"), content),
-        (Path("main_flat.mod"), Path("main_flat.mod"), NEW),
-    ]
-    assert "--- /dev/null\n+++ b/main_flat.mod\n" in files.difference
-    assert run(["export", "rapid", "results/tiny", "--output", "one.mod"]) == 2
-    said = "one.mod: is a file's name; the program has 2 modules, --output names a folder for them\n"
-    assert capsys.readouterr().err.endswith(said)
-    assert run(["export", "rapid", "results/tiny", "--output", "out", "--in-place"]) == 0
-    assert tree(Path("out")) == {"tiny.mod": content, "main_flat.mod": NEW}
-    assert Path("main_flat.mod").read_bytes() == NEW
-    said = capsys.readouterr().out
-    assert said.endswith("from now on give the folder, or all files: trajopt parse tiny.mod main_flat.mod\n")

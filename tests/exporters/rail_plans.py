@@ -72,7 +72,7 @@ def read_back(program: Program, export: RapidExport, scenario: Scenario | None =
 
 def unified_diff(program: Program, export: RapidExport) -> str:
     """What an export changes."""
-    return rapid_diff.unified_diff(program.files, export.texts, {})
+    return rapid_diff.unified_diff(program.files, export.texts)
 
 
 def changed_lines(program: Program, export: RapidExport) -> list[str]:

@@ -33,13 +33,11 @@ def test_patch_gives_the_edited_bytes(tmp_path: Path, end: str, encoding: str, l
     text = LINES.replace("\n", end) + (end if last else "")
     new = text.replace("go;", f"go 1;{end}        go 2;").replace("n;", "k;")
     files = {"in/my robot.mod": TextFile("in/my robot.mod", text, encoding), "b.mod": TextFile("b.mod", text, "utf-8")}
-    added = {"in/main_flat.mod": TextFile("in/main_flat.mod", text, encoding)}
     (tmp_path / "in").mkdir()
     for path, file in files.items():
         (tmp_path / path).write_bytes(file.text.encode(file.encoding))
-    apply(tmp_path, patch(files, {"in/my robot.mod": new, "b.mod": text}, added))
+    apply(tmp_path, patch(files, {"in/my robot.mod": new, "b.mod": text}))
     assert (tmp_path / "in/my robot.mod").read_bytes() == new.encode(encoding)
-    assert (tmp_path / "in/main_flat.mod").read_bytes() == text.encode(encoding)
     assert (tmp_path / "b.mod").read_bytes() == text.encode()
 
 
@@ -59,7 +57,7 @@ def test_patch_takes_any_lines(tmp_path_factory: pytest.TempPathFactory, old: li
     before, after = "x\n" + "".join(old), "".join(new)
     folder = tmp_path_factory.mktemp("patched")
     (folder / "m.mod").write_bytes(before.encode("cp1252"))
-    difference = patch({"m.mod": TextFile("m.mod", before, "cp1252")}, {"m.mod": after}, {})
+    difference = patch({"m.mod": TextFile("m.mod", before, "cp1252")}, {"m.mod": after})
     if difference:
         apply(folder, difference)
     assert (folder / "m.mod").read_bytes() == after.encode("cp1252")
@@ -67,7 +65,7 @@ def test_patch_takes_any_lines(tmp_path_factory: pytest.TempPathFactory, old: li
 
 def test_a_diff_to_read_is_text_whatever_the_encoding() -> None:
     file = TextFile("m.mod", "\ufeff! Tür\r\nx\r\n", "utf-16-le")
-    assert unified_diff({"m.mod": file}, {"m.mod": "\ufeff! Tür\r\ny\r\n"}, {}) == (
+    assert unified_diff({"m.mod": file}, {"m.mod": "\ufeff! Tür\r\ny\r\n"}) == (
         "--- a/m.mod\n+++ b/m.mod\n@@ -1,2 +1,2 @@\n \ufeff! Tür\r\n-x\r\n+y\r\n"
     )
 
@@ -87,5 +85,5 @@ def test_a_patch_names_no_file_outside_the_folder_it_is_applied_in(paths: list[s
 def test_texts_too_different_to_be_compared_line_by_line_are_replaced() -> None:
     """600 equal lines against 1200: a search for what they share would look at every pair."""
     old, new = "a\n" * 600, "b\na\n" * 600
-    lines = unified_diff({"m": TextFile("m", old, "utf-8")}, {"m": new}, {}).splitlines()
+    lines = unified_diff({"m": TextFile("m", old, "utf-8")}, {"m": new}).splitlines()
     assert (lines.count("-a"), lines.count("+b"), lines.count(" a")) == (599, 600, 1)

@@ -296,17 +296,12 @@ def rapid(
         tidied(one.path for one in modules)
         backups = write_in_place(modules)
         for one in modules:
-            if one.given is None:
-                said.append(f"{one.path}: a new module; load it with the program")
-            elif one.path in backups:
+            if one.path in backups:
                 said.append(f"wrote {one.path} ({what}); original in {backups[one.path].name}")
             else:
                 said.append(f"{one.path}: unchanged")
                 continue
             written.append(str(one.path))
-        if any(one.given is None for one in modules):
-            every = " ".join(str(one.path) for one in modules)
-            said.append(f"from now on give the folder, or all files: trajopt parse {every}")
     said += files.ways
     if as_json:
         difference = files.difference if diff else None

@@ -17,24 +17,22 @@ _GAP = 250_000  # pairs of lines; more are taken as changed without looking for 
 _LINE = re.compile(r"[^\n]*\n|[^\n]+")
 
 
-def unified_diff(files: Mapping[str, TextFile], texts: Mapping[str, str], new: Mapping[str, TextFile]) -> str:
-    """A diff to read. files: as given, by path; texts: edited, by the same paths; new: modules that are added."""
-    old = {path: file.text for path, file in files.items()}
-    return "".join(_differences(old, texts, {path: file.text for path, file in new.items()}))
+def unified_diff(files: Mapping[str, TextFile], texts: Mapping[str, str]) -> str:
+    """A diff to read. files: as given, by path; texts: edited, by the same paths."""
+    return "".join(_differences({path: file.text for path, file in files.items()}, texts))
 
 
-def patch(files: Mapping[str, TextFile], texts: Mapping[str, str], new: Mapping[str, TextFile]) -> bytes:
+def patch(files: Mapping[str, TextFile], texts: Mapping[str, str]) -> bytes:
     """As unified_diff, in every file's own encoding and line ends.
 
     Lines end at the byte LF, as the patch command has it, whatever the encoding. Its paths are as given; where one is
     absolute or climbs out of the working folder, all are relative to the folder that holds them, as patch follows no
     others.
     """
-    names = relative_names([*files, *new])
+    names = relative_names([*files])
     old = {names[path]: _bytes(file.text, file.encoding) for path, file in files.items()}
     edited = {names[path]: _bytes(texts[path], file.encoding) for path, file in files.items()}
-    added = {names[path]: _bytes(file.text, file.encoding) for path, file in new.items()}
-    return "".join(_differences(old, edited, added)).encode("latin-1")
+    return "".join(_differences(old, edited)).encode("latin-1")
 
 
 def relative_names(paths: list[str]) -> dict[str, str]:
@@ -52,12 +50,10 @@ def _bytes(text: str, encoding: str) -> str:
     return text.encode(encoding).decode("latin-1")
 
 
-def _differences(old: Mapping[str, str], edited: Mapping[str, str], added: Mapping[str, str]) -> Iterator[str]:
+def _differences(old: Mapping[str, str], edited: Mapping[str, str]) -> Iterator[str]:
     for path, text in old.items():
         if text != edited[path]:
             yield from _one(text, edited[path], f"a/{path}", f"b/{path}")
-    for path, text in added.items():
-        yield from _one("", text, "/dev/null", f"b/{path}")
 
 
 def _one(old: str, new: str, before: str, after: str) -> Iterator[str]:

@@ -97,24 +97,21 @@ def rapid_export(folder: Path) -> RapidFiles:
     results = read_results(folder)
     if results.no_rapid is not None:
         raise InputError(f"holds no RAPID text: {results.no_rapid}", file=str(folder))
-    given, texts, new = dict[str, TextFile](), dict[str, str](), dict[str, TextFile]()
+    given, texts = dict[str, TextFile](), dict[str, str]()
     for one in results.rapid:
         path = str(one.path)
-        if one.given is None:
-            new[path] = TextFile(path, *decode(one.content))
-        else:
-            given[path] = TextFile(path, *decode(one.given))
-            try:
-                texts[path] = one.content.decode(given[path].encoding)
-            except UnicodeDecodeError as error:
-                why = f"byte {error.start} of the optimised {one.place} is no {given[path].encoding}, as the program is"
-                raise InputError(f"{why}; make the folder again", file=str(folder)) from error
+        given[path] = TextFile(path, *decode(one.given))
+        try:
+            texts[path] = one.content.decode(given[path].encoding)
+        except UnicodeDecodeError as error:
+            why = f"byte {error.start} of the optimised {one.place} is no {given[path].encoding}, as the program is"
+            raise InputError(f"{why}; make the folder again", file=str(folder)) from error
     rapid = results.summary.plans.rapid
     cycle = max((row.start_s + row.time_s for row in rapid.motions), default=0.0)
     lines = (_way_line(way, rapid.motions) for way in rapid.detours)
     ways = tuple(dict.fromkeys(lines))  # passes of one text say the same
-    difference = unified_diff(given, texts, new)
-    return RapidFiles(results.rapid, patch(given, texts, new), difference, tuple(results.summary.kept), cycle, ways)
+    difference = unified_diff(given, texts)
+    return RapidFiles(results.rapid, patch(given, texts), difference, tuple(results.summary.kept), cycle, ways)
 
 
 def _way_line(way: DetourRow, motions: Sequence[MotionRow]) -> str:

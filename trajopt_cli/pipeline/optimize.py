@@ -183,7 +183,7 @@ def optimize_job(
         files = _files(job, told, judged, inputs, export)
         changed = no_rapid or ""
         if export is not None:
-            changed = unified_diff(job.program.files, export.texts, {})
+            changed = unified_diff(job.program.files, export.texts)
     options = PlanOptions(
         program=[str(path) for path in job.paths],
         cell=str(job.cell_path),

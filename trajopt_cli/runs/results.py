@@ -20,7 +20,7 @@ from trajopt_cli.problem.plan import Passing, Target
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.folder import PLAN, ResultsFolder, read_bytes, read_run
-from trajopt_cli.runs.record import RunRecord, Section, UserPath, quoted
+from trajopt_cli.runs.record import RunRecord, Section, quoted
 from trajopt_cli.runs.summary import Summary
 from trajopt_cli.runs.transaction import replace_files
 
@@ -52,15 +52,9 @@ class PlanOptions(Section):
     cycle_time: Annotated[float, Field(ge=0, le=FARTHEST)] | None = None
 
 
-class AddedModule(Section):
-    """A module that the export added: its path beside the program, and its place in the folder."""
-
-    path: UserPath
-    rapid: str
-
-
 class PlanRecord(RunRecord[PlanOptions]):
-    """run.json of trajopt optimize. no_rapid: why the plan could not be written as RAPID. seconds: per phase."""
+    """run.json of trajopt optimize. no_rapid: why the plan could not be written as RAPID. added: modules that exports
+    of old versions added, which none does any more. seconds: per phase."""
 
     KIND: ClassVar[str] = PLAN
     LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
@@ -68,7 +62,7 @@ class PlanRecord(RunRecord[PlanOptions]):
 
     options: PlanOptions = PlanOptions()
     no_rapid: str | None = None
-    added: list[AddedModule] = Field(default_factory=list)
+    added: Annotated[list[str], Field(max_length=0)] = Field(default_factory=list)
     started: str = ""
     seconds: dict[str, float] = Field(default_factory=dict)
 
@@ -86,30 +80,16 @@ class PlanRecord(RunRecord[PlanOptions]):
                 raise complain(f"inputs.{key}: {quoted(place)} is not one of inputs.files that is {kind}")
         return self
 
-    @model_validator(mode="after")
-    def _added_lie_beside_the_program(self) -> PlanRecord:
-        """New modules: each called as in the folder, and beside one of the program's own files."""
-        own = {Path(one.path) for one in self.inputs.files}
-        beside = {Path(one.path).parent for one in self.inputs.files if one.module}
-        for i, one in enumerate(self.added):
-            path = Path(one.path)
-            self.listed(f"added[{i}].rapid", one.rapid)
-            if path.parent not in beside or path in own or path.name in ("..", "."):
-                raise complain(f"added[{i}].path: {quoted(one.path)} is no new file in a folder of the program")
-            if Path(one.rapid).name != path.name:
-                raise complain(f"added[{i}].rapid: {quoted(one.rapid)} is no file called {path.name}")
-        return self
-
 
 @dataclass(frozen=True)
 class RapidModule:
-    """A module with the rapid plan in it. path: as the user gave it, or beside the program for a new one. place: in a
-    folder of them all. given: the module as it was, None for a new one."""
+    """A module with the rapid plan in it. path: as the user gave it. place: in a folder of them all. given: the module
+    as it was."""
 
     path: Path
     place: Path
     content: bytes
-    given: bytes | None
+    given: bytes
 
 
 @dataclass(frozen=True)
@@ -204,16 +184,17 @@ def read_results(folder: Path, judged: bool = False) -> Results:
 
 def _rapid(run: ResultsFolder[PlanRecord]) -> Iterator[RapidModule]:
     """The optimised modules: each without the folder program/; program.mod alone is called as the user calls it."""
-    given = [(one.path, one.rapid, run.contents[one.place]) for one in run.record.inputs.files if one.rapid is not None]
-    for path, place, before in (*given, *((one.path, one.rapid, None) for one in run.record.added)):
-        inner = Path(place).parts[1:]
-        yield RapidModule(Path(path), Path(*inner) if inner else Path(Path(path).name), run.contents[place], before)
+    for one in run.record.inputs.files:
+        if one.rapid is not None:
+            path, inner = Path(one.path), Path(one.rapid).parts[1:]
+            place = Path(*inner) if inner else Path(path.name)
+            yield RapidModule(path, place, run.contents[one.rapid], run.contents[one.place])
 
 
 def beside_results(modules: Sequence[RapidModule], folder: Path) -> tuple[RapidModule, ...]:
     """The modules where they lie: paths that are not found from here are looked for above the results folder, which
     was made from there."""
-    given = [one.path for one in modules if one.given is not None and not one.path.is_absolute()]
+    given = [one.path for one in modules if not one.path.is_absolute()]
     if any(path.exists() for path in given):
         return tuple(modules)
     above = next(
@@ -227,22 +208,18 @@ def beside_results(modules: Sequence[RapidModule], folder: Path) -> tuple[RapidM
 def write_in_place(modules: Sequence[RapidModule]) -> dict[Path, Path]:
     """Write the optimised modules over the user's own; where each old one is kept, by its path.
 
-    Raises InputError, with every file as it was, where one is not what the results were made from, a new module's name
-    is taken, or a place cannot be written.
+    Raises InputError, with every file as it was, where one is not what the results were made from, or a place cannot be
+    written.
     """
     for one in modules:
         if one.path.suffix.lower() not in MODULES:  # whoever made the folder chose these paths
             known = ", ".join(MODULES)
             message = f"is no RAPID module by its name ({known}), and is not written over; give --output"
             raise InputError(message, file=str(one.path))
-        if one.given is None:
-            if os.path.lexists(one.path):
-                raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))
-        elif read_bytes(one.path) != one.given:
+        if read_bytes(one.path) != one.given:
             copies = sorted(one.path.parent.glob(f"{escape(one.path.name)}.bak*"))
             kept = [copy.name for copy in copies if copy.is_file() and read_bytes(copy) == one.given]
             where = f" (that is kept as {kept[-1]})" if kept else ""
             message = f"is not the file that the results were made from{where}; run trajopt optimize again"
             raise InputError(message, file=str(one.path))
-    wanted = {one.path: (one.given, one.content) for one in modules if one.given is not None}
-    return replace_files(wanted, {one.path: one.content for one in modules if one.given is None})
+    return replace_files({one.path: (one.given, one.content) for one in modules}, {})
