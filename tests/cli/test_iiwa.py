@@ -549,6 +549,8 @@ def test_dosing_refuses_what_would_be_lost_or_not_be_followed(
         assert "is the folder of the results or lies in it" in capsys.readouterr().err
     assert run(["iiwa", "dose", str(folder), "--max-lag", "1e-9m"]) == 2
     assert capsys.readouterr().err == "--max-lag: 1e-09 m is not within 1e-06 and 10 m\n"
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--max-turn-lag", "4rad"]) == 2
+    assert capsys.readouterr().err.startswith("--max-turn-lag: 4 rad is not within ")
     assert contents(folder) == before
     assert not Path(f"{folder}-dosed").exists()
     monkeypatch.chdir(folder)

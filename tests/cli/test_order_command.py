@@ -13,8 +13,9 @@ from trajopt_cli.job import read_job
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.runs.folder import read_run
-from trajopt_cli.study.order import Ordered, OrderRecord, order_of, order_record
+from trajopt_cli.runs.folder import ORDER, read_run
+from trajopt_cli.study.answers import study_record
+from trajopt_cli.study.order import Ordered, order_of, order_record
 from trajopt_cli.study.order_text import group_of
 
 PLACES = {1: -0.5, 2: 0.5, 3: -0.4, 4: 0.4}  # rad of joint 1: the written order goes to and fro
@@ -74,7 +75,7 @@ def test_the_best_order_is_planned_compared_and_written(tiny: Path, capsys: pyte
     for one in found["orders"]:
         if one["cycle_time_s"] is not None:
             assert one["model_s"] == pytest.approx(one["cycle_time_s"], rel=1e-3)
-    folder = read_run(Path("results/tiny_order"), OrderRecord)
+    folder = read_run(Path("results/tiny_order"), study_record(ORDER))
     assert json.loads(folder.contents["order.json"]) == found
     assert folder.contents["input/tiny.mod"] == tiny.read_bytes()
     calls = "".join(f"  {name};\n" for name in found["best"]["order"])
@@ -106,7 +107,7 @@ def test_what_cannot_be_written_is_listed(tiny: Path, capsys: pytest.CaptureFixt
     assert "in the order T" in out
     assert error.splitlines()[-1] == "tiny.mod: stays as it is: n is changed in T1 and used in T2"
     assert tiny.read_text() == changed
-    assert not any("program" in name for name in read_run(Path("results/tiny_order"), OrderRecord).contents)
+    assert not any("program" in name for name in read_run(Path("results/tiny_order"), study_record(ORDER)).contents)
 
 
 def test_a_part_out_of_reach_is_named(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:

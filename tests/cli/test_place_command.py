@@ -9,8 +9,8 @@ import pytest
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.cli import run
-from trajopt_cli.runs.folder import read_run
-from trajopt_cli.study.place_record import PlaceRecord
+from trajopt_cli.runs.folder import PLACE, read_run
+from trajopt_cli.study.answers import study_record
 from trajopt_cli.yaml_file import with_value
 
 TEXT = """MODULE Tiny
@@ -40,7 +40,7 @@ def test_the_answer_stands_in_a_table_in_json_in_a_folder_and_in_a_cell_file(
     asked = ["place", str(tiny), "--what", "base", "--range", "x=0..60mm", "--target", "rapid", "--points", "4"]
     assert run([*asked, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    folder = read_run(Path("results/tiny_place"), PlaceRecord)
+    folder = read_run(Path("results/tiny_place"), study_record(PLACE))
     assert json.loads(folder.contents["place.json"]) == found
     assert folder.contents["input/tiny.mod"] == tiny.read_bytes()
     assert {"plots/place_rapid.svg", "plots/place_rapid.png", "changed.yaml"} < set(folder.contents)

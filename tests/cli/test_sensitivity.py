@@ -12,8 +12,8 @@ import pytest
 from fake_planner import CELL
 
 from trajopt_cli.cli import run
-from trajopt_cli.runs.folder import read_run
-from trajopt_cli.study.sensitivity import SensitivityRecord
+from trajopt_cli.runs.folder import SENSITIVITY, read_run
+from trajopt_cli.study.answers import study_record
 
 # joint 1 by 5 degrees and back, under every cap of the tool; a wait between
 TEXT = """MODULE Tiny
@@ -87,7 +87,7 @@ def test_a_program_and_its_results_get_the_same_answer_in_order(
             "0.014 s (1.8 %)"
         )
     # the folder is whole, and brings its inputs
-    folder = read_run(Path("out"), SensitivityRecord)
+    folder = read_run(Path("out"), study_record(SENSITIVITY))
     own = json.loads(folder.contents["sensitivity.json"])
     del own["program"]
     assert own == alone

@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli.cli import page_server, run
-from trajopt_cli.runs.folder import write_run
+from trajopt_cli.runs.folder import SENSITIVITY, write_run
 from trajopt_cli.runs.record import Inputs
-from trajopt_cli.study.sensitivity import SensitivityRecord
+from trajopt_cli.study.answers import study_record
 
 PAGE = "<!doctype html><title>Ω</title>".encode()
 
@@ -29,7 +29,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(page_server, "_SNAPS", tmp_path / "none")
     place = tmp_path / "a result"
-    write_run(place, SensitivityRecord, {"report.html": PAGE}, "sensitivity", options={}, inputs=Inputs())
+    write_run(place, study_record(SENSITIVITY), {"report.html": PAGE}, "sensitivity", options={}, inputs=Inputs())
     return place
 
 
@@ -117,7 +117,7 @@ def test_a_page_that_was_changed_and_a_folder_without_one(folder: Path, capsys: 
     assert run(["view", str(folder)]) == 2
     assert capsys.readouterr().err.startswith(f"{folder}/report.html: was changed since the run; ")
     other = folder.parent / "other"
-    write_run(other, SensitivityRecord, {"a.json": b"{}"}, "sensitivity", options={}, inputs=Inputs())
+    write_run(other, study_record(SENSITIVITY), {"a.json": b"{}"}, "sensitivity", options={}, inputs=Inputs())
     assert run(["view", str(other)]) == 2
     assert capsys.readouterr().err == f"{other}: has no report.html; run trajopt sensitivity again\n"
     record = (other / "run.json").read_text()

@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.egm import Stream, read_stream, robot_state, stream_bytes, stream_of
+from trajopt_cli.exporters.egm import Stream, read_stream, robot_state, stream_of, stream_parts
 from trajopt_cli.exporters.egm_player import Played, address, bound, follower, lags, log_text, play
 from trajopt_cli.exporters.recorded import Recorded
 from trajopt_cli.trajectory import Trajectory
@@ -42,7 +42,7 @@ def messages(content: bytes) -> Iterator[Any]:
 
 
 def test_googles_library_reads_every_message_with_nothing_left_over() -> None:
-    found = [*messages(stream_bytes(stream_of(on_a_rail(), eax=2)))]
+    found = [*messages(b"".join(stream_parts(stream_of(on_a_rail(), eax=2))))]
     assert len(found) == int(np.ceil(T * 250)) + 1
     for i, one in enumerate(found):
         parts = [one, one.header, one.planned, one.planned.joints, one.planned.externalJoints, one.planned.time]
@@ -63,16 +63,16 @@ def test_googles_library_reads_every_message_with_nothing_left_over() -> None:
 
 def test_a_file_is_read_back_to_the_last_bit() -> None:
     given = stream_of(on_a_rail(), eax=0)
-    back = read_stream(stream_bytes(given), "s.egm")
+    back = read_stream(b"".join(stream_parts(given)), "s.egm")
     assert (back.period, back.joints, back.names) == (pytest.approx(4e-3, abs=1e-12), 6, (*ARM, "eax_a"))
     np.testing.assert_array_equal(back.q, given.q)
     np.testing.assert_array_equal(back.qd, given.qd)
     without = Recorded("a plan", Trajectory(ARM, on_a_rail().trajectory.t, np.zeros((3, 6)), np.zeros((3, 6))))
-    assert read_stream(stream_bytes(stream_of(without)), "s.egm").names == ARM
+    assert read_stream(b"".join(stream_parts(stream_of(without))), "s.egm").names == ARM
 
 
 def test_what_is_no_stream_is_one_line() -> None:
-    whole = stream_bytes(stream_of(on_a_rail(), eax=0))
+    whole = b"".join(stream_parts(stream_of(on_a_rail(), eax=0)))
     for content, said in (
         (b"", "is no EGM stream: two set points or more"),
         (b"t [s],joint_1 [rad]\n", "message 1 is no EgmSensor of trajopt"),

@@ -14,7 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.fri import fri_rows
 from trajopt_cli.exporters.parquet import parquet
 from trajopt_cli.exporters.recorded import Recorded
-from trajopt_cli.exporters.ros2 import joint_trajectory
+from trajopt_cli.exporters.ros2 import trajectory_parts
 from trajopt_cli.joint_csv import header
 from trajopt_cli.trajectory import Trajectory
 
@@ -39,7 +39,7 @@ def test_a_joint_trajectory_is_a_message_of_ros_2() -> None:
     typesys = pytest.importorskip("rosbags.typesys")
     store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
     given = motion(h=0.3)
-    content = as_yaml_1_1(joint_trajectory(given))
+    content = as_yaml_1_1("".join(trajectory_parts(given)))
 
     def message(name: str, value: dict[str, Any]) -> Any:
         return store.types[name](**value)
@@ -67,7 +67,7 @@ def test_a_joint_trajectory_is_a_message_of_ros_2() -> None:
 def test_accelerations_are_the_motions_own() -> None:
     t = np.array([0.0, 0.1, 0.3, 0.35, 0.6])  # rows of any gaps: a parabola's second differences are its acceleration
     q = np.stack([1.5 * t * t, -2 * t * t], axis=1)
-    text = joint_trajectory(Trajectory(("a", "b"), t + 5, q, 2 * q), ["left/arm", "lbr_A2"])
+    text = "".join(trajectory_parts(Trajectory(("a", "b"), t + 5, q, 2 * q), ["left/arm", "lbr_A2"]))
     content = as_yaml_1_1(text)
     assert content["joint_names"] == ["left/arm", "lbr_A2"]
     found = np.array([point["accelerations"] for point in content["points"]])
@@ -80,7 +80,7 @@ def test_accelerations_are_the_motions_own() -> None:
 @pytest.mark.parametrize("names", [["a"], ["a"] * 7, ["a b", *NAMES[1:]], ["", *NAMES[1:]], ["1a", *NAMES[1:]]])
 def test_names_that_are_none_are_refused(names: list[str]) -> None:
     with pytest.raises(InputError, match="are not 7 different names, one each for joint_1"):
-        joint_trajectory(motion(), names)
+        "".join(trajectory_parts(motion(), names))
 
 
 def test_parquet_has_the_columns_of_the_csv_to_the_last_bit() -> None:

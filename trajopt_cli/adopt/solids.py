@@ -9,10 +9,12 @@ from urllib.parse import unquote, urlparse
 
 import numpy as np
 
+from trajopt_cli.adopt.capsule import smallest_capsule
 from trajopt_cli.adopt.chain import Body, NormalChain
 from trajopt_cli.adopt.tree import FIXED, CollisionShape
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_about
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.urdf import UrdfJoint
 from trajopt_cli.shapes import ATTACHED, Capsule, MeshFile
 
@@ -33,8 +35,6 @@ class LinkCapsules:
 
 def link_capsules(chain: NormalChain) -> LinkCapsules:
     """A capsule around every link of the arm whose collision geometry is given and readable."""
-    from trajopt_cli.adopt.capsule import smallest_capsule
-
     capsules, missing = {}, []
     for body in _arm(chain.bodies):
         points: list[Array] = []
@@ -109,8 +109,6 @@ def self_pairs(
     Left out are neighbours, pairs that touch in none of so many postures within the ranges, and pairs whose capsules
     overlap in more than a tenth of them: those are larger than the links. The same postures every time.
     """
-    from trajopt_cli.proximity.pair import Pair
-
     names = [joints[0].parent, *(joint.child for joint in joints[:6])]
     q = sampled(joints, postures)
     q[:, 2] -= linkage * q[:, 1]

@@ -84,7 +84,7 @@ def baseline(
       trajopt compare baseline programs/hinge_cell.mod --csv rows.csv
     """
     from trajopt_cli.cli.comparison_tables import causes_table, comparison_line, row_lines, rows_table
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell, told
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import read_program_or_results
@@ -144,11 +144,7 @@ def baseline(
     )
     count = write_comparison(folder, answer, options)
     wrote(folder)
-    told = f"written to {folder}: report.html (open it in a browser) and {count - 1} files more"
-    if as_json and not quiet:
-        warn(told)
-    elif not quiet:
-        tell(stdout(), [told])
+    told([f"written to {folder}: report.html (open it in a browser) and {count - 1} files more"], as_json, quiet)
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)
 

@@ -53,6 +53,15 @@ def warn(text: str) -> None:
     typer.echo(text, err=True)
 
 
+def told(lines: Iterable[str], as_json: bool, quiet: bool) -> None:
+    """Say what was written: beside JSON on stderr, and nothing where it is to be quiet."""
+    for line in () if quiet else lines:
+        if as_json:
+            warn(line)
+        else:
+            tell(stdout(), [line])
+
+
 def print_json(record: Any) -> None:
     """Print one JSON document; numbers that are none (NaN, infinite) become null, which JSON has."""
     typer.echo(json.dumps(_plain(record), indent=2, ensure_ascii=False, allow_nan=False))

@@ -59,7 +59,7 @@ def order(
     Example:
       trajopt order programs/rivets.mod
     """
-    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, told, warn
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import MAIN, read_job
@@ -92,16 +92,12 @@ def order(
         tell(console, lines)
         console.print()
         tell(console, [answer.in_words])
-    told = [f"written to {folder}: report.html, order.json and {count - 1} files more"]
+    written = [f"written to {folder}: report.html, order.json and {count - 1} files more"]
     if apply and answer.new_text is not None:
         backup = apply_order(answer)
         wrote(Path(found.file))
-        told.append(f"written to {found.file}: the best order; as it was: {backup.name}")
-    for line in told:
-        if as_json and not quiet:
-            warn(line)
-        elif not quiet:
-            tell(stdout(), [line])
+        written.append(f"written to {found.file}: the best order; as it was: {backup.name}")
+    told(written, as_json, quiet)
     if apply and answer.why_not is not None:
         warn(f"{found.file}: stays as it is: {by_name(answer.why_not, files)}")
         raise typer.Exit(1)

@@ -77,7 +77,7 @@ def place(
     Example:
       trajopt place programs/hinge_cell.mod --what rail --range height=-10cm..0
     """
-    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell, told
     from trajopt_cli.cli.place_tables import impossible_lines, place_table, said
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
@@ -130,11 +130,6 @@ def place(
     if apply is not None:
         write_file(apply, site.changed_cell(best.offset, str(apply)).encode())
         wrote(apply)
-    told = [f"written to {folder}: report.html, place.json, its map in plots, and {count - 3} files more"]
-    told += [] if apply is None else [f"written to {apply}: the cell file with the best place"]
-    for line in told:
-        if as_json or quiet:
-            if not quiet:
-                warn(line)
-        else:
-            tell(stdout(), [line])
+    written = [f"written to {folder}: report.html, place.json, its map in plots, and {count - 3} files more"]
+    written += [] if apply is None else [f"written to {apply}: the cell file with the best place"]
+    told(written, as_json, quiet)

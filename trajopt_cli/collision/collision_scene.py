@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, rotation_about
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.collision_objects import Bodies, bodies_on
 from trajopt_cli.problem.plant import Plant
@@ -321,17 +321,9 @@ def links(robot: RobotModel, q: Array) -> Array:
         p = p + R @ joint.X[:3, 3]
         R = R @ joint.X[:3, :3]
         if i < len(robot.chain) - 1:
-            R = R @ _turned(joint.axis, arm[:, i])
+            R = R @ rotation_about(joint.axis, arm[:, i])
         X[:, i + 1, :3, :3], X[:, i + 1, :3, 3] = R, p
     return X
-
-
-def _turned(axis: Array, angle: Array) -> Array:
-    """Rotations (m, 3, 3) about a unit axis (3,) by angles (m,)."""
-    c, s = np.cos(angle), np.sin(angle)
-    x, y, z = axis
-    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + s[:, None, None] * K + (1 - c)[:, None, None] * (K @ K))
 
 
 def _levers(robot: RobotModel, shape: Shape, frame: int) -> Array:

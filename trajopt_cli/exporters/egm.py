@@ -11,6 +11,7 @@ externalJoints 3. EgmJoints: joints 1, doubles. EgmClock: sec 1, usec 2.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from struct import pack, unpack_from
@@ -120,13 +121,8 @@ def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:
     return (arm, names.index(_RAIL) if _RAIL in names else None) if len(arm) == _JOINTS else None
 
 
-def stream_bytes(stream: Stream) -> bytes:
-    """The file: messages one after the other, each behind its length as a varint, as Protocol Buffers delimit them."""
-    return b"".join(stream_parts(stream))
-
-
 def stream_parts(stream: Stream) -> Iterator[bytes]:
-    """The file, message by message."""
+    """The file, message by message, each behind its length as a varint, as Protocol Buffers delimit them."""
     for i in range(len(stream.q)):
         message = sensor_message(stream, i, i, round(1000 * stream.period * i))
         yield _varint(len(message)) + message
@@ -238,28 +234,20 @@ def _read_varint(data: bytes, at: int) -> tuple[int, int]:
 
 def _fields(data: bytes) -> dict[int, list[int | bytes]]:
     """All values of a message by field number: whole numbers, and all else as bytes."""
-    found: dict[int, list[int | bytes]] = {}
-    for field, value in _each(data):
-        found.setdefault(field, []).append(value)
-    return found
-
-
-def _each(data: bytes) -> Iterator[tuple[int, int | bytes]]:
-    at = 0
+    found, at = defaultdict[int, list[int | bytes]](list), 0
     while at < len(data):
         tag, at = _read_varint(data, at)
-        kind = tag & 7
-        if kind == 0:
-            number, at = _read_varint(data, at)
-            yield tag >> 3, number
-            continue
-        size = {_DOUBLE: 8, 5: 4}.get(kind)
-        if kind == _LENGTH:
+        size = {_DOUBLE: 8, 5: 4}.get(tag & 7)
+        if tag & 7 in (0, _LENGTH):
             size, at = _read_varint(data, at)
+        if tag & 7 == 0 and size is not None:  # the number itself
+            found[tag >> 3].append(size)
+            continue
         if size is None or at + size > len(data):
             raise ValueError("it is no message of Protocol Buffers")
-        yield tag >> 3, data[at : at + size]
+        found[tag >> 3].append(data[at : at + size])
         at += size
+    return found
 
 
 def _last(fields: dict[int, list[int | bytes]], number: int) -> bytes:

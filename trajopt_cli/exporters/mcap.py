@@ -36,7 +36,7 @@ def mcap(trajectory: Trajectory, names: Sequence[str] | None = None) -> bytes:
     """The file: /joint_trajectory once, with all rows, and /joint_states row by row, each stamped with its time.
 
     Times count from 0 at the first row, as time and as stamp, so the same motion gives the same bytes. names: as in
-    joint_trajectory. Raises InputError as that does, and where mcap-ros2-support, the extra mcap, is missing.
+    trajectory_parts. Raises InputError as that does, and where mcap-ros2-support, the extra mcap, is missing.
     """
     try:
         from mcap_ros2.writer import Writer

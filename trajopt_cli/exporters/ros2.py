@@ -13,17 +13,12 @@ from trajopt_cli.trajectory import Trajectory
 _NANO = 10**9
 
 
-def joint_trajectory(trajectory: Trajectory, names: Sequence[str] | None = None) -> str:
-    """The message as YAML, as `ros2 topic pub` takes it. names: the joints' in ROS, the motion's own for None.
+def trajectory_parts(trajectory: Trajectory, names: Sequence[str] | None = None) -> Iterator[str]:
+    """The message as YAML in parts, as `ros2 topic pub` takes it. names: the joints' in ROS, None for the motion's own.
 
     Times count from the first row. Accelerations are second divided differences, 0 in the first and the last row.
     Raises InputError as checked_names.
     """
-    return "".join(trajectory_parts(trajectory, names))
-
-
-def trajectory_parts(trajectory: Trajectory, names: Sequence[str] | None = None) -> Iterator[str]:
-    """The text of joint_trajectory in parts."""
     trajectory = trajectory.whole
     names, qd = checked_names(trajectory, names)
     return _lines(trajectory, qd, names)

@@ -32,6 +32,12 @@ def why_illegal(plant: Plant, program: Program, plan: Plan, target: Target) -> t
     return f"collides: {found.message}" if hits else found.message, found.source
 
 
+def study_record(kind: str) -> type[RunRecord[dict[str, Any]]]:
+    """run.json of a study that searches over plans: the model for folders of this kind."""
+    libraries = ("casadi", "numpy", "pin", "scipy")
+    return type(f"{kind.title()}Record", (RunRecord[dict[str, Any]],), {"KIND": kind, "LIBRARIES": libraries})
+
+
 def write_answer(
     folder: Path, model: type[RunRecord[Any]], job: Job, files: Mapping[str, bytes], options: Any, command: str = ""
 ) -> int:

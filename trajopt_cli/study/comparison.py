@@ -7,9 +7,10 @@ from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from trajopt_cli.findings import Report
 from trajopt_cli.job import Job
+from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.motion import PoseMove, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, judge, may_change
 from trajopt_cli.problem.corners import corners_of
@@ -21,12 +22,10 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
 from trajopt_cli.runs.summary import Settled, settled
 from trajopt_cli.runs.uncertainty import Uncertainty
+from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule, Solve
+from trajopt_cli.study.causes import asked, causes, with_stops
+from trajopt_cli.study.table import BASELINES, Baseline, solved
 from trajopt_cli.workers import in_turns
-
-if TYPE_CHECKING:
-    from trajopt_cli.findings import Report
-    from trajopt_cli.study.case import Answer, Attempt, Case, RailRule, Solve
-    from trajopt_cli.study.table import Baseline
 
 _WRITING = 2.0  # s of writing the comparison
 _EQUAL = 1e-6  # s: two plans this close are equally fast
@@ -108,8 +107,6 @@ def compare(
     with a time limit the program as written and the RAPID optimum come first, then those that take least.
     """
     from trajopt_cli.plan.uncertainty import uncertainty
-    from trajopt_cli.study.causes import causes
-    from trajopt_cli.study.table import BASELINES
 
     patience = patience or Patience()
     patience.reserve(_WRITING * patience.load)
@@ -220,9 +217,6 @@ class _Study:
     """What is asked of the optimiser about one job, and what it answered. changes: what may change, by target."""
 
     def __init__(self, job: Job, rule: RailRule | None, loops: Loops, patience: Patience):
-        from trajopt_cli.study.case import RailRule
-        from trajopt_cli.study.causes import with_stops
-
         self.job, self.rule, self.patience = job, rule or RailRule(), patience
         self.stopping = with_stops(job.program)
         agreed = may_change(job, loops)
@@ -231,16 +225,12 @@ class _Study:
 
     def question(self, target: Target, freedom: Freedom, stops: bool = False) -> Question:
         """A question in the form that is equal for all that ask for the same plan."""
-        from trajopt_cli.study.causes import asked
-
         return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable)), stops
 
     def answer(
         self, name: str, question: Question, following: Sequence[str], tell: Tell
     ) -> dict[Question | str, Result]:
         """The answer to a question, and the rows that start from its plan."""
-        from trajopt_cli.study.table import solved
-
         target, freedom, stops = question
         program = self.stopping if stops else self.job.program
         self._known[question] = self._tried(name, target, solved(target, freedom), tell, program)
@@ -251,8 +241,6 @@ class _Study:
 
     def make(self, name: str, tell: Tell) -> dict[Question | str, Result]:
         """A row that makes a motion of its own."""
-        from trajopt_cli.study.table import BASELINES
-
         one = BASELINES[name]
         result = self._tried(name, one.target, one.make, tell, self.job.program)
         if isinstance(result, Tried) and one.target is Target.RAPID:
@@ -263,8 +251,6 @@ class _Study:
 
     def jerk_free(self, tell: Tell) -> dict[Question | str, Result]:
         """The program as written where jerk is not limited."""
-        from trajopt_cli.study.table import solved
-
         free, plant = copy(self), self.job.plant
         free.job = replace(self.job, plant=replace(plant, limits=replace(plant.limits, jerk_binds=False)))
         make = solved(Target.RAPID, AS_WRITTEN)
@@ -272,8 +258,6 @@ class _Study:
 
     def unobstructed(self, tell: Tell) -> dict[Question | str, Result]:
         """Both optima where no obstacle stands in the cell."""
-        from trajopt_cli.study.table import solved
-
         bare = copy(self)
         bare._known = {}
         bare.job = replace(self.job, plant=replace(self.job.plant, obstacles=(), grips=()))
@@ -294,7 +278,6 @@ class _Study:
         """The answers that another one changes: a stream optimum that the RAPID optimum beats is that, as in optimize;
         and a plan that takes longer than one that may change less is none."""
         from trajopt_cli.plan import instead_of, out_of_order
-        from trajopt_cli.study.case import Attempt
 
         stream, rapid = (self.question(target, EVERYTHING) for target in (Target.STREAM, Target.RAPID))
         written = self.question(Target.RAPID, AS_WRITTEN)
@@ -317,7 +300,6 @@ class _Study:
     def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell, program: Program) -> Result:
         """What make gives, judged as the CSV text it would be written as."""
         from trajopt_cli.plan import NoCleanPlan
-        from trajopt_cli.study.case import Case, NotApplicable
 
         try:
             with self.patience.cutting():
@@ -335,8 +317,6 @@ class _Study:
         return self._judged(name, target, answer)
 
     def _judged(self, name: str, target: Target, answer: Attempt) -> Tried:
-        from trajopt_cli.joint_csv import write_csv_text
-
         text = write_csv_text(answer.trajectory)
         detours = () if answer.plan is None else answer.plan.detours
         program, dropped = held_against(answer.program, self.job.plant, target, detours, answer.dropped)

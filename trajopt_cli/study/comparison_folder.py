@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
+from trajopt_cli.page.compared import compared_page
+from trajopt_cli.page.cycles import Shown
+from trajopt_cli.page.optimized import Provenance
 from trajopt_cli.pipeline.optimize import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.runs import REPORT
@@ -14,9 +17,6 @@ from trajopt_cli.runs.record import RunRecord, Section, as_json, sha256
 from trajopt_cli.study.answers import write_answer
 from trajopt_cli.study.comparison import Comparison, Row, Tried
 from trajopt_cli.study.comparison_record import comparison_record, rows_csv
-
-if TYPE_CHECKING:
-    from trajopt_cli.page.cycles import Shown
 
 
 class ComparisonOptions(Section):
@@ -50,9 +50,6 @@ def write_comparison(folder: Path, answer: Comparison, options: ComparisonOption
 
 def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
     """report.html, which shows all of an answer."""
-    from trajopt_cli.page.compared import compared_page
-    from trajopt_cli.page.optimized import Provenance
-
     job = answer.job
     record = comparison_record(answer)
     motions = [_shown(row, one.get("lower_bound_s")) for row, one in zip(answer.rows, record["rows"], strict=True)]
@@ -64,8 +61,6 @@ def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
 
 def _shown(row: Row, bound: float | None) -> Shown | None:
     """A row's motion as a page shows it; None where there is none. bound [s]: as the row's record has it."""
-    from trajopt_cli.page.cycles import Shown
-
     if not isinstance(row.result, Tried):
         return None
     attempt = row.result.attempt

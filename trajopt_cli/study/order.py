@@ -11,20 +11,26 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
+from trajopt_cli.graph_search import sequence
 from trajopt_cli.page.answer import answer_page
 from trajopt_cli.pipeline.planning import Listener, may_change
+from trajopt_cli.plan.initial_plan import PlanRequest
+from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import ORDER
-from trajopt_cli.runs.record import RunRecord, as_json
-from trajopt_cli.study.answers import why_illegal, write_answer
+from trajopt_cli.runs.record import as_json
+from trajopt_cli.runs.transaction import replace_files
+from trajopt_cli.study.answers import study_record, why_illegal, write_answer
 from trajopt_cli.study.order_text import Group
 from trajopt_cli.table import TextTable
+from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.workers import cores, in_turns
 
 Order = tuple[int, ...]
@@ -131,13 +137,6 @@ class Ordered:
             yield f"not written into the program: {self.why_not}"
 
 
-class OrderRecord(RunRecord[dict[str, Any]]):
-    """run.json of trajopt order."""
-
-    KIND: ClassVar[str] = ORDER
-    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "scipy")
-
-
 def order_of(
     group: Group, target: Target, listen: Listener, patience: Patience, jobs: int | None = None
 ) -> Ordered | Infeasible:
@@ -147,12 +146,6 @@ def order_of(
     first, in a third of it. Raises InputError for parts that do not begin with a joint move. Infeasible: no order is
     connected, or the motion that cannot be done in any.
     """
-    from trajopt_cli.graph_search import sequence
-    from trajopt_cli.plan.initial_plan import PlanRequest
-    from trajopt_cli.problem.decision_scope import EVERYTHING
-    from trajopt_cli.problem.problem import Problem
-    from trajopt_cli.trajectories.axes import Axes
-
     job = group.job
     agreed = may_change(job, Loops.KEEP)
     if agreed.infeasible is not None:
@@ -182,7 +175,7 @@ def order_of(
         return Ordered(group, target, planned, written, written, False, 0.0, patience.why(), None)
     nearest = written if steps is None else sequence.nearest_order(steps)
     exact = n <= axes.settings.exact_stations
-    best, top = (math.inf, written) if steps is None else _best(sequence, steps, written, nearest, exact)
+    best, top = (math.inf, written) if steps is None else _best(steps, written, nearest, exact)
     if steps is None or not math.isfinite(best):
         last = group.parts[-1].motions[1] - 1
         return Infeasible(
@@ -208,10 +201,9 @@ def order_of(
     return Ordered(group, target, found, nearest, top, exact, bound, stopped, why_not)
 
 
-def _best(sequence: Any, steps: Any, written: Order, nearest: Order, exact: bool) -> tuple[float, Order]:
+def _best(steps: sequence.Steps, written: Order, nearest: Order, exact: bool) -> tuple[float, Order]:
     if exact:
-        found: tuple[float, Order] = sequence.best_order(steps)
-        return found
+        return sequence.best_order(steps)
     starts = [sequence.improved_order(steps, one) for one in (nearest, written)]
     best = min(starts, key=steps.cost)
     return steps.cost(best), best
@@ -325,7 +317,7 @@ def write_order(folder: Path, answer: Ordered, table: TextTable, lines: Sequence
         given = job.program.files[answer.group.file]
         files[f"program/{Path(given.path).name}"] = answer.new_text.encode(given.encoding)
     options = {"group": answer.group.name, "target": answer.target.value, "entry": job.program.entry}
-    return write_answer(folder, OrderRecord, job, files, options)
+    return write_answer(folder, study_record(ORDER), job, files, options)
 
 
 def apply_order(answer: Ordered) -> Path:
@@ -333,8 +325,6 @@ def apply_order(answer: Ordered) -> Path:
 
     Raises InputError, with the file as it was, where it is another one by now or cannot be written.
     """
-    from trajopt_cli.runs.transaction import replace_files
-
     given = answer.group.job.program.files[answer.group.file]
     text = answer.new_text
     assert text is not None

@@ -5,25 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from trajopt_cli.page.answer import answer_page
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import PLACE
-from trajopt_cli.runs.record import RunRecord, as_json
-from trajopt_cli.study.answers import write_answer
+from trajopt_cli.runs.record import as_json
+from trajopt_cli.study.answers import study_record, write_answer
 from trajopt_cli.study.place import Placed, Tried, score
 from trajopt_cli.study.places import Site, What
 from trajopt_cli.table import TextTable
 from trajopt_cli.units import DEG
-
-
-class PlaceRecord(RunRecord[dict[str, Any]]):
-    """run.json of trajopt place."""
-
-    KIND: ClassVar[str] = PLACE
-    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "scipy")
 
 
 def place_record(answer: Placed) -> dict[str, Any]:
@@ -81,7 +74,7 @@ def write_place(folder: Path, answer: Placed, table: TextTable, lines: Sequence[
     files |= {f"plots/{name}": content for name, content in pictures.items()}
     files[REPORT] = answer_page(f"{job.title}: {site.in_words}", answer.in_words, [table], lines, pictures)
     options = {"what": site.in_words, "target": answer.target.value, "entry": job.program.entry}
-    return write_answer(folder, PlaceRecord, job, files, options)
+    return write_answer(folder, study_record(PLACE), job, files, options)
 
 
 def place_pictures(answer: Placed) -> dict[str, bytes]:

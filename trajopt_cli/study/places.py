@@ -16,7 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
+from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.exporters.rapid_text import plain
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.job import Job
 from trajopt_cli.motion import PoseMove, Program
@@ -29,7 +31,7 @@ from trajopt_cli.rapid.language.syntax import Aggregate, DataDeclaration
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
-from trajopt_cli.yaml_file import with_value
+from trajopt_cli.yaml_file import read_text, with_value
 
 Offset = tuple[float, ...]
 """By range: m, rad."""
@@ -216,9 +218,6 @@ class Site:
     def changed_cell(self, offset: Offset, file: str) -> str:
         """The cell file's text with the frame there; file: its name to be. Raises InputError where that would not be
         read so."""
-        from trajopt_cli.cell.loader import parse_cell
-        from trajopt_cli.yaml_file import read_text
-
         keys = ("rail", "frame") if self.what is What.RAIL else ("base",)
         X = self.frame(offset)
         text = with_value(read_text(self.job.cell_path, "cell file"), str(self.job.cell_path), keys, yaml_frame(X))
@@ -331,25 +330,17 @@ def _check_moves_along(site: Site) -> None:
 
 def rapid_pose(X: Array) -> str:
     """A pose [m] as RAPID's aggregate, mm and a quaternion w first."""
-    places, q = (
-        ", ".join(_plain(v) for v in X[:3, 3] / MM),
-        ",".join(_plain(v, 9) for v in wxyz_from_rotation(X[:3, :3])),
-    )
-    return f"[[{places.replace(', ', ',')}],[{q}]]"
+    q = wxyz_from_rotation(X[:3, :3])
+    return f"[[{','.join(map(plain, X[:3, 3] / MM))}],[{','.join(plain(v, 9) for v in q)}]]"
 
 
 def yaml_frame(X: Array) -> str:
     """A pose as the cell file's frame: position [m], and a rotation where it has one."""
-    position = f"position: [{', '.join(_plain(v) for v in X[:3, 3])}]"
+    position = f"position: [{', '.join(plain(v) for v in X[:3, 3])}]"
     R = X[:3, :3]
     yaw = math.atan2(R[1, 0], R[0, 0])
     if np.abs(R - np.eye(3)).max() < 1e-12:
         return f"{{{position}}}"
     if np.abs(R - rotation_about([0, 0, 1], yaw)).max() < 1e-12:
-        return f'{{{position}, rpy: "[0, 0, {_plain(yaw / DEG)}] deg"}}'
-    return f"{{{position}, wxyz: [{', '.join(_plain(v, 9) for v in wxyz_from_rotation(R))}]}}"
-
-
-def _plain(value: float, decimals: int = 6) -> str:
-    text = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text
+        return f'{{{position}, rpy: "[0, 0, {plain(yaw / DEG)}] deg"}}'
+    return f"{{{position}, wxyz: [{', '.join(plain(v, 9) for v in wxyz_from_rotation(R))}]}}"

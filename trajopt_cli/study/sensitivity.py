@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
@@ -15,6 +15,7 @@ from trajopt_cli.page.answer import answer_page
 from trajopt_cli.pipeline.folder import plans_of_results
 from trajopt_cli.pipeline.optimize import Collides, Illegal, refused
 from trajopt_cli.pipeline.planning import Clock, Listener, may_change, plan_all
+from trajopt_cli.plan.plan_sensitivity import Effect, NotResolvable, PlanSensitivity
 from trajopt_cli.problem.detours import Detour, Numbering, unfolded, with_detours
 from trajopt_cli.problem.editable import Changes, Loops
 from trajopt_cli.problem.objective import LEAST_TIME
@@ -24,15 +25,12 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import SENSITIVITY
-from trajopt_cli.runs.record import RunRecord, as_json
+from trajopt_cli.runs.record import as_json
 from trajopt_cli.runs.rows import RowsFile
-from trajopt_cli.study.answers import write_answer
+from trajopt_cli.study.answers import study_record, write_answer
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
 from trajopt_cli.table import TextTable
 from trajopt_cli.workers import cores, in_turns
-
-if TYPE_CHECKING:
-    from trajopt_cli.plan.plan_sensitivity import Effect, PlanSensitivity
 
 APART = 0.3
 """Share by which first order and the plan solved again may differ before that is reported."""
@@ -97,13 +95,6 @@ class Sensitivity:
         return f"{target.value}: change first: {'; then '.join(said)}"
 
 
-class SensitivityRecord(RunRecord[dict[str, Any]]):
-    """run.json of trajopt sensitivity."""
-
-    KIND: ClassVar[str] = SENSITIVITY
-    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "scipy")
-
-
 def sensitivity(
     job: Job,
     loops: Loops,
@@ -158,8 +149,6 @@ def asked(
     patience: Patience,
 ) -> Sensitivity:
     """Every lever on plans at hand."""
-    from trajopt_cli.plan.plan_sensitivity import NotResolvable, PlanSensitivity
-
     every = levers(job.program, job.plant)
     at_hand: dict[Target, PlanSensitivity] = {}
     failed: dict[Target, str] = {}
@@ -202,8 +191,6 @@ def asked(
 
 
 def _told(target: Target, task: Callable[[], Effect], patience: Patience, tell: Callable[[Target], None]) -> Effect:
-    from trajopt_cli.plan.plan_sensitivity import Effect
-
     try:
         with patience.cutting():
             checkpoint()
@@ -308,7 +295,7 @@ def write_sensitivity(folder: Path, answer: Sensitivity, tables: Sequence[TextTa
     files |= {f"plots/{name}": content for name, content in pictures.items()}
     files[REPORT] = answer_page(f"{answer.job.title}: what to change first", first, tables, lines, pictures)
     options = {"targets": [one.value for one in answer.plans], "entry": answer.job.program.entry}
-    return write_answer(folder, SensitivityRecord, answer.job, files, options)
+    return write_answer(folder, study_record(SENSITIVITY), answer.job, files, options)
 
 
 def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, rotations_by
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
-from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, DosePath, Lead
+from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import response, response_rotation
@@ -121,10 +121,10 @@ def dose(
     """The fastest sequence along path that keeps what is allowed, simulated and held against it.
 
     h [s]: the period. acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. More than three million
-    rows are refused, as are lags beyond LAGS and TURN_LAGS and laws slower than SLOWEST.
+    rows are refused, as are laws slower than SLOWEST.
     """
     laws = stability(law, h, integration)
-    refusal = _beyond(allowed) or _unfollowed(path, laws, h, integration)
+    refusal = _unfollowed(path, laws, h, integration)
     if refusal is not None:
         return refusal
     least = least_duration(path, h, law, allowed, integration)
@@ -133,13 +133,13 @@ def dose(
             f"{_named(allowed)} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more, or give more stiffness or less damping"
         )
-    rest = resting_time(path.moves, laws, h)
+    question, rest = _Question(path, law, h, integration, acceleration), resting_time(path.moves, laws, h)
     tried = allowed
     for _ in range(_CORRECTIONS):
-        schedule = _inverse(path, law, h, tried, integration, acceleration)
+        schedule = _inverse(question, tried)
         if isinstance(schedule, CannotDose):
             return schedule
-        found = _simulated(path, law, h, allowed, integration, schedule, rest)
+        found = _simulated(question, allowed, schedule, rest)
         tighter = _corrected(found, allowed, tried)
         if tighter is None:
             return replace(found, least=least if found.duration <= _USEFUL * least else None)
@@ -153,29 +153,33 @@ def resting_time(moves: Sequence[bool], laws: Sequence[AxisStability], h: float)
     return _REST * min(max(slowest, default=h), SLOWEST * h)
 
 
-def _inverse(
-    path: DosePath,
-    law: Compliance,
-    h: float,
-    allowed: Allowed,
-    integration: Integration,
-    acceleration: tuple[float | None, float | None],
-) -> _Schedule | CannotDose:
+@dataclass(frozen=True, eq=False)
+class _Question:
+    """What a feed is made for, but for its bounds; as of dose."""
+
+    path: DosePath
+    law: Compliance
+    h: float
+    integration: Integration
+    acceleration: tuple[float | None, float | None]
+
+
+def _inverse(of: _Question, allowed: Allowed) -> _Schedule | CannotDose:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
-    found = _scheduled(path, law, h, allowed, integration, acceleration)
+    found = _scheduled(of, allowed)
     if len(found.s) > ROWS:
         return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
     turned = found.turned
     if turned > _LARGEST_LEAD and allowed.turn_lead is None:
         eased = replace(allowed, turn_lead=Lead(_EASED_LEAD * _LARGEST_LEAD, stretch=True))
-        return _inverse(path, law, h, eased, integration, acceleration)
+        return _inverse(of, eased)
     if turned > _LARGEST_LEAD:
         return CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
             "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
     beta = float(np.max(np.abs(found.pose[:, 4])))
-    if path.R is None and beta > BETA_LIMIT:
+    if of.path.R is None and beta > BETA_LIMIT:
         return CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
             "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
@@ -183,27 +187,21 @@ def _inverse(
     return found
 
 
-def _scheduled(
-    path: DosePath,
-    law: Compliance,
-    h: float,
-    allowed: Allowed,
-    integration: Integration,
-    acceleration: tuple[float | None, float | None],
-) -> _Schedule:
-    """The fastest motion along path under allowed, and what to feed for it."""
+def _scheduled(of: _Question, allowed: Allowed) -> _Schedule:
+    """The fastest motion along the path under allowed, and what to feed for it."""
+    path, law, h = of.path, of.law, of.h
     moves = np.array(path.moves)
     radius = _radius(law, moves)
     turn_lag = TURNED if allowed.turn_lag is None else allowed.turn_lag
     pieces = int(np.clip(path.least_time / h, *_PIECES))
-    pushes = _pushes(law, allowed, acceleration)
+    pushes = _pushes(law, allowed, of.acceleration)
     # a path that stands at its corners anyway is not helped by rounding them, and is the same twice without any
     passing, stopping = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
     rounds = (passing,) if np.array_equal(passing.tau, stopping.tau) else (passing, stopping)
     ways = (_with_rows_at_waypoints(way, h) for way in rounds)
     paces = [(fastest(way, pushes, pieces, h), way) for way in ways]
     pace, way = min(paces, key=lambda found: found[0].t[-1])
-    s, coordinates, effort = _motion(way, pace, law, h, integration)
+    s, coordinates, effort = _motion(way, pace, law, h, of.integration)
     lead = np.divide(effort, law.K, out=np.zeros_like(effort), where=(law.K > 0) & moves)
     row = way.row[way.corner(s)]
     planned = _through_waypoints(way, s)
@@ -302,16 +300,9 @@ def _through_waypoints(way: Rounded, s: Array) -> Array:
     return np.maximum.accumulate(out)
 
 
-def _simulated(
-    path: DosePath,
-    law: Compliance,
-    h: float,
-    allowed: Allowed,
-    integration: Integration,
-    fed: _Schedule,
-    rest: float,
-) -> Dosed:
+def _simulated(of: _Question, allowed: Allowed, fed: _Schedule, rest: float) -> Dosed:
     """The controller's answer to a feed, and the greatest lag and push. rest [s]: after the end."""
+    path, law, h, integration = of.path, of.law, of.h, of.integration
     x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
     more = len(x_e) - len(fed.pose)
     R_e, R_plan = (np.concatenate([R, np.repeat(R[-1:], more, axis=0)]) for R in (fed.R, fed.R_plan))
@@ -377,19 +368,6 @@ def _named(allowed: Allowed) -> str:
         if lead is not None:
             out += f", a lead of at most {lead.most:g} {stretched if lead.stretch else unit}"
     return out
-
-
-def _beyond(allowed: Allowed) -> CannotDose | None:
-    """Why no such lag is looked at, or None."""
-    for what, unit, value, (least, most) in (
-        ("", "m", allowed.lag, LAGS), ("turn ", "rad", allowed.turn_lag, TURN_LAGS)
-    ):  # fmt: skip
-        if value is not None and not least <= value <= most:
-            return CannotDose(
-                f"a {what}lag of at most {value:g} {unit} is too {'small' if value < least else 'large'} a bound; "
-                f"give one between {least:g} {unit} and {most:.4g} {unit}"
-            )
-    return None
 
 
 def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integration: Integration) -> CannotDose | None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from enum import Enum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,10 +23,8 @@ from trajopt_cli.iiwa.task.model import (
     Zeroing,
 )
 from trajopt_cli.iiwa.task.world import Seven, Six
-
-if TYPE_CHECKING:
-    from trajopt_cli.robot.dynamics import ToolLoad
-    from trajopt_cli.robot.srs_inverse import ArmAngle
+from trajopt_cli.robot.dynamics import ToolLoad
+from trajopt_cli.robot.srs_inverse import ArmAngle
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,22 +54,8 @@ class Settings:
     @classmethod
     def of(cls, task: Task, feed: Feed = Feed.POSITION) -> Settings:
         """The controller a task asks for."""
-        return cls(
-            compliance=task.compliance,
-            h=task.route.h,
-            definition=task.definition,
-            arm_angle=task.arm_angle,
-            X_FT=task.X_FT,
-            load=task.load,
-            zeroing=task.zeroing,
-            clamps=task.clamps,
-            sensor=task.sensor,
-            changes=task.changes,
-            pushes=task.pushes,
-            integration=task.integration,
-            feed=feed,
-            rotation=task.route.rotation,
-        )
+        own = {one.name: getattr(task, one.name) for one in fields(cls) if hasattr(task, one.name)}
+        return cls(**own, h=task.route.h, feed=feed, rotation=task.route.rotation)
 
 
 class Goal(NamedTuple):

@@ -19,7 +19,7 @@ from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_checks import stops_loop
 from trajopt_cli.iiwa.task.joints import Unfollowable, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, Push, RotationLaw, Zeroing
-from trajopt_cli.iiwa.task.world import Seven
+from trajopt_cli.iiwa.task.world import Seven, seven
 from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle
@@ -145,9 +145,3 @@ def push(start: float, end: float, axis: int, size: float | None = None) -> Push
     force = np.zeros(6)
     force[axis] = (FORCE if axis < 3 else MOMENT) if size is None else size
     return Push(start, end, force)
-
-
-def seven(q: Array) -> Seven:
-    """Joints (7,) [rad] as plain numbers."""
-    a, b, c, d, e, f, g = q.tolist()
-    return (a, b, c, d, e, f, g)

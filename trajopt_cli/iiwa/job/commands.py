@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
 from trajopt_cli.iiwa.job import texts
 from trajopt_cli.iiwa.job.folder import check_place, read_summary
+from trajopt_cli.iiwa.job.joints import follow_joints, stops_nothing
+from trajopt_cli.iiwa.job.segments import make_segments
 from trajopt_cli.iiwa.report.answer import Answer, Refused
+from trajopt_cli.iiwa.task.joints import Unfollowable
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, Integration
 from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, option_value
 from trajopt_cli.runs.files import check_writable
 from trajopt_cli.table import TextTable
-
-if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.feed_path import Lead
 
 Tell = Callable[[str], None]
 
@@ -24,8 +24,6 @@ Tell = Callable[[str], None]
 def segments(task: Path, output: Path | None, task_file: Path | None, angles: str | None, tell: Tell) -> Answer:
     """Interpolate a task's poses and write the sequence. output: its folder, None for results/TASK; task_file: of a
     RAPID program or CSV path; angles: "relative" or "absolute", None for the task's own."""
-    from trajopt_cli.iiwa.job.segments import make_segments
-
     folder = output or Path("results") / task.stem
     made = make_segments(task, folder, task_file, AngleMeaning(angles) if angles else None, tell)
     line = texts.sequence_line(made.opened.equilibrium)
@@ -45,9 +43,6 @@ def joints(results: Path, arm_angle: str, goal: str | None, plots: Path | None, 
 
     arm_angle: "fixed", "free" or "optimal"; goal: what it is best for then.
     """
-    from trajopt_cli.iiwa.job.joints import follow_joints, stops_nothing
-    from trajopt_cli.iiwa.task.joints import Unfollowable
-
     _check_places(results, plots)
     if goal is not None and arm_angle != "optimal":
         raise InputError(f"--for {goal}: says what --arm-angle optimal is best for; the arm angle is {arm_angle} here")
@@ -139,7 +134,6 @@ def schedule_feed(
 
     unbounded: no lead is assumed where none is given.
     """
-    from trajopt_cli.iiwa.controller.feed_path import Allowed
     from trajopt_cli.iiwa.job import feed_scheduling
     from trajopt_cli.iiwa.job.pages import feed_page
 
@@ -191,8 +185,6 @@ def _check_places(results: Path, plots: Path | None) -> None:
 
 def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
     """A bound on the lead: a force or moment, or what a spring that pushes as much is stretched by."""
-    from trajopt_cli.iiwa.controller.feed_path import Lead
-
     if text is None:
         return None
     stretch = any(text.strip().endswith(unit) for unit in stretches) and not text.strip().endswith(tuple(pushes))

@@ -14,7 +14,10 @@ from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
 from trajopt_cli.iiwa.report.follow import feed_figure, following_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
 from trajopt_cli.iiwa.report.runs import Following, picture
+from trajopt_cli.iiwa.task.arm_map import arm_map, stages
+from trajopt_cli.iiwa.task.joint_rows import joints_along
 from trajopt_cli.iiwa.task.joints import Followed
+from trajopt_cli.robot.srs_inverse import arm_angle
 from trajopt_cli.units import MM
 
 _MAP = 480, 360  # stages and arm angles that a page can show
@@ -42,10 +45,6 @@ def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
 
 def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
     """The map of path and arm angle with the courses on it."""
-    from trajopt_cli.iiwa.task.arm_map import arm_map, stages
-    from trajopt_cli.iiwa.task.joint_rows import joints_along
-    from trajopt_cli.robot.srs_inverse import arm_angle
-
     task, robot, t = opened.task, opened.robot, followed.trajectory.t
     limits, plan = robot.profile(task.limits), followed.plan
     begin = float(arm_angle(robot, task.start_joints, followed.definition))

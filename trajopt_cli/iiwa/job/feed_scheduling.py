@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, Lead
+from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, Lead, dose_path
+from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, Dosed, dose
+from trajopt_cli.iiwa.controller.lag import settling
 from trajopt_cli.iiwa.job.folder import (
     Opened,
     check_place,
@@ -27,15 +29,13 @@ from trajopt_cli.iiwa.job.simulation import Simulated, clamped, lag_record, run_
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
+from trajopt_cli.iiwa.task.joint_checks import ACCELERATION
+from trajopt_cli.iiwa.task.joints import Followed
 from trajopt_cli.iiwa.task.model import Clamps, Feed, Profile, RotationLaw, Task
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import check_replaceable
 from trajopt_cli.runs.record import INPUT
 from trajopt_cli.units import MM
-
-if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, Dosed
-    from trajopt_cli.iiwa.task.joints import Followed
 
 AS_PROGRAMMED, WITH_SPEED = "as programmed", "with the equilibrium's speed"
 SCHEDULED = "scheduled, inverse law"
@@ -135,14 +135,9 @@ def schedule_feed(
 
     Where no lead is bounded, a spring that is stretched by the lag is taken for one, unless unbounded. The sequence
     keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written where there
-    is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced, and for a
-    front without a bound on the lead.
+    is no such sequence, or the arm cannot follow it; a front needs a bound on the lead. Raises InputError where output
+    may not be replaced.
     """
-    from trajopt_cli.iiwa.controller.feed_path import dose_path
-    from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, dose
-    from trajopt_cli.iiwa.controller.lag import settling
-    from trajopt_cli.iiwa.task.joints import Followed, follow
-
     for option, value, (least, most), unit in (
         ("--max-lag", allowed.lag, LAGS, "m"),
         ("--max-turn-lag", allowed.turn_lag, TURN_LAGS, "rad"),
@@ -168,14 +163,11 @@ def schedule_feed(
             f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
             " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
         )
-    limits = robot.profile(task.limits)
-    followed = follow(
-        sequence, robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, free=False
-    )
+    followed = before.follow(sequence)
     if not isinstance(followed, Followed):
         return none(followed.message)
     try:
-        path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=limits.velocity)
+        path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=robot.profile(task.limits).velocity)
     except ValueError as error:
         return none(str(error))
 
@@ -228,10 +220,6 @@ def _followed(
 
     gentler: the feed under caps on the tool's acceleration, tried where joints' would break.
     """
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
-    from trajopt_cli.iiwa.task.joint_checks import ACCELERATION
-    from trajopt_cli.iiwa.task.joints import Followed
-
     refused, slerp = None, before.equilibrium.rotation is RotationLaw.SLERP
     for _ in range(_EASED + 1):
         opened = _opened(before, made)
@@ -275,10 +263,7 @@ def _gentler(made: Dosed, slerp: bool, fraction: float) -> _Caps:
 
 def _front(timed: Callable[[Allowed], Dosed | CannotDose], allowed: Allowed) -> tuple[FrontPoint, ...]:
     """Least times from the lead that the programmed speed asks for downwards, the one that is asked for among them."""
-    from trajopt_cli.iiwa.controller.feed_schedule import CannotDose
-
-    if allowed.lead is None:
-        raise InputError("--front: needs a bound on the lead; give --max-lead")
+    assert allowed.lead is not None
     free = timed(replace(allowed, lead=None))
     most = allowed.lead.most
     if not isinstance(free, CannotDose):

@@ -15,16 +15,26 @@ from pydantic import Field, model_validator
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, axis_angle
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.angles import rotation
+from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece, counted
+from trajopt_cli.iiwa.task.equilibrium_csv import (
+    read_angles_csv,
+    read_quaternion_csv,
+    write_angles_csv,
+    write_quaternion_csv,
+)
+from trajopt_cli.iiwa.task.joints import Followed, Unfollowable, follow
+from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, RotationLaw, Task
 from trajopt_cli.quantity import complain
+from trajopt_cli.robot.srs import SrsRobot, load_srs
 from trajopt_cli.runs import RUN, SUMMARY
 from trajopt_cli.runs.files import check_writable
 from trajopt_cli.runs.folder import TASK, ResultsFolder, read_run, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json
 
 if TYPE_CHECKING:
-    from trajopt_cli.robot.srs import SrsRobot
+    from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective
 
 EQUILIBRIUM, QUATERNIONS, JOINTS, SIMULATION = (
     "equilibrium.csv",
@@ -115,6 +125,14 @@ class Opened:
         """The tool in the world (4, 4) where the controller is switched on."""
         return self.robot.forward(self.task.start_joints) @ self.task.X_FT
 
+    def follow(
+        self, sequence: Equilibrium, free: bool = False, stops: bool = True, objective: ArmAngleObjective | None = None
+    ) -> Followed | Unfollowable:
+        """The arm's joints along a sequence, as task.joints.follow has them."""
+        task, limits = self.task, self.robot.profile(self.task.limits)
+        frames = task.X_FT, task.start_joints, limits, task.definition, task.arm_angle
+        return follow(sequence, self.robot, *frames, free, stops, objective)
+
 
 def start_distance(opened: Opened) -> tuple[float, float]:
     """How far the sequence's first pose is from the tool where the controller is switched on [m], [rad]."""
@@ -146,10 +164,6 @@ def check_place(place: Path | None, option: str) -> None:
 @of_kind(ErrorKind.RESULTS)
 def open_folder(folder: Path) -> Opened:
     """A folder read back: its task, and the sequence as its files have it. Raises InputError if it is none."""
-    from trajopt_cli.iiwa.task.equilibrium_csv import read_angles_csv, read_quaternion_csv
-    from trajopt_cli.iiwa.task.loader import load_task
-    from trajopt_cli.robot.srs import load_srs
-
     found = read_task_run(folder)
     record, inputs = found.summary(TaskSummary).sequence, found.record.inputs
     program = None if inputs.program is None else folder / inputs.program
@@ -185,8 +199,6 @@ def counted_from_start(opened: Opened) -> Opened:
 
     Raises InputError where an angle then passes its limit.
     """
-    from trajopt_cli.iiwa.task.equilibrium import counted
-
     try:
         R_start = opened.X_start[:3, :3]
         sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, R_start)
@@ -236,8 +248,6 @@ def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[
 
 def sequence_files(opened: Opened) -> dict[str, bytes]:
     """The sequence as CSV: angles, and quaternions of the tool in the world."""
-    from trajopt_cli.iiwa.task.equilibrium_csv import write_angles_csv, write_quaternion_csv
-
     files = {}
     for sequence, angles, quaternions in (
         (opened.equilibrium, EQUILIBRIUM, QUATERNIONS),
@@ -271,8 +281,6 @@ def sequence_record(opened: Opened) -> dict[str, Any]:
 
 def _sequence(record: SequenceSection, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
     """A sequence from its files; its matrices count as its angles do."""
-    from trajopt_cli.iiwa.task.angles import rotation
-
     law, meaning = record.rotation, record.angles
     pieces = tuple(Piece(one.first, one.last, one.origin, one.goal, one.dwell) for one in record.pieces)
     R = rotation(pose[:, 3:])

@@ -7,11 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.iiwa.job.folder import JOINTS, Opened, add_to_folder, open_folder
+from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
+from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.runs.summary import finding_record
 
 if TYPE_CHECKING:
     from trajopt_cli.iiwa.task.arm_plan import ArmFigures, ArmPlan, Goal
-    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
 
 Tell = Callable[[str], None]
 
@@ -28,29 +30,15 @@ def follow_joints(
     where a joint passes its range or its speed limit, which would stop the controller's loop. tell: hears what is
     being worked on where that takes a while.
     """
-    from trajopt_cli.iiwa.task.joints import Followed, follow
-    from trajopt_cli.joint_csv import write_csv_text
-
     opened = open_folder(folder)
-    task = opened.task
     objective, rows = None, len(opened.equilibrium.pose)
     if goal is not None:
         from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective
 
-        objective = ArmAngleObjective(goal, task.load, tell)
+        objective = ArmAngleObjective(goal, opened.task.load, tell)
     if rows >= LONG:
         tell(f"inverse kinematics and checks of {rows} poses")
-    answer = follow(
-        opened.equilibrium,
-        opened.robot,
-        task.X_FT,
-        task.start_joints,
-        opened.robot.profile(task.limits),
-        task.definition,
-        task.arm_angle,
-        free,
-        objective=objective,
-    )
+    answer = opened.follow(opened.equilibrium, free, objective=objective)
     if isinstance(answer, Followed) and stops_nothing(answer):
         if rows >= LONG:
             tell("writing joints.csv")
@@ -60,8 +48,6 @@ def follow_joints(
 
 def stops_nothing(followed: Followed) -> bool:
     """Whether no joint passes its range or its speed limit: what the controller's loop stops at."""
-    from trajopt_cli.iiwa.task.joint_checks import stops_loop
-
     return not stops_loop(followed.findings)
 
 

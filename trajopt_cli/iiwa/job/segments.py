@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trajopt_cli.errors import InputError, printable
 from trajopt_cli.iiwa.job.folder import (
@@ -16,13 +16,14 @@ from trajopt_cli.iiwa.job.folder import (
     start_distance,
     write_task_run,
 )
+from trajopt_cli.iiwa.task.equilibrium import counted
+from trajopt_cli.iiwa.task.loader import load_task, minimal_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Task
+from trajopt_cli.iiwa.task.segments import SegmentFacts, planned
+from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 from trajopt_cli.units import DEG, MM
-
-if TYPE_CHECKING:
-    from trajopt_cli.iiwa.task.segments import Passed, SegmentFacts
 
 _POSES = (".mod", ".prg", ".sys", ".csv")
 _MANY = 100_000  # rows whose writing is worth a line
@@ -45,8 +46,6 @@ def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | 
 
     Raises InputError for mistakes in either.
     """
-    from trajopt_cli.iiwa.task.loader import load_task, minimal_task
-
     if path.suffix.lower() not in _POSES:
         if task is not None:
             raise InputError(
@@ -74,10 +73,6 @@ def make_segments(
     angles: how the sequence counts them, None for the task's own way. tell: hears of progress. Raises InputError for
     mistakes, and nothing is written then.
     """
-    from trajopt_cli.iiwa.task.equilibrium import counted
-    from trajopt_cli.iiwa.task.segments import planned
-    from trajopt_cli.robot.srs import load_srs
-
     check_place(folder, "--output")
     check_replaceable(folder)
     read, task_path, program = read_task(path, task)
@@ -115,7 +110,7 @@ def make_segments(
 
 
 def _fact_record(fact: SegmentFacts) -> dict[str, Any]:
-    return {
+    record = {
         "from": fact.origin,
         "to": fact.goal,
         "length_m": fact.L_p,
@@ -125,11 +120,10 @@ def _fact_record(fact: SegmentFacts) -> dict[str, Any]:
         "top_turn_rate_rad_s": fact.omega_top,
         "binding": fact.binds,
         "dwell_s": fact.dwell,
-    } | ({} if fact.passed is None else _passed_record(fact.passed))
-
-
-def _passed_record(passed: Passed) -> dict[str, Any]:
-    return {
+    }
+    if (passed := fact.passed) is None:
+        return record
+    return record | {
         "poses_passed": passed.poses,
         "deviation_m": passed.away,
         "turn_deviation_rad": passed.turned,

@@ -7,18 +7,26 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.regulator import equilibrium_rates
+from trajopt_cli.iiwa.controller.admittance import Controller
+from trajopt_cli.iiwa.controller.forces import zero
+from trajopt_cli.iiwa.controller.lag import Lag, deviation, held, worst_lag
+from trajopt_cli.iiwa.controller.loop import LoopRun, run
+from trajopt_cli.iiwa.controller.parameters import Settings
+from trajopt_cli.iiwa.controller.regulator import equilibrium_rates, response, response_rotation
+from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.iiwa.job.joints import joint_record
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import angles_near, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
+from trajopt_cli.iiwa.task.loader import load_contact
 from trajopt_cli.iiwa.task.model import (
     COORDINATES,
     UNITS,
@@ -30,15 +38,10 @@ from trajopt_cli.iiwa.task.model import (
     Task,
     Zeroing,
 )
+from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld
+from trajopt_cli.iiwa.world import mujoco_world
+from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.runs import REPORT
-
-if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.lag import Lag
-    from trajopt_cli.iiwa.controller.loop import LoopRun
-    from trajopt_cli.iiwa.controller.stability import AxisStability
-    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
-    from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld
-    from trajopt_cli.iiwa.world.worlds import Engine
 
 _LONGEST_SETTLING = 10.0  # s
 _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
@@ -84,8 +87,6 @@ class Simulated:
     @property
     def broken(self) -> tuple[str, ...]:
         """Why this is no motion for the arm, one line each: what stopped the loop, or the joints that break a limit."""
-        from trajopt_cli.iiwa.task.joints import Followed
-
         if self.loop is not None:
             return () if self.loop.stop is None else (self.loop.stop.message,)
         if isinstance(self.joints, Followed):
@@ -113,8 +114,6 @@ class Simulated:
     @property
     def q(self) -> Array | None:
         """The arm's joints (n, 7) [rad], None where it cannot follow."""
-        from trajopt_cli.iiwa.task.joints import Followed
-
         if self.loop is not None:
             return self.loop.q
         return self.joints.trajectory.q if isinstance(self.joints, Followed) else None
@@ -132,23 +131,23 @@ class Simulated:
     @property
     def spring(self) -> Array:
         """K (x - x_e) (n, 3) [N]: the stiffness' pull, with which the tool pushes what holds it."""
-        K = np.tile(self.opened.task.compliance.K[:3], (len(self.x), 1))
-        for change in self.opened.task.changes:
-            if change.compliance is not None:
-                K[self.t >= change.t] = change.compliance.K[:3]
-        return np.asarray(K * (self.x - self.x_e)[:, :3], dtype=np.float64)
+        return np.asarray(self._diagonal("K") * (self.x - self.x_e)[:, :3], dtype=np.float64)
 
     @property
     def push(self) -> Array:
         """K (x_e - x), + D v_e where the speed is fed (n, 3) [N]: with what the tool would begin to push if held."""
         if self.feed is Feed.POSITION:
             return -self.spring
-        D = np.tile(self.opened.task.compliance.D[:3], (len(self.x), 1))
+        rates = equilibrium_rates(self.x_e[:, :3], self.opened.equilibrium.h)
+        return np.asarray(self._diagonal("D") * rates - self.spring, dtype=np.float64)
+
+    def _diagonal(self, name: str) -> Array:
+        """The position's part of K or D at every row (n, 3)."""
+        out = np.tile(getattr(self.opened.task.compliance, name)[:3], (len(self.x), 1))
         for change in self.opened.task.changes:
             if change.compliance is not None:
-                D[self.t >= change.t] = change.compliance.D[:3]
-        rates = equilibrium_rates(self.x_e[:, :3], self.opened.equilibrium.h)
-        return np.asarray(D * rates - self.spring, dtype=np.float64)
+                out[self.t >= change.t] = getattr(change.compliance, name)[:3]
+        return out
 
 
 def simulate(
@@ -166,8 +165,6 @@ def simulate(
     "spring" or "mujoco", None for MuJoCo where it is installed. feed: None for the one the folder was made for. settle
     [s]: how long the last pose is held, None for as long as the controller needs.
     """
-    from trajopt_cli.iiwa.task.loader import load_contact
-
     opened = open_folder(folder)
     contact = load_contact(contact_file)[0] if contact_file is not None else opened.task.contact
     place = str(contact_file or opened.task.file)
@@ -191,11 +188,6 @@ def run_controller(
 
     contact: what the tool may run into. place: the contact's file, for messages.
     """
-    from trajopt_cli.iiwa.controller.lag import worst_lag
-    from trajopt_cli.iiwa.controller.stability import StabilityVerdict, stability
-    from trajopt_cli.iiwa.world.mujoco_world import available
-    from trajopt_cli.iiwa.world.worlds import Engine
-
     task = opened.task if integration is None else replace(opened.task, integration=integration)
     opened = counted_from_start(replace(opened, task=task))
     sequence, feed = opened.equilibrium, feed or opened.feed
@@ -214,7 +206,7 @@ def run_controller(
         # a round time, so that runs whose laws differ by rounding end together
         settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
     why = _loop_needed(task, contact, engine)
-    fallback = bool(why) and engine is None and not available()
+    fallback = bool(why) and engine is None and not mujoco_world.available()
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
     if why:
@@ -251,8 +243,6 @@ def clamped(task: Task) -> bool:
 
 def simulation_csv(run: Simulated) -> str:
     """simulation.csv: equilibrium, controller, deviation, forces, joints; what a world adds comes last."""
-    from trajopt_cli.iiwa.controller.lag import deviation
-
     heads = ["t [s]"]
     heads += [f"{name}_e [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
     heads += [f"{name} [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
@@ -273,8 +263,6 @@ def simulation_csv(run: Simulated) -> str:
 
 def simulation_record(run: Simulated) -> dict[str, Any]:
     """What summary.json says of a run."""
-    from trajopt_cli.iiwa.task.joints import Followed, Unfollowable
-
     record: dict[str, Any] = {
         "feed": run.feed.value,
         "integration": run.opened.task.integration.value,
@@ -390,11 +378,6 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
 def _loop(
     opened: Opened, contact: Contact | None, engine: Engine, feed: Feed, settle: float, place: str | None
 ) -> tuple[LoopRun, TrackedWorld]:
-    from trajopt_cli.iiwa.controller.admittance import Controller
-    from trajopt_cli.iiwa.controller.loop import run
-    from trajopt_cli.iiwa.controller.parameters import Settings
-    from trajopt_cli.iiwa.world.worlds import make_world
-
     task, sequence = opened.task, opened.equilibrium
     try:
         world = make_world(engine, opened.robot, task.X_FT, task.load, contact, sequence.h)
@@ -412,10 +395,6 @@ def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array,
 
     The controller is switched on at rest in the pose of the start, wherever the sequence begins.
     """
-    from trajopt_cli.iiwa.controller.forces import zero
-    from trajopt_cli.iiwa.controller.lag import held
-    from trajopt_cli.iiwa.controller.regulator import response, response_rotation
-
     task, sequence, R_start = opened.task, opened.equilibrium, opened.X_start[:3, :3]
     h, law = sequence.h, task.compliance
     x_e = held(sequence.pose, settle, h)
@@ -442,21 +421,8 @@ def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array,
 
 def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
     """The joints of an arm that follows the controller exactly."""
-    from trajopt_cli.iiwa.task.joints import follow
-
-    task, sequence = opened.task, opened.equilibrium
+    sequence = opened.equilibrium
     last = sequence.pieces[-1]
     pieces = (*sequence.pieces, Piece(last.last, len(x) - 1, last.goal, last.goal, dwell=True))
     path = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
-    limits = opened.robot.profile(task.limits)
-    return follow(
-        path,
-        opened.robot,
-        task.X_FT,
-        task.start_joints,
-        limits,
-        task.definition,
-        task.arm_angle,
-        free=False,
-        stops=False,
-    )
+    return opened.follow(path, stops=False)

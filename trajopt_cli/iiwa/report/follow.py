@@ -15,10 +15,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.runs import (
-    CONTROLLER,
     COORDINATES,
-    FLANGE,
-    PLANNED,
     POSE_UNITS,
     Following,
     curve,
@@ -64,12 +61,9 @@ def following_figure(run: Following, title: str) -> Figure:
     grid = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights, squeeze=False)[:, 0]
     for axes, i in zip(grid, rows, strict=False):
         factor, unit = POSE_UNITS[i]
-        shown = [("equilibrium", run.x_e, PLANNED), ("controller", run.x, CONTROLLER)]
-        if run.true is not None:
-            shown.append(("flange", run.true, FLANGE))
-        for name, x, style in shown:
+        for name, x, style in run.shown:
             curve(axes, run.t, x[:, i] / factor, f"{name} {COORDINATES[i]}", **style)
-        room_around(axes, [x[:, i] / factor for _, x, _ in shown], 1.0)
+        room_around(axes, [x[:, i] / factor for _, x, _ in run.shown], 1.0)
         axes.set_ylabel(f"{COORDINATES[i]} [{unit}]")
     for axes, (gid, label, values, unit) in zip(grid[len(rows) :], deviations, strict=True):
         curve(axes, run.t, values, gid, color=BLACK)
@@ -80,7 +74,7 @@ def following_figure(run: Following, title: str) -> Figure:
         axes.yaxis.set_major_locator(MaxNLocator(4))
     grid[-1].set_xlabel(TIME)
     grid[-1].set_xlim(run.t[0], run.t[-1])
-    legend(figure, _handles(run))
+    legend(figure, [Line2D([], [], **style) for _, _, style in run.shown])
     return finish(figure)
 
 
@@ -144,10 +138,6 @@ def _share_time(axes: Axes, runs: Sequence[Following]) -> None:
         axes.set_xscale("symlog", linthresh=min(spans) / 10, linscale=0.4)
         axes.xaxis.set_major_formatter(_PLAIN)
     axes.set_xlim(0, max(spans))
-
-
-def _handles(run: Following) -> list[Line2D]:
-    return [Line2D([], [], **style) for style in (PLANNED, CONTROLLER, *([FLANGE] if run.true is not None else []))]
 
 
 # By their numbers, poles beyond the unit circle, on it, inside; a grey print tells them apart, too.

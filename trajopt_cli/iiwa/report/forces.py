@@ -15,12 +15,9 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.runs import (
-    CONTROLLER,
     COORDINATES,
-    FLANGE,
     FORCE_UNITS,
     MOVES,
-    PLANNED,
     POSE_UNITS,
     Following,
     checked,
@@ -181,19 +178,16 @@ def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> F
     figure = new_figure(7.0 + (2.0 if across else 0.0), title, run.label + deepest)
     rows = 3 if across else 2
     grid = figure.subplots(rows, 1, sharex=True, height_ratios=[1.5, 1.1, 0.8][:rows])
-    shown = [("equilibrium", run.x_e, PLANNED), ("controller", run.x, CONTROLLER)]
-    if run.true is not None:
-        shown.append(("flange", run.true, FLANGE))
-    for name, x, style in shown:
+    for name, x, style in run.shown:
         curve(grid[0], run.t, x[:, axis] / MM, name, **style)
-    room_around(grid[0], [x[:, axis] / MM for _, x, _ in shown], 1e-3)
+    room_around(grid[0], [x[:, axis] / MM for _, x, _ in run.shown], 1e-3)
     grid[0].set_ylabel(f"{sign} [mm]")
     # what the contact pushed away, not the lag before it; without a contact the lag is all there is
     away = (run.flange - run.x_e)[:, axis] * (inside if inside.any() else 1.0)
     if float(np.abs(away).max()) > MOVES:
         planned = run.x_e[:, axis] / MM
         mark_peak(grid[0], run.t, away / MM, "mm", " from the plan", planned)
-    handles: list[Line2D | Patch] = [Line2D([], [], **style) for _, _, style in shown]
+    handles: list[Line2D | Patch] = [Line2D([], [], **style) for _, _, style in run.shown]
     zero_line(grid[1])
     curve(grid[1], run.t, force[:, axis], "force", color=BLACK)
     room_around(grid[1], [force[:, axis], np.zeros(1)], 1e-6)

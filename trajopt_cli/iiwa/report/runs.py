@@ -64,6 +64,12 @@ class Following:
         return self.x if self.true is None else self.true
 
     @property
+    def shown(self) -> list[tuple[str, Array, dict[str, Any]]]:
+        """Name, poses (n, 6) and style of what is drawn of it: equilibrium, controller, and the flange if measured."""
+        both = [("equilibrium", self.x_e, PLANNED), ("controller", self.x, CONTROLLER)]
+        return both if self.true is None else [*both, ("flange", self.true, FLANGE)]
+
+    @property
     def deviation(self) -> Array:
         """The controller's distance from the equilibrium (n,) [m], eq. 6.8."""
         return np.asarray(np.linalg.norm(self.x[:, :3] - self.x_e[:, :3], axis=1))

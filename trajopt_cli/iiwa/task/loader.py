@@ -21,7 +21,6 @@ from trajopt_cli.iiwa.task.document import (
     ContactSection,
     LoadSection,
     PassingSection,
-    SensorSection,
     TaskDocument,
     ZeroSection,
 )
@@ -224,7 +223,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         clamps=_clamps(document.clamps, "clamps", at),
         changes=_changes(document, at),
         pushes=tuple(Push(push.start, push.end, np.array(push.force)) for push in document.pushes),
-        sensor=_sensor(document.sensor),
+        sensor=None
+        if (one := document.sensor) is None
+        else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
         contact=None if document.contact is None else _contact(document.contact, at),
         notes=(*doubts, *notes, *path.notes),
         sources=texts,
@@ -296,13 +297,6 @@ def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:
         return None
     with at.about("tool.load", "tool.load: "):
         return ToolLoad(section.mass, np.array(section.com), np.diag(section.inertia))
-
-
-def _sensor(section: SensorSection | None) -> Sensor | None:
-    if section is None:
-        return None
-    ripple = tuple((one.frequency, one.amplitude) for one in section.ripple)
-    return Sensor(section.bias, ripple, section.rigid, section.seed)
 
 
 def _zeroing(section: ZeroSection) -> Zeroing:

@@ -11,17 +11,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, IndexArray, readonly
+from trajopt_cli.robot.dynamics import ToolLoad
+from trajopt_cli.robot.srs_inverse import ArmAngle
 from trajopt_cli.shapes import Box
-
-if TYPE_CHECKING:
-    from trajopt_cli.robot.dynamics import ToolLoad
-    from trajopt_cli.robot.srs_inverse import ArmAngle
 
 COORDINATES = ("x", "y", "z", "alpha", "beta", "gamma")
 UNITS = ("m", "m", "m", "rad", "rad", "rad")

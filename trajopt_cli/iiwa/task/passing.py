@@ -12,7 +12,7 @@ from math import ceil
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
 from trajopt_cli.iiwa.task.legs import MOST_ROWS
 from trajopt_cli.iiwa.task.model import Passing
@@ -32,16 +32,6 @@ _LOCAL = 10  # so often of them only around there
 
 
 @dataclass(frozen=True, eq=False)
-class Caps:
-    """What holds on each of n legs: values (n, 6) in the order of CAPS; inf where the profile does not ask."""
-
-    values: Array
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "values", readonly(self.values))
-
-
-@dataclass(frozen=True, eq=False)
 class Passage:
     """Rows (m, 6) every h from one stop to the next, with R (m, 3, 3) where turns are about one axis each.
 
@@ -57,8 +47,9 @@ class Passage:
     binds: str
 
 
-def passage(chain: Polyline, caps: Caps, passing: Passing, h: float, place: str) -> Passage:
-    """The way along a chain of poses, from rest to rest. place: of the chain, for messages.
+def passage(chain: Polyline, caps: Array, passing: Passing, h: float, place: str) -> Passage:
+    """The way along a chain of poses, from rest to rest. caps (n, 6): of each leg in the order of CAPS, inf where the
+    profile does not ask. place: of the chain, for messages.
 
     Raises InputError for a tolerance that is lost in rounding, and for more than MOST_ROWS rows.
     """
@@ -109,7 +100,7 @@ class _Driven:
 
 
 def _driven(
-    curve: Rounded, chain: Polyline, caps: Caps, limits: _Limits, grid: Array, h: float, mean: int
+    curve: Rounded, chain: Polyline, caps: Array, limits: _Limits, grid: Array, h: float, mean: int
 ) -> _Driven | None:
     """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
     longer than the way."""
@@ -154,9 +145,9 @@ def divided_differences(pose: Array, R: Array | None, h: float) -> list[Array]:
     return out
 
 
-def _used(chain: Polyline, caps: Caps) -> Array:
+def _used(chain: Polyline, caps: Array) -> Array:
     """The caps (n, 6), without those of a part that nowhere moves."""
-    out = caps.values.copy()
+    out = caps.copy()
     if not np.any(chain.pose[1:, :3] != chain.pose[:-1, :3]):
         out[:, 0::2] = np.inf
     if not np.any(chain.turns):
@@ -229,16 +220,16 @@ def _limits(curve: Rounded, chain: Polyline, used: Array, grid: Array) -> _Limit
     return _Limits(top, parts, max(lasting, default=0.0))
 
 
-def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Caps, h: float, size: float) -> list[Array]:
+def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Array, h: float, size: float) -> list[Array]:
     """Each difference as a share of its cap; rounding of coordinates of this size taken off."""
     out = []
     for k, found in enumerate(differences):
         order = k // 2 + 1
         # a difference looks at rows on both sides: the legs of its own middle
         middle = at[order // 2 : order // 2 + len(found)]
-        leg = np.clip(np.searchsorted(chain.at, middle, side="right") - 1, 0, len(caps.values) - 1)
+        leg = np.clip(np.searchsorted(chain.at, middle, side="right") - 1, 0, len(caps) - 1)
         noise = 2**order * _ROUNDING * max(1.0, size) / h**order
-        out.append(np.maximum(found - noise, 0.0) / caps.values[leg, k])
+        out.append(np.maximum(found - noise, 0.0) / caps[leg, k])
     return out
 
 

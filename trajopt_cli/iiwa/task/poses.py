@@ -32,6 +32,8 @@ from trajopt_cli.motion import (
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.path.segment import Segment
+from trajopt_cli.rapid.language.text import read_text
+from trajopt_cli.rapid.reader import try_program
 from trajopt_cli.rapid.zones import fly_bys
 from trajopt_cli.yaml_file import line_of
 
@@ -234,9 +236,6 @@ def _sampled(
 
 
 def _program(path: Path) -> Program:
-    from trajopt_cli.rapid.language.text import read_text
-    from trajopt_cli.rapid.reader import try_program
-
     program, lacks = try_program([read_text(path)])
     if lacks:
         advice = "a task has no cell file to tell it; leave it out of the program"

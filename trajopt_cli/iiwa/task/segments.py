@@ -19,7 +19,7 @@ from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.laws import FullSpeed, Ramps, full_speed, ramps
 from trajopt_cli.iiwa.task.legs import MOST_ROWS, StraightSegment, legs, path_of, whole_periods
 from trajopt_cli.iiwa.task.model import COORDINATES, Profile, RotationLaw, Route, Waypoint
-from trajopt_cli.iiwa.task.passing import Caps, passage
+from trajopt_cli.iiwa.task.passing import passage
 from trajopt_cli.iiwa.task.rounded import Polyline
 
 _LONG = 10_000  # poses that are passed at once, from which on progress is told
@@ -147,7 +147,7 @@ def _passed(route: Route, progress: Callable[[str], None]) -> tuple[Equilibrium,
         if goal - first > _LONG:
             progress(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
         chain = Polyline(path.at[poses] - path.at[first], path.pose[poses], None if R_given is None else R_given[poses])
-        found = passage(chain, Caps(path.caps[part]), passing, route.h, here.place)
+        found = passage(chain, path.caps[part], passing, route.h, here.place)
         R = rotation(found.pose[:, 3:]) if found.R is None else found.R
         time = rows.add(found.pose[1:], R[1:], here.name, there.name)
         dwell = rows.stand(there, path.pose[goal])

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Protocol
 
 Seven = tuple[float, float, float, float, float, float, float]
 Six = tuple[float, float, float, float, float, float]
+
+
+def seven(values: Iterable[float]) -> Seven:
+    """Seven numbers as plain ones."""
+    a, b, c, d, e, f, g = map(float, values)
+    return (a, b, c, d, e, f, g)
 
 
 @dataclass(frozen=True)

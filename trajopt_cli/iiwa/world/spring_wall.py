@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact
-from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven
+from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven, seven
 from trajopt_cli.iiwa.world.contact import APART, BallOnBoxes, Touch
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
@@ -76,13 +74,13 @@ class SpringWorld:
         """Stand still at q [rad] (7,)."""
         still: Seven = (0.0,) * 7
         self._path = []
-        return self._measure(_seven(q), still, still)
+        return self._measure(seven(q), still, still)
 
     def step(self, q: Seven) -> Measured:
         """Be at the command q [rad] (7,) one period later, after a reset."""
-        q, h = _seven(q), self._h
-        qd = _seven((new - old) / h for new, old in zip(q, self._q, strict=True))
-        qdd = _seven((new - old) / h for new, old in zip(qd, self._qd, strict=True))
+        q, h = seven(q), self._h
+        qd = seven((new - old) / h for new, old in zip(q, self._q, strict=True))
+        qdd = seven((new - old) / h for new, old in zip(qd, self._qd, strict=True))
         return self._measure(q, qd, qdd)
 
     def _measure(self, q: Seven, qd: Seven, qdd: Seven) -> Measured:
@@ -98,7 +96,7 @@ class SpringWorld:
                 vx, vy, vz, wx, wy, wz = (sum(a * b for a, b in zip(row, qd, strict=True)) for row in J)
                 touch = self._boxes.touch(p, (vx, vy, vz), (wx, wy, wz))
                 tau = _less(tau, J, touch)
-        return Measured(q, qd, qdd, _seven(tau), touch.force, touch.depth)
+        return Measured(q, qd, qdd, seven(tau), touch.force, touch.depth)
 
 
 def _less(tau: list[float], J: Jacobian, touch: Touch) -> list[float]:
@@ -108,8 +106,3 @@ def _less(tau: list[float], J: Jacobian, touch: Touch) -> list[float]:
         motor - sum(a * f for a, f in zip(column, touch.force, strict=True))
         for motor, column in zip(tau, columns, strict=True)
     ]
-
-
-def _seven(values: Iterable[float]) -> Seven:
-    a, b, c, d, e, f, g = values
-    return (float(a), float(b), float(c), float(d), float(e), float(f), float(g))
