@@ -265,8 +265,12 @@ def test_a_log_beyond_the_limits_in_force_is_told(tiny: Path, capsys: pytest.Cap
     assert said.startswith("joint_1 reached")
     reached = {(one["axis"], one["kind"]): one["value"] for one in told["reached"]}
     assert reached["joint_1", "acceleration"] == pytest.approx(13.0, rel=0.05)
+    cell = Path("tiny.yaml")
+    cell.write_text(cell.read_text().replace("speed: 9,", "speed: 0.6,"))  # the flange goes around at more than 1 m/s
     run(["estimate", str(tiny), "--log", "log.csv"])
-    assert said in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert said in out
+    assert "the tool centre point reached" in out
 
 
 def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
