@@ -324,7 +324,8 @@ class _Search:
             text = f"the log never is where the program starts: {apart} it"
         if not missed:
             text = f"the log holds no motion of the program from stop to stop, in {t[-1] - t[0]:.3f} s"
-        text += f"; {lost}" if lost else "; is it a log of this program, with each axis in its own column?"
+        text += "; is it a log of this program, with each axis in its own column?"
+        text += f" {lost}" if lost and i else ""
         return InputError(text, file=file, kind=ErrorKind.RESULTS)
 
 
