@@ -91,7 +91,7 @@ def optimized_record(answer: OptimizedJob, interrupted: bool) -> dict[str, Any]:
         ),
         "no_rapid": answer.no_rapid,
         "interrupted": interrupted,
-        **told.model_dump(include={"warnings", "limits", "unchecked", "undriven", "notes", "settling"}),
+        **told.model_dump(include={"warnings", "limits", "uncertainty", "unchecked", "undriven", "notes", "settling"}),
     }
 
 
