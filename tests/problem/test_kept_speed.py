@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from trajopt_cli.problem.constant_speed import DIP, Stretch, Why, constant_speed
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import Settling
 from trajopt_cli.trajectory import Trajectory
 
 A = 3.0  # m/s2 of the rail
@@ -29,10 +31,11 @@ K = 1 - DIP
 Phase = tuple[float, float]  # acceleration [m/s2], how long [s]
 
 
-def program(*motions: str, rest: str = "") -> Program:
+def program(*motions: str, rest: str = "", settle: float = 0.0) -> Program:
     """A bead of these motions, which begins in line 3."""
     text = f"MODULE m\nPROC bead()\n{chr(10).join(motions)}\nENDPROC\nPROC main()\nbead;\n{rest}\nENDPROC\nENDMODULE\n"
-    return run_program([TextFile("m.mod", text, "utf-8")], parse_cell(json.dumps(CELL), "cell.yaml").scenario)
+    scenario = replace(parse_cell(json.dumps(CELL), "cell.yaml").scenario, settle=Settling(settle))
+    return run_program([TextFile("m.mod", text, "utf-8")], scenario)
 
 
 def line(speed: str, zone: str, x: float = 0.0) -> str:
@@ -162,6 +165,11 @@ def test_a_wait_or_another_move_ends_a_stretch_and_a_signal_does_not() -> None:
     assert [one.first for one in stretches(bead, ramp, [(0, 0.5)], ramp)] == [0, 2]
     bead = program(line("v1000", "fine"), "Set do1;", line("v1000", "fine", 500), rest=line("v1000", "fine", 900))
     assert [(one.first, one.last) for one in stretches(bead, ramp, ramp, ramp)] == [(0, 2)]
+    bead = program(line("v1000", "fine"), "Set do1;", line("v1000", "fine", 500), settle=0.25)
+    found = only(stretches(bead, ramp, [(0, 0.25)], ramp))
+    (stop,) = [dip for dip in found.dips if dip.why is Why.STOP]
+    assert (found.first, found.last) == (0, 3)
+    assert stop.duration > 0.25  # as long as the tool stands there
     bead = program(line("v1000", "fine"), line("v1000", "fine"), line("v1000", "fine", 500))
     assert [(one.first, one.last) for one in stretches(bead, ramp, [], ramp)] == [(0, 2)]
 

@@ -154,7 +154,7 @@ def _stretches(program: Program, planned: Sequence[PlannedMotion]) -> Iterator[l
         motion = program.motions[one.index]
         if isinstance(motion, SignalEvent) or one.dropped:
             continue
-        if isinstance(motion, Wait) and not motion.stops:
+        if isinstance(motion, Wait) and (motion.settles or not motion.stops):
             continue
         if isinstance(motion, PathMove) and motion.constant_speed and not turned_under(motion):
             found += [one] if one.t_1 > one.t_0 else []  # a line to where it starts takes no time
