@@ -11,6 +11,7 @@ from ruckig import Trajectory as RuckigTrajectory
 from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.bound import lower_bound
+from trajopt_cli.bound.tcp_time_bound import tool_time
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
@@ -150,7 +151,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         held.append(shrunk(cells, keep))
     for k, leg in enumerate(problem.legs):
         a, b = held[k], held[k + 1]
-        run = lower_bound._run(axes, problem, k, k + 1)
+        run = lower_bound._run(axes, problem, k, k + 1, tool_time(problem, k, k + 1))
         T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
         if level == DEFAULT.bound_levels - 1 and leg.duration is None:
