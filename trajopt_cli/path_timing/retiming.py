@@ -24,7 +24,11 @@ from trajopt_cli.trajectories.leg_trajectories import Sample
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectory import Trajectory
 
-_STEP = 5e-3  # s between places of a course, besides rows at which an acceleration jumps
+_STEP = 5e-3  # s between places of a course at least, besides rows at which an acceleration jumps
+_PLACES = (
+    8000  # of a long course, about. Measured on 400 joint moves of 218 s: ends within 0.15 % of those with all, in a
+)
+# quarter of the time.
 _JUMP = 1e-2  # share of an axis' acceleration by which it changes at a row that is such a jump
 _STANDS = 1e-9  # rad/s or m/s of an axis that rests
 _LINK = 1e-9  # of the parameter, in which the rate may be another one where all axes rest
@@ -74,7 +78,7 @@ class Course:
         """The rows that are places of the course; those where all axes rest are there twice."""
         t, qd, (begin, end) = self.rows.t - self.rows.t[0], self.rows.qd, self._bends
         assert qd is not None
-        kept = np.diff(np.floor(t / _STEP), prepend=-1.0) > 0
+        kept = np.diff(np.floor(t / max(_STEP, t[-1] / _PLACES)), prepend=-1.0) > 0
         kept[1:-1] |= (np.abs(begin[1:] - end[:-1]) > _JUMP * self.axes.acceleration).any(axis=1)
         rests = np.abs(qd).max(axis=1) < _STANDS
         kept |= rests
