@@ -421,6 +421,18 @@ def test_an_interruption_that_a_library_gave_another_name_is_one(
     assert capsys.readouterr().err == "interrupted: nothing written, earlier results stand\n"
 
 
+def test_an_error_that_is_its_own_cause_is_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def refused(*_: object, **__: object) -> int:
+        error = InputError("wrong")
+        raise error from error
+
+    monkeypatch.setattr(cli, "_commands", lambda: refused)
+    assert run(["verify", "results"]) == 2
+    assert capsys.readouterr().err == "wrong\n"
+
+
 # Tests in the background of a shell hear no Ctrl-C.
 HEARD = (
     "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); from trajopt_cli.cli import main; main()"

@@ -187,9 +187,11 @@ def _answered(arguments: list[str]) -> int | None:
         sys.stdout.flush()
     except BaseException as error:
         chain: BaseException | None = error
-        while chain is not None and not isinstance(chain, KeyboardInterrupt):
+        seen: list[BaseException] = []  # an error may be its own cause
+        while chain is not None and chain not in seen and not isinstance(chain, KeyboardInterrupt):
+            seen.append(chain)
             chain = chain.__cause__ or chain.__context__
-        if chain is None:
+        if not isinstance(chain, KeyboardInterrupt):
             raise
         return 130
     return code
