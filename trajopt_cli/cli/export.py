@@ -181,7 +181,9 @@ def fri(
     try:
         text, rows, note = fri_rows(recorded(results), between)
     except InputError as error:
-        raise error if error.file else InputError(error.message, file=str(results), kind=error.kind) from error
+        if error.file:
+            raise
+        raise InputError(error.message, file=str(results), kind=error.kind) from error
     write_file(output, text.encode("ascii"))
     line = f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}"
     _tell(line, (), {"file": str(output), "rows": rows, "rate_hz": 1000.0, "note": note or None}, as_json, quiet)

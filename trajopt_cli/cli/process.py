@@ -41,13 +41,15 @@ _REFUSED += ("error return without exception set",)  # what Python says where it
 def out_of_memory(error: BaseException) -> str | None:
     """The line for an error that says, in whatever words, that there is no more memory; None for any other."""
     chain: BaseException | None = error
-    while chain is not None:
+    seen: list[BaseException] = []  # an error may be its own cause
+    while chain is not None and chain not in seen:
+        seen.append(chain)
         text = str(chain)
         unloaded = isinstance(chain, OSError) and chain.errno is None and "libllvmlite" in text  # llvmlite says no more
         if isinstance(chain, MemoryError) or unloaded or any(words in text.lower() for words in _REFUSED):
             break
         chain = chain.__cause__ or chain.__context__
-    if chain is None:
+    else:
         return None
     limit, why = _address_space(), " ".join(str(chain).split()) if isinstance(chain, MemoryError) else ""
     may = "the system has no more" if limit is None else f"the process may have {limit // 10**6} MB (ulimit -v)"
