@@ -99,7 +99,8 @@ def refuse_empty(content: Mapping[str, Any], lines: Mapping[str, int], file: str
     """Raise InputError for every key without a value (null) in what parse gave, at any depth."""
     empty = sorted(_empty(content, ""), key=lambda path: line_of(path, lines))
     if empty:
-        raise _all([_empty_error(path, lines, file) for path in empty], file)
+        text = "is empty; give it a value or remove it"
+        raise _all([InputError(f"{path}: {text}", file=file, line=line_of(path, lines)) for path in empty], file)
 
 
 def validated(
@@ -344,10 +345,6 @@ def _empty(value: Any, path: str) -> Iterator[str]:
     elif isinstance(value, Mapping | list):
         for name, inner in value.items() if isinstance(value, Mapping) else enumerate(value):
             yield from _empty(inner, f"{path}.{name}" if path else str(name))
-
-
-def _empty_error(path: str, lines: Mapping[str, int], file: str) -> InputError:
-    return InputError(f"{path}: is empty; give it a value or remove it", file=file, line=line_of(path, lines))
 
 
 def _input_error(

@@ -18,7 +18,7 @@ from told_cases import Cases, Told
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge.chain import Followed
-from trajopt_cli.iiwa.judge.joints import ArmAngleRange, check_between, check_follows, check_limits, check_posture
+from trajopt_cli.iiwa.judge.joints import check_between, check_follows, check_limits, check_posture
 from trajopt_cli.iiwa.judge.path import legs
 from trajopt_cli.iiwa.judge.samples import Poses
 from trajopt_cli.iiwa.judge.sequence import _caps_there, check_sequence
@@ -167,7 +167,7 @@ def order_of(poses: Array, **more: object) -> Order:
     return replace(order, **more)  # type: ignore[arg-type]
 
 
-def posture(q: Array, told: ArmAngleRange | None = None, begins: bool = False, **more: object) -> list[Finding]:
+def posture(q: Array, told: tuple[float, float] | None = None, begins: bool = False, **more: object) -> list[Finding]:
     rows = Trajectory(iiwa().mechanism.names, np.arange(len(q)) * 0.5, q)
     return list(check_posture(order_of(np.zeros((2, 6)), **more), rows, told, begins))
 
@@ -215,7 +215,7 @@ def test_what_fixes_the_arm_angle_and_the_start() -> None:
     q[0, 6] += 2 * START
 
     def checks(*told: float, begins: bool = True, **more: object) -> set[str]:
-        found = posture(q, ArmAngleRange(*told) if told else None, begins, **more)
+        found = posture(q, told or None, begins, **more)
         assert {"arm angle", "arm angle range"} - {one.check for one in found}
         return {one.check for one in found if not one.passed}
 

@@ -83,7 +83,8 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
         )
         raise InputError(message, file=file)
     notes = [note for note in tree.notes if any(f"'{one.name}'" in note for one in given) or "link '" in note]
-    notes += _ranges(moving)
+    endless = [one.name for one in moving if one.kind == "continuous"]
+    notes += [f"joint '{name}' is continuous, without a range: -360 to 360 degrees are taken" for name in endless]
     names = [*([RAIL] if sliding else []), *(f"joint_{i}" for i in range(1, 7))]
     joints, bodies = _normal(tree, given, names, base or tree.root)
     left = [name for name in tree.links if not any(name in body.links for body in bodies)]
@@ -191,12 +192,6 @@ def _check(joint: TreeJoint, file: str) -> None:
             f"{where}: a range to {farthest:g} rad is {farthest / (2 * pi):.0f} turns; a URDF's angles are in radians"
         )
         raise InputError(message, file=file)
-
-
-def _ranges(moving: list[TreeJoint]) -> Iterator[str]:
-    for joint in moving:
-        if joint.kind == "continuous":
-            yield f"joint '{joint.name}' is continuous, without a range: -360 to 360 degrees are taken"
 
 
 def _normal(

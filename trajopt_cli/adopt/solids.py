@@ -10,7 +10,7 @@ from urllib.parse import unquote, urlparse
 import numpy as np
 
 from trajopt_cli.adopt.capsule import smallest_capsule
-from trajopt_cli.adopt.chain import Body, NormalChain
+from trajopt_cli.adopt.chain import NormalChain
 from trajopt_cli.adopt.tree import FIXED, CollisionShape
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_about
@@ -36,7 +36,7 @@ class LinkCapsules:
 def link_capsules(chain: NormalChain) -> LinkCapsules:
     """A capsule around every link of the arm whose collision geometry is given and readable."""
     capsules, missing = {}, []
-    for body in _arm(chain.bodies):
+    for body in chain.bodies[-8:-1]:  # from the arm's base to link_6
         points: list[Array] = []
         complete = True
         for shape in body.shapes:
@@ -48,11 +48,6 @@ def link_capsules(chain: NormalChain) -> LinkCapsules:
         if complete and points:  # part of a link's shapes would be a capsule around part of it
             capsules[body.name] = smallest_capsule(body.name, np.vstack(points))
     return LinkCapsules(capsules, tuple(missing))
-
-
-def _arm(bodies: Sequence[Body]) -> Sequence[Body]:
-    """From the arm's base to link_6."""
-    return bodies[-8:-1]
 
 
 def find_mesh(name: str, urdf: Path) -> Path:
@@ -101,16 +96,16 @@ def _points(shape: CollisionShape, urdf: Path) -> Array:
 
 
 def self_pairs(
-    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], postures: int = POSTURES, linkage: float = 0.0
+    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], linkage: float = 0.0
 ) -> tuple[tuple[str, str], ...]:
     """Pairs of links worth holding against each other, the one nearer the base first; "attached" stands for what the
     flange carries. joints: the arm's six and the flange's. linkage: joint 3 is axis 3 - linkage * axis 2.
 
-    Left out are neighbours, pairs that touch in none of so many postures within the ranges, and pairs whose capsules
+    Left out are neighbours, pairs that touch in none of POSTURES within the ranges, and pairs whose capsules
     overlap in more than a tenth of them: those are larger than the links. The same postures every time.
     """
     names = [joints[0].parent, *(joint.child for joint in joints[:6])]
-    q = sampled(joints, postures)
+    q = sampled(joints, POSTURES)
     q[:, 2] -= linkage * q[:, 1]
     poses = link_poses(joints, q)
     pairs: list[tuple[str, str]] = []

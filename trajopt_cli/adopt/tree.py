@@ -160,7 +160,7 @@ class _Reader:
     def numbers(self, text: str, count: int, what: str) -> list[float]:
         words = text.split()
         if len(words) != count or not all(map(_NUMBER.fullmatch, words)):
-            raise self.error(f'{what}="{text}" is not {_count(count)}')
+            raise self.error(f'{what}="{text}" is not {"a number" if count == 1 else f"{count} numbers"}')
         values = [float(word) for word in words]
         if max(map(abs, values)) > _MOST:
             raise self.error(f'{what}="{text}": no robot has numbers beyond {_MOST:g}; correct it')
@@ -288,10 +288,6 @@ class _Reader:
         factor = self.value(mimic, "multiplier", f"{where}: <mimic> multiplier")
         ends_and_range = ends[0], ends[1], X, axis, lower, upper, velocity, effort or 0.0
         return TreeJoint(name, kind, *ends_and_range, follows, 1.0 if factor is None else factor)
-
-
-def _count(count: int) -> str:
-    return "a number" if count == 1 else f"{count} numbers"
 
 
 def _right_angle(word: str, angle: float) -> float:

@@ -130,10 +130,11 @@ def program_and_cell(name: str, robot: RobotModel, said: str | None = None) -> t
     home = _joints(robot, _PARALLEL_HOME if isinstance(robot.arm, ParallelArm) else _HOME)
     for place, turn, ride in zip(("take", "put"), turns, rides, strict=True):
         X, q = _pointing_down(robot, turn, ride)
+        conf = [*(int(q[joint] // 90) for joint in (0, 3, 5)), robot.confdata(np.radians(q)).cfx]
         fields |= {
             place: _figures(X[:3, 3] / MM, 1),
             f"{place}_q": _figures(wxyz_from_rotation(X[:3, :3]), 7),
-            f"{place}_conf": ",".join(str(int(q[joint] // 90)) for joint in (0, 3, 5)) + f",{_cfx(robot, q)}",
+            f"{place}_conf": ",".join(map(str, conf)),
             f"eax_{place}": "9E9" if ride is None else f"{ride}",
         }
     module = _MODULE.format(
@@ -177,10 +178,6 @@ def _joints(robot: RobotModel, canonical: tuple[float, ...]) -> tuple[float, ...
 
 def _plain(value: float) -> float:
     return int(value) if value == int(value) else value
-
-
-def _cfx(robot: RobotModel, q: tuple[float, ...]) -> int:
-    return robot.confdata(np.radians(q)).cfx
 
 
 def _axes(q: tuple[float, ...], ride: float | None) -> Array:

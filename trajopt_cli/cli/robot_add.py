@@ -105,11 +105,8 @@ def add(
         else:
             console.show(out, part)
     console.tell(out, [f"written: {', '.join(files)}", *(f"kept: {path}" for path in kept.values())])
-    console.tell(out, [f"next: trajopt robot show {_path(output / f'{name}.yaml')}"])
-
-
-def _path(path: Path) -> str:
-    return str(path) if path.parent != Path(".") else f"./{path}"
+    shown = output / f"{name}.yaml"
+    console.tell(out, [f"next: trajopt robot show {shown if shown.parent != Path('.') else f'./{shown}'}"])
 
 
 def _zero(robot: RobotModel) -> Any:

@@ -65,7 +65,8 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     yield TextTable("dimensions", ("length", ">mm", "source"), tuple(lengths))
     yield _ranges(robot.profile(), notes)
     if robot.profile().coupled:
-        yield _coupled(robot.profile(), notes)
+        rows = tuple(_sums(robot.profile(), notes))
+        yield TextTable("ranges of axes together", ("sum", ">from", ">to", "unit", "source"), rows)
     if isinstance(robot, RobotModel) and robot.linkage:
         _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
         mark, sign = notes.mark(robot.notes[f"{upper}.linkage"]), "-" if robot.linkage > 0 else "+"
@@ -174,10 +175,6 @@ def _ranges(limits: JointLimits, notes: _Footnotes) -> TextTable:
     rows += [(*row, "", "", "") for row in _sums(limits, notes)]
     heads = ("axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
     return TextTable("ranges and speeds", heads, tuple(rows))
-
-
-def _coupled(limits: JointLimits, notes: _Footnotes) -> TextTable:
-    return TextTable("ranges of axes together", ("sum", ">from", ">to", "unit", "source"), tuple(_sums(limits, notes)))
 
 
 def _sums(limits: JointLimits, notes: _Footnotes) -> Iterator[tuple[str, ...]]:

@@ -30,7 +30,8 @@ def merge_via_points(
     ends = [k for k in range(len(problem.waypoints)) if k not in points]
     kept: list[int] = []
     for first, last in pairwise(ends):
-        alone = not (problem.passes(first) or problem.passes(last)) and all(map(_of_joints, draft.legs[first:last]))
+        of_joints = all(isinstance(one, JointNodes | JointProfiles) for one in _parts(draft.legs[first:last]))
+        alone = of_joints and not (problem.passes(first) or problem.passes(last))
         kept += [first, *(() if alone else range(first + 1, last))]
     kept.append(ends[-1])
     new = {k: i for i, k in enumerate(kept)}
@@ -72,10 +73,6 @@ def _parts(motions: Sequence[LegMotion | None]) -> Iterator[LegMotion]:
             yield from motion.pieces
         elif motion is not None:
             yield motion
-
-
-def _of_joints(motion: LegMotion | None) -> bool:
-    return all(isinstance(part, JointNodes | JointProfiles) for part in _parts([motion]))
 
 
 def _concatenated(axes: Axes, motions: Sequence[LegMotion | None]) -> LegMotion | None:

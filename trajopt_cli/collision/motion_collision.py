@@ -10,7 +10,6 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import CollisionScene, Hit, collision_scene_of
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.settings import Settings
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, sample_times, samples
@@ -60,14 +59,12 @@ def _dense(q: Array) -> Array:
 
 def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArray, IndexArray]:
     """Places (N, n) along motions, one after the other, and the first and last row of each."""
-    times = [_times(motion, axes.settings) for motion in motions]
+    settings = axes.settings
+    # at their breaks, and often enough between them for straight ways in between
+    looks = (sample_times(one, settings.clearance_check_step, 1, settings.most_samples)[0] for one in motions)
+    times = [np.clip(t, 0.0, one.T) for t, one in zip(looks, motions, strict=True)]
     ends = np.cumsum([len(t) for t in times])
     q = np.empty((ends[-1] if len(ends) else 0, axes.n))
     for at, sample in samples(axes, motions, times):
         q[at] = sample.q
     return q, ends - [len(t) for t in times], ends - 1
-
-
-def _times(motion: LegMotion, settings: Settings) -> Array:
-    """When a motion is looked at: at its breaks, and often enough between them for straight ways in between."""
-    return np.clip(sample_times(motion, settings.clearance_check_step, 1, settings.most_samples)[0], 0.0, motion.T)

@@ -129,15 +129,9 @@ def play(stream: Stream, here: socket.socket, settle: float, silence: float) -> 
         row = min(round(t / stream.period), len(stream.q) - 1)
         here.sendto(sensor_message(stream, row, len(rows), (state.tm - begin) % _CLOCK), sender)
         rows.append((t, row, x))
-    k = stream.q.shape[1]
-    return Played(
-        np.array([t for t, _, _ in rows]),
-        stream.q[[row for _, row, _ in rows]],
-        np.array([x for *_, x in rows]).reshape(-1, k),
-        lost,
-        strangers,
-        why_not,
-    )
+    times, due = np.array([t for t, _, _ in rows]), stream.q[[row for _, row, _ in rows]]
+    back = np.array([x for *_, x in rows]).reshape(-1, stream.q.shape[1])
+    return Played(times, due, back, lost, strangers, why_not)
 
 
 def _axes_of(state: RobotState, stream: Stream) -> Array:

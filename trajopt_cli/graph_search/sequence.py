@@ -92,7 +92,10 @@ def steps_of(
     if end < len(problem.legs):
         rest = layers[end + 1 :]
         after = _backward(rest, edges[end + 1 :], [np.zeros(len(one.q)) for one in rest], np.inf)[0]
-    inside = [reduce(_product, [edge.dense() for edge in edges[a:b]], _identity(len(layers[a].q))) for a, b in ways]
+    stays = [np.where(np.eye(len(layers[a].q), dtype=bool), 0.0, np.inf) for a, _ in ways]  # in a state: no time
+    inside = [
+        reduce(_product, [edge.dense() for edge in edges[a:b]], stay) for (a, b), stay in zip(ways, stays, strict=True)
+    ]
 
     def to(layer: int, j: int) -> Array:
         """From the states of a layer through the joint move into station j and through it."""
@@ -131,11 +134,6 @@ def _table(axes: Axes, problem: Problem, first: int, last: int, states: int) -> 
         if apart >= _WIDEST or len(table.labels) * len(d) <= states:
             return table
         apart, fewest = apart * _WIDER, 2
-
-
-def _identity(n: int) -> Array:
-    """Times (n, n) of staying in a state."""
-    return np.where(np.eye(n, dtype=bool), 0.0, np.inf)
 
 
 def _product(A: Array, B: Array) -> Array:

@@ -78,7 +78,7 @@ def first_iterate(
         elif leg.kind is LegKind.JOINT and k in capped:
             legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], settings.first_joint_grid))
         elif leg.kind is LegKind.JOINT:
-            legs.append(_closed(axes, T, q[k], qd[k]))
+            legs.append(JointProfiles(T, q[k], qd[k], np.zeros((axes.n, 4)), np.zeros((axes.n, 3))))  # T is a guess
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(hold(leg.duration or 0.0, q[k]))
         else:
@@ -180,11 +180,6 @@ def _sampled(axes: Axes, motion: LegMotion, grid: Array) -> JointNodes:
     sample = motion.sample(axes, grid * motion.T)
     v = sample.qd * motion.T
     return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
-
-
-def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
-    """A joint move of which the time alone is guessed [s]."""
-    return JointProfiles(T, q_0, qd_0, np.zeros((axes.n, 4)), np.zeros((axes.n, 3)))
 
 
 def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, nodes: Sequence[Array]) -> PathLeg:

@@ -21,6 +21,7 @@ from trajopt_cli.page.encode import text
 from trajopt_cli.page.kept_speed import kept_speed
 from trajopt_cli.page.listing import sources_data
 from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene
+from trajopt_cli.page.tables import numbers
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
@@ -148,7 +149,7 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         rows.append(
             f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
             f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}{way}</td>'
-            f"{''.join(map(_number, cells))}"
+            f"{''.join(numbers(*cells))}"
             f"<td>{text(planned[-1].binding if planned[-1] is not None else '')}</td></tr>"
         )
     ends = [seconds(one.plan.duration) for one in shown]
@@ -156,7 +157,7 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         ends.append(seconds(shown[0].plan.duration - shown[1].plan.duration).replace("-", "−"))
     head = "".join(f'<th scope="col">{name}</th>' for name in _HEADS)
     head += "".join(f'<th scope="col" class="n">{text(name)}</th>' for name in names[:-1])
-    foot = "".join(map(_number, ends))
+    foot = "".join(numbers(*ends))
     cut = f"; the first {MOST_MOTIONS} of them" if len(user.motions) > MOST_MOTIONS else ""
     return (
         '<div class="scroll own-keys" id="motions" role="region" aria-label="Motions" tabindex="0"><table>'
@@ -165,7 +166,3 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         f"<tbody>{''.join(rows)}</tbody><tfoot><tr><td>cycle</td><td></td><td></td>{foot}<td></td></tr></tfoot>"
         "</table></div>"
     )
-
-
-def _number(value: str) -> str:
-    return f'<td class="n">{value}</td>'

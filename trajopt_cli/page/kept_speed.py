@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.tables import table
 from trajopt_cli.problem.constant_speed import DIP, Dip
@@ -27,11 +25,8 @@ def kept_speed(one: Shown) -> str:
         f", the {MOST} longest" if len(dips) > MOST else ""
     )
     heads = ("place", "motion", ">at [mm]", ">programmed [mm/s]", ">slowest [mm/s]", ">for [s]", ">over [mm]", "cause")
-    return table(caption, heads, map(_row, _worst(dips)))
-
-
-def _worst(dips: Sequence[Dip]) -> Sequence[Dip]:
-    return sorted(sorted(dips, key=lambda dip: -dip.length)[:MOST], key=lambda dip: dip.start)
+    worst = sorted(dips, key=lambda dip: -dip.length)[:MOST]
+    return table(caption, heads, map(_row, sorted(worst, key=lambda dip: dip.start)))
 
 
 def _row(dip: Dip) -> tuple[str, ...]:

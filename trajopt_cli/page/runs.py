@@ -8,10 +8,11 @@ from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import text
 from trajopt_cli.page.tables import drawn, points
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.compared import ComparedRuns, OneRun
+from trajopt_cli.runs.compared import ComparedRuns
 from trajopt_cli.runs.compared_tables import bindings_table, cycles_table, inputs_table, motions_table
 
 _WIDE, _LEFT, _BAR, _GAP = 1000, 60, 22, 12  # of drawings, in units of their own; left of them the letters
+_ALIKE = "None: what is in all runs is held back by the same limits."
 _CLASSES = {"MoveL": "line", "MoveC": "arc", "MoveExtJ": "rail", "MoveJ": "joint", "MoveAbsJ": "joint"}
 _KINDS = {"line": "lines", "arc": "arcs", "joint": "joint moves", "rail": "external axes alone", "wait": "waits"}
 
@@ -19,6 +20,7 @@ _KINDS = {"line": "lines", "arc": "arcs", "joint": "joint moves", "rail": "exter
 def runs_page(answer: ComparedRuns) -> bytes:
     """The page's bytes, the same for the same comparison."""
     ordered = sorted(answer.rows, key=lambda row: -row.spread)
+    bound = drawn(bindings_table(answer)) if answer.bound_otherwise else ""
     sections = [
         Section(
             "times",
@@ -28,17 +30,16 @@ def runs_page(answer: ComparedRuns) -> bytes:
         ),
         Section("gantt", f"Motions of the {answer.target} plans over time", _gantt(answer), _key(answer)),
         Section("motions", "Times by motion", drawn(motions_table(answer, ordered)), "The largest difference first."),
-        Section("limits", "Motions held back by different limits", _bindings(answer)),
+        Section("limits", "Motions held back by different limits", bound or f"<p>{_ALIKE}</p>"),
         Section("inputs", "What was different", _inputs(answer)),
     ]
-    runs = "".join(f"<dt>{run.letter}</dt><dd>{text(str(run.folder))}, {_modules(run)}</dd>" for run in answer.runs)
+    runs = "".join(
+        f"<dt>{run.letter}</dt><dd>{text(str(run.folder))}, {text(', '.join(run.inputs.modules))}</dd>"
+        for run in answer.runs
+    )
     notes = points(answer.notes)
     head = f'<h1>{len(answer.runs)} runs side by side</h1><dl class="facts">{runs}</dl>{notes}'
     return document("Runs side by side · trajopt", head, sections, {}, ("runs.css",))
-
-
-def _modules(run: OneRun) -> str:
-    return text(", ".join(run.inputs.modules))
 
 
 def _cycles(answer: ComparedRuns) -> str:
@@ -93,12 +94,6 @@ def _key(answer: ComparedRuns) -> str:
     colours = {"line": "vermillion", "arc": "purple", "joint": "blue", "rail": "green", "wait": "grey"}
     told = ", ".join(f"{colours[kind]}: {_KINDS[kind]}" for kind in _KINDS if kind in used)
     return f"{told}. A pointer on a bar tells its motion."
-
-
-def _bindings(answer: ComparedRuns) -> str:
-    if not answer.bound_otherwise:
-        return "<p>None: what is in all runs is held back by the same limits.</p>"
-    return drawn(bindings_table(answer))
 
 
 def _inputs(answer: ComparedRuns) -> str:

@@ -40,10 +40,9 @@ def robot_scene(
     cycles: Sequence[Cycle],
     obstacles: Iterable[Shape] = (),
     carried: Iterable[Shape] = (),
-    stroke: tuple[float, float] | None = None,
 ) -> dict[str, Any]:
     """The same of any robot; the rest as in scene_of_robot."""
-    return scene_data(scene_of_robot(robot, [*obstacles], [*carried], stroke), points, cycles)
+    return scene_data(scene_of_robot(robot, [*obstacles], [*carried]), points, cycles)
 
 
 def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from trajopt_cli.page.encode import text
@@ -34,9 +34,11 @@ def head(title: str, about: str, tiles: Iterable[Tile], doubts: Iterable[str] = 
 def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], html: bool = False) -> str:
     """A table that scrolls in a box of its own. heads: as in TextTable. rows: plain text, or HTML where html is
     true."""
-    right = [head.startswith(">") for head in heads]
-    made = "".join(f"<tr>{''.join(_cell(value, right[i], html) for i, value in enumerate(row))}</tr>\n" for row in rows)
-    name, head = text(caption), "".join(_head(one) for one in heads)
+    classes = [' class="n"' if head.startswith(">") else "" for head in heads]
+    cells = ("".join(_cell(*pair, html) for pair in zip(row, classes, strict=False)) for row in rows)
+    made = "".join(f"<tr>{row}</tr>\n" for row in cells)
+    pairs = zip(heads, classes, strict=True)
+    name, head = text(caption), "".join(f'<th scope="col"{kind}>{text(one.lstrip(">~"))}</th>' for one, kind in pairs)
     return (
         f'<div class="scroll" role="region" aria-label="{name}" tabindex="0"><table><caption>{name}</caption>'
         f"<thead><tr>{head}</tr></thead><tbody>\n{made}</tbody></table></div>"
@@ -46,6 +48,11 @@ def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], htm
 def drawn(table_: TextTable) -> str:
     """The same of a table of text."""
     return table(table_.title, table_.heads, table_.rows)
+
+
+def numbers(*values: str) -> Iterator[str]:
+    """Cells of a table's row that hold figures, given as plain text."""
+    return (f'<td class="n">{text(value)}</td>' for value in values)
 
 
 def chart(name: str, label: str) -> str:
@@ -64,17 +71,8 @@ def points(lines: Iterable[str]) -> str:
     return f"<ul>{made}</ul>" if made else ""
 
 
-def _head(head: str) -> str:
-    right = head.startswith(">")
-    return f'<th scope="col"{_class(right)}>{text(head.lstrip(">~"))}</th>'
-
-
-def _cell(value: str, right: bool, html: bool) -> str:
+def _cell(value: str, kind: str, html: bool) -> str:
     shown = value if html else text(value)
     if isinstance(value, Good | Bad):
         shown = f'<span class="{"good" if isinstance(value, Good) else "bad"}">{shown}</span>'
-    return f"<td{_class(right)}>{shown}</td>"
-
-
-def _class(right: bool) -> str:
-    return ' class="n"' if right else ""
+    return f"<td{kind}>{shown}</td>"

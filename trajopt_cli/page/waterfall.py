@@ -9,6 +9,7 @@ from trajopt_cli.page.encode import text
 from trajopt_cli.table import signed
 
 _LEFT = 0.97  # of the drawing's width that the longest bar takes
+_MOST = 9  # bars of motions
 _SEEN = 5e-4  # s: less is printed as 0.000
 
 
@@ -23,7 +24,7 @@ class Bar:
     cycle: str = ""
 
 
-def by_motion(saved: Iterable[tuple[str, str, float]], before: float, after: float, most: int = 9) -> list[Bar]:
+def by_motion(saved: Iterable[tuple[str, str, float]], before: float, after: float) -> list[Bar]:
     """Bars from before to after [s] by motion. saved: name, place and seconds of each; several passes of one line are
     one. Those that save or cost most have a bar of their own, the rest one together, so that the bars add up."""
     groups: dict[tuple[str, str], list[float]] = {}
@@ -34,7 +35,7 @@ def by_motion(saved: Iterable[tuple[str, str, float]], before: float, after: flo
         for (name, place), passes in groups.items()
     ]
     bars.sort(key=lambda bar: -abs(bar.seconds))
-    shown = [bar for bar in bars[: most - 1] if abs(bar.seconds) >= _SEEN]
+    shown = [bar for bar in bars[: _MOST - 1] if abs(bar.seconds) >= _SEEN]
     rest = bars[len(shown) :]
     if len(rest) == 1 and abs(rest[0].seconds) >= _SEEN:
         shown, rest = bars, []

@@ -9,7 +9,7 @@ from typing import Any
 
 from trajopt_cli.findings import Report, failures
 from trajopt_cli.problem.plan import Infeasible, NoPlan
-from trajopt_cli.study.comparison import Comparison, Step, Tried
+from trajopt_cli.study.comparison import Comparison, Tried
 
 _COLUMNS = (
     "name", "target", "cycle_time_s", "saving", "cycle_time_without_waits_s", "saving_without_waits", "legal",
@@ -39,8 +39,11 @@ def worst_ratio(report: Report) -> float:
 
 def comparison_record(answer: Comparison) -> dict[str, Any]:
     """The whole comparison as plain data: rows, the saving by cause, and the seconds of programmed waiting."""
-    steps = answer.steps
-    causes: dict[str, Any] = {"why_not": steps} if isinstance(steps, str) else {"steps": [_step(one) for one in steps]}
+    causes: dict[str, Any] = {"why_not": answer.steps}
+    if not isinstance(answer.steps, str):
+        steps = [(one.name, one.plan.duration, one.saved, one.why_not or None) for one in answer.steps]
+        keys = ("name", "cycle_time_s", "saved_s", "why_not")
+        causes = {"steps": [dict(zip(keys, one, strict=True)) for one in steps]}
     return {
         "program": str(answer.job.program_path),
         "programmed_waits_s": answer.waits,
@@ -48,15 +51,6 @@ def comparison_record(answer: Comparison) -> dict[str, Any]:
         "rows": row_records(answer),
         "saving_by_cause": causes,
         "guesses": answer.unsure.model_dump()["guesses"],
-    }
-
-
-def _step(step: Step) -> dict[str, Any]:
-    return {
-        "name": step.name,
-        "cycle_time_s": step.plan.duration,
-        "saved_s": step.saved,
-        "why_not": step.why_not or None,
     }
 
 

@@ -112,7 +112,7 @@ def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
         out.append("places given by joints (MoveAbsJ, MoveExtJ) and the start")
     if (more := len(places(program)) - EACH) > 0:
         out.append(f"{more} of {more + EACH} places: only the first {EACH} are")
-    if any(_on_stationary_tool(move) for move in moves):
+    if any(isinstance(move, PoseMove) and move.tool.stationary for move in moves):
         out.append("places of work that the robot holds to a tool that stands in the cell")
     if plant.obstacles:
         out.append(
@@ -288,10 +288,6 @@ def _moved(axis: int, way: float, motion: Motion, share: float) -> Motion:
     if isinstance(motion, MoveC):
         return replace(motion, X_WT=shifted(motion.X_WT), X_WV=shifted(motion.X_WV))
     return replace(motion, X_WT=shifted(motion.X_WT))
-
-
-def _on_stationary_tool(motion: Motion) -> bool:
-    return isinstance(motion, PoseMove) and motion.tool.stationary
 
 
 def _place_levers(program: Program, plant: Plant) -> Iterator[Lever]:

@@ -35,6 +35,7 @@ from trajopt_cli.rapid.language.syntax import (
     Simple,
     Statement,
 )
+from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import Lines
 from trajopt_cli.validation import hint
 
@@ -179,10 +180,11 @@ def _found(job: Job, key: str, part: Lines | str) -> tuple[str, Routine, Part]:
         raise job.cell.error(key, f"{part}: {said}")
     for path, routine in _routines(job.program):
         text = job.program.files[path].text
-        inside = [one for one in routine.body if path == paths[0] and part.first <= _line(text, one.start) <= part.last]
+        line = Places(text, path).line
+        inside = [one for one in routine.body if path == paths[0] and part.first <= line(one.start) <= part.last]
         if inside:
             statements = tuple(inside)
-            if _line(text, statements[-1].end) > part.last:
+            if line(statements[-1].end) > part.last:
                 raise job.cell.error(key, f"{part}: cuts through a statement that ends behind line {part.last}")
             return path, routine, _part(job, key, path, f"line{'s' * (part.first < part.last)} {part}", statements)
     raise job.cell.error(key, f"{part}: no statement of a routine begins there")
@@ -208,7 +210,7 @@ def _check_row(job: Job, key: str, path: str, routine: Routine, parts: Sequence[
         raise job.cell.error(key, "two of its parts have a statement in common")
     between = [one for one in routine.body if row[0] <= one.start <= row[-1] and one.start not in row]
     if between:
-        line = _line(job.program.files[path].text, between[0].start)
+        line = Places(job.program.files[path].text, path).line(between[0].start)
         raise job.cell.error(key, f"line {line} of {path} stands between its parts and is in none; put it into one")
 
 
@@ -254,10 +256,6 @@ def _routines(program: Program) -> list[tuple[str, Routine]]:
     ]
 
 
-def _line(text: str, offset: int) -> int:
-    return len(re.findall(r"\r\n|\r|\n", text[:offset])) + 1
-
-
 # ------------------------------------------------------------------------------------------------ what parts share
 
 
@@ -283,14 +281,8 @@ def _names(group: Group, part: Part, routines: Sequence[tuple[str, Routine]], wr
                     if id(called) not in seen:
                         seen.add(id(called))
                         blocks.append((called.body, _own(called)))
-            for name in _changed(node, known) if written else _used(node):
-                if name not in own:
-                    yield name
-
-
-def _used(node: Node) -> Iterator[str]:
-    if isinstance(node, Name):
-        yield node.name.lower()
+            used = [node.name.lower()] if isinstance(node, Name) else []
+            yield from (name for name in (_changed(node, known) if written else used) if name not in own)
 
 
 def _changed(node: Node, known: Mapping[str, Sequence[Routine]]) -> Iterator[str]:

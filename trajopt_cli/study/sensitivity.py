@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -306,10 +306,7 @@ def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:
     for target, rows in answer.rows.items():
         if isinstance(rows, str):
             continue
-        bars = [(f"{row.lever.name}, {row.lever.step}", row.best, row.first_order) for row in _shown(rows)]
+        shown = [row for row in rows if row.best > WORTH]
+        bars = [(f"{row.lever.name}, {row.lever.step}", row.best, row.first_order) for row in shown]
         out |= lever_bars(bars, answer.plans[target].duration, f"{answer.job.title} · {target.in_words}", target.value)
     return out
-
-
-def _shown(rows: tuple[Row, ...]) -> Iterator[Row]:
-    return (row for row in rows if row.best > WORTH)

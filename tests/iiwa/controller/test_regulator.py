@@ -30,7 +30,9 @@ def axis(k: float, d: float, m: float) -> Compliance:
 
 def regulator(compliance: Compliance, x: Array, **more: Any) -> AnglesRegulator:
     """At rest at x (6,), angles included."""
-    law = AnglesRegulator(Settings(compliance, H, ArmAngle.FARIA, **more), rotations.IDENTITY, tuple(x[:3].tolist()))
+    law = AnglesRegulator(
+        Settings(compliance, H, ArmAngle.FARIA, **more), rotations.rotation(0, 0, 0), tuple(x[:3].tolist())
+    )
     law.x = tuple(x.tolist())
     return law
 
@@ -280,7 +282,7 @@ def test_rotations_of_one_sample_against_scipy() -> None:
             R = rotations.exponential(tuple(phi))
             assert np.allclose(np.reshape(R, (3, 3)), Rotation.from_rotvec(phi).as_matrix(), rtol=0, atol=4e-16 * 4)
             assert np.allclose(rotations.logarithm(R), phi, rtol=0, atol=1e-15 + 1e-14 * size)
-    assert rotations.logarithm(rotations.IDENTITY) == (0, 0, 0)
+    assert rotations.logarithm(rotations.rotation(0, 0, 0)) == (0, 0, 0)
     for _ in range(200):
         abc = rng.uniform([-7, -1.5, -7], [7, 1.5, 7])
         R = rotations.rotation(*abc)

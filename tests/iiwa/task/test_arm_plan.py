@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.task.arm_map import FREE, Blocked, arm_map, cheapest, margins, stages
+from trajopt_cli.iiwa.task.arm_map import FREE, ArmTask, Blocked, arm_map, cheapest, margins, stages
 from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, ArmPlan, Goal
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import stops_loop
@@ -247,10 +247,11 @@ def test_a_course_is_chosen_where_the_fixed_arm_angle_fails(answers: dict[tuple[
 
 def test_a_finer_grid_is_hardly_better(answers: dict[tuple[str, Goal], Followed]) -> None:
     start, answer = WAYS["bent"][0], answers["bent", Goal.SPEED]
-    rows, begin = stages(len(answer.X_WF), 60), float(arm_angle(ROBOT, start, ArmAngle.FARIA))
+    task = ArmTask(ROBOT, answer.X_WF, H, LIMITS, ArmAngle.FARIA, answer.configuration, start)
+    rows = stages(len(answer.X_WF), 60)
     costs = []
     for cells in (360, 1440):
-        chart = arm_map(ROBOT, answer.X_WF, rows, ArmAngle.FARIA, answer.configuration, begin, cells)
+        chart = arm_map(task, rows, cells)
         found = cheapest(
             iter(chart.q), np.diff(rows) * H, LIMITS, chart.cell,
             lambda q: np.where(margins(q, LIMITS) < 0, np.inf, 0.0), lambda share: np.square(share).sum(axis=0),

@@ -5,7 +5,7 @@ Torque errors, tau_e = tau_c - tau_m, clamp, force mapping, clamp, simulated pus
 
 from __future__ import annotations
 
-from math import degrees, hypot, isfinite
+from math import degrees, hypot, isfinite, nan
 from time import perf_counter
 
 import numpy as np
@@ -123,9 +123,7 @@ class Controller:
         if self._errors is not None:
             tau_e = [tau - error for tau, error in zip(tau_e, self._errors.at(self.k).tolist(), strict=True)]
         if not isfinite(sum(tau_e)):
-            return self._stop(
-                StopKind.TORQUE, "arm", float("nan"), float("nan"), "Nm", "the measured torques are not finite"
-            )
+            return self._stop(StopKind.TORQUE, "arm", nan, nan, "Nm", "the measured torques are not finite")
         if self._tau_bounds is not None:
             tau_e = clamped(tau_e, self._tau_bounds)
         model_at = perf_counter()
@@ -212,15 +210,11 @@ class Controller:
         self._force_bounds = force if any(map(isfinite, force)) else None
 
     def _locked(self, beta: float) -> Stop:
-        return self._stop(
-            StopKind.BETA,
-            "beta",
-            abs(beta),
-            float(BETA_LIMIT),
-            "rad",
+        message = (
             f"beta = {degrees(beta):.4g}°, limit ±{degrees(BETA_LIMIT):g}°: beyond it the three angles lock; "
-            "take the start's orientation nearer to the path's, or slerp",
+            "take the start's orientation nearer to the path's, or slerp"
         )
+        return self._stop(StopKind.BETA, "beta", abs(beta), float(BETA_LIMIT), "rad", message)
 
     def _unreachable(self, R: Nine, p: Three) -> Stop:
         L = self.robot.lengths
@@ -229,15 +223,11 @@ class Controller:
         far = hypot(x, y, z - L.bs)
         bounds = (abs(L.se - L.ew), L.se + L.ew)
         limit = bounds[0] if far < bounds[0] else bounds[1]
-        return self._stop(
-            StopKind.UNREACHABLE,
-            "TCP",
-            far,
-            limit,
-            "m",
+        message = (
             f"the pose ({', '.join(f'{value:.4g}' for value in p)}) m is out of reach: its wrist centre is {far:.4g} m "
-            f"from the shoulder, possible are {bounds[0]:.4g} to {bounds[1]:.4g} m; keep the path or the force smaller",
+            f"from the shoulder, possible are {bounds[0]:.4g} to {bounds[1]:.4g} m; keep the path or the force smaller"
         )
+        return self._stop(StopKind.UNREACHABLE, "TCP", far, limit, "m", message)
 
     def _stop(self, kind: StopKind, subject: str, value: float, limit: float, unit: str, message: str) -> Stop:
         return Stop(self.t, kind, subject, value, limit, unit, f"at {self.t:.3f} s {message}")

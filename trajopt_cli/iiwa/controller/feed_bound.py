@@ -53,7 +53,8 @@ def least_duration(path: DosePath, h: float, law: Compliance, allowed: Allowed, 
 
     h [s]: the period. Dwells and the caps on ds/dt are counted.
     """
-    own = _own(path)
+    times = np.diff(path.s) / path.cap
+    own = np.array([leg.dwell + float(np.sum(times[leg.first : leg.last])) for leg in path.legs])  # at the caps
     measures = _measures(path, h, law, allowed, integration)
     choices = [[measure] for measure in measures] + ([measures] if len(measures) > 1 else [])
     bounds = [_total(path, h, own, choice) for choice in choices]
@@ -77,12 +78,6 @@ def _measures(path: DosePath, h: float, law: Compliance, allowed: Allowed, integ
             push = np.where(moves[part], law.K[part] * lead.weight(law.K[part]), 1.0)
             out.append(_Measure(part, slack, lead.most, weights / push))
     return out
-
-
-def _own(path: DosePath) -> Array:
-    """Time [s] of every leg at its caps, or of its dwell."""
-    times = np.diff(path.s) / path.cap
-    return np.array([leg.dwell + float(np.sum(times[leg.first : leg.last])) for leg in path.legs])
 
 
 def _total(path: DosePath, h: float, own: Array, measures: Sequence[_Measure]) -> float:

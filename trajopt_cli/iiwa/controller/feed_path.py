@@ -98,10 +98,6 @@ class DosePath:
             row = last
         return tuple(out)
 
-    def at(self, s: Array) -> Array:
-        """The six coordinates (m, 6) at parameters s (m,)."""
-        return np.stack([np.interp(s, self.s, column) for column in self.pose.T], axis=1)
-
     def poses(self, coordinates: Array, row: IndexArray) -> tuple[Array, Array]:
         """Poses (m, 6) with Tait-Bryan angles, and their matrices (m, 3, 3), of six coordinates (m, 6).
 

@@ -53,27 +53,36 @@ class CannotDose:
 
 
 @dataclass(frozen=True, eq=False)
-class Dosed:
-    """A retimed sequence: what is fed, pose (m, 6) and R (m, 3, 3) every h [s], at path parameter s (m,).
+class FedRows:
+    """A feed before it is simulated: rows fed and, as plan and R_plan, where the arm should be, poses (m, 6) and
+    R (m, 3, 3) each, at path parameters s (m,). pieces: the rows by leg. turned [rad]: how far what is fed is ahead of
+    the arm at most."""
 
-    plan, R_plan: where the arm should be. x (m, 6), R_x: where it is.
-    pieces: the rows by leg. lag: the worst deviation from the plan, the coming to rest after the end included; its turn
-    is the angle between orientations. push [N], turn_push [Nm]: the greatest K (x_e - x), with which the
-    controller would begin to push if the arm were held; lead [m], turn_lead [rad]: the same as a stretch of the spring.
+    pose: Array
+    R: Array
+    plan: Array
+    R_plan: Array
+    s: Array
+    pieces: tuple[Piece, ...]
+    turned: float
+
+
+@dataclass(frozen=True, eq=False)
+class Dosed(FedRows):
+    """A retimed sequence: what is fed, every h [s].
+
+    x (m, 6), R_x (m, 3, 3): where the arm is. lag: the worst deviation from the plan, the coming to rest after the end
+    included; its turn is the angle between orientations. push [N], turn_push [Nm]: the greatest K (x_e - x), with which
+    the controller would begin to push if the arm were held; lead [m], turn_lead [rad]: the same as a stretch of the
+    spring.
     arrived [s]: from when on the arm is within ARRIVED and ARRIVED_TURN of the end, None when it takes longer than the
     simulation. least [s]: what no sequence within these bounds can go below; None where what is known is less than half
     of the duration, and tells nothing.
     """
 
     h: float
-    pose: Array
-    R: Array
-    plan: Array
-    R_plan: Array
-    s: Array
     x: Array
     R_x: Array
-    pieces: tuple[Piece, ...]
     allowed: Allowed
     lag: Lag
     push: float
@@ -93,20 +102,6 @@ class Dosed:
     def gap(self) -> float | None:
         """(duration - least) / least."""
         return None if self.least is None else (self.duration - self.least) / self.least
-
-
-@dataclass(frozen=True, eq=False)
-class _Schedule:
-    """A feed before it is simulated: rows fed and where the arm should be, poses (m, 6) and R (m, 3, 3) each, at path
-    parameters s (m,), by leg. turned [rad]: how far what is fed is ahead of the arm at most."""
-
-    pose: Array
-    R: Array
-    plan: Array
-    R_plan: Array
-    s: Array
-    pieces: tuple[Piece, ...]
-    turned: float
 
 
 def dose(
@@ -164,7 +159,7 @@ class _Question:
     acceleration: tuple[float | None, float | None]
 
 
-def _inverse(of: _Question, allowed: Allowed) -> _Schedule | CannotDose:
+def _inverse(of: _Question, allowed: Allowed) -> FedRows | CannotDose:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
     found = _scheduled(of, allowed)
     if len(found.s) > ROWS:
@@ -187,7 +182,7 @@ def _inverse(of: _Question, allowed: Allowed) -> _Schedule | CannotDose:
     return found
 
 
-def _scheduled(of: _Question, allowed: Allowed) -> _Schedule:
+def _scheduled(of: _Question, allowed: Allowed) -> FedRows:
     """The fastest motion along the path under allowed, and what to feed for it."""
     path, law, h = of.path, of.law, of.h
     moves = np.array(path.moves)
@@ -217,7 +212,7 @@ def _scheduled(of: _Question, allowed: Allowed) -> _Schedule:
     *before, end = path.pieces(arrivals, h)
     rows = (*before, replace(end, last=len(planned) - 1))
     turned = float(np.max(np.linalg.norm(lead[:, 3:], axis=1)))
-    return _Schedule(*feed, *plan, np.interp(planned, way.along, path.s), rows, turned)
+    return FedRows(*feed, *plan, np.interp(planned, way.along, path.s), rows, turned)
 
 
 def _radius(law: Compliance, moves: Array) -> float:
@@ -300,7 +295,7 @@ def _through_waypoints(way: Rounded, s: Array) -> Array:
     return np.maximum.accumulate(out)
 
 
-def _simulated(of: _Question, allowed: Allowed, fed: _Schedule, rest: float) -> Dosed:
+def _simulated(of: _Question, allowed: Allowed, fed: FedRows, rest: float) -> Dosed:
     """The controller's answer to a feed, and the greatest lag and push. rest [s]: after the end."""
     path, law, h, integration = of.path, of.law, of.h, of.integration
     x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
@@ -321,15 +316,10 @@ def _simulated(of: _Question, allowed: Allowed, fed: _Schedule, rest: float) -> 
     norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (law.K * behind, lead)]
     n = len(fed.pose)
     return Dosed(
+        **vars(fed),
         h=h,
-        pose=fed.pose,
-        R=fed.R,
-        plan=fed.plan,
-        R_plan=fed.R_plan,
-        s=fed.s,
         x=x[:n],
         R_x=R_x[:n],
-        pieces=fed.pieces,
         allowed=allowed,
         lag=worst_lag(x, fed.plan, h, fed.pieces),
         push=norms[0],

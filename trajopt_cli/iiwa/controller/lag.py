@@ -54,15 +54,7 @@ def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> L
     row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
     # A shared row belongs to the piece that ends there; what is held after the end to the last one.
     piece = next((p for p in pieces if row <= p.last), pieces[-1] if pieces else None)
-    return Lag(
-        maximum=float(d[row]),
-        time=row * h,
-        row=row,
-        piece=piece,
-        mean=float(np.mean(d)),
-        turn_maximum=float(turn[turn_row]),
-        turn_time=turn_row * h,
-    )
+    return Lag(float(d[row]), row * h, row, piece, float(np.mean(d)), float(turn[turn_row]), turn_row * h)
 
 
 def held(x_e: ArrayLike, seconds: float, h: float) -> Array:

@@ -11,8 +11,6 @@ from math import atan2, cos, hypot, pi, remainder, sin, sqrt
 Three = tuple[float, float, float]
 Nine = tuple[float, float, float, float, float, float, float, float, float]
 
-IDENTITY: Nine = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-
 
 def nine(row: Iterable[float]) -> Nine:
     """Nine numbers as what the functions here take."""

@@ -106,25 +106,13 @@ def _verdicts(k: Array, d: Array, m: float, h: float, integration: Integration) 
 def _axis(axis: str, k: float, d: float, m: float, h: float, integration: Integration) -> AxisStability:
     verdict = StabilityVerdict(int(_verdicts(np.array(k), np.array(d), m, h, integration)))
     both = poles(k, d, m, h, integration)
-    sizes = [abs(z) for z in (both[1:] if k == 0 else both)]
-    return AxisStability(
-        axis,
-        k,
-        d,
-        m,
-        both,
-        verdict,
-        largest_period(k, d, m, integration),
-        d / (2 * sqrt(k * m)) if k > 0 else inf,
-        _time_constant(max(sizes), h) if verdict is StabilityVerdict.STABLE or k == 0 else inf,
-        _sentence(axis, k, d, m, h, integration, verdict),
-    )
-
-
-def _time_constant(size: float, h: float) -> float:
-    if size >= 1:
-        return inf
-    return -h / log(size) if size > 0 else 0.0
+    size = max(abs(z) for z in (both[1:] if k == 0 else both))
+    slowest = inf
+    if (verdict is StabilityVerdict.STABLE or k == 0) and size < 1:
+        slowest = -h / log(size) if size > 0 else 0.0
+    longest, ratio = largest_period(k, d, m, integration), d / (2 * sqrt(k * m)) if k > 0 else inf
+    sentence = _sentence(axis, k, d, m, h, integration, verdict)
+    return AxisStability(axis, k, d, m, both, verdict, longest, ratio, slowest, sentence)
 
 
 def _sentence(

@@ -8,20 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
-from trajopt_cli.iiwa.experiments.moving import collision, damping, feed_scheduling, speed, stiffness
+from trajopt_cli.iiwa.experiments import moving, pushed
 from trajopt_cli.iiwa.experiments.published import FLANGE_EARLIER
-from trajopt_cli.iiwa.experiments.pushed import (
-    all_axes,
-    flange_worst,
-    force_damping,
-    force_error,
-    force_stiffness,
-    guiding,
-    loop_time,
-    orientation,
-    stability,
-    zeroing,
-)
 from trajopt_cli.iiwa.experiments.setup import Bench, Experiment
 from trajopt_cli.iiwa.job.folder import check_place
 from trajopt_cli.iiwa.report.answer import Answer
@@ -154,23 +142,14 @@ def _shown(value: Any, size: float) -> str:
 
 
 ROBOT = "iiwa7"
+_STEPS = (pushed.force_stiffness, pushed.force_damping, pushed.orientation, pushed.all_axes)
 EXPERIMENTS: dict[str, Callable[[Bench], Experiment]] = {
-    "force_stiffness": force_stiffness,
-    "force_damping": force_damping,
-    "orientation": orientation,
-    "all_axes": all_axes,
-    "force_error": force_error,
-    "guiding": guiding,
-    "zeroing": zeroing,
-    "stability": stability,
-    "speed": speed,
-    "stiffness": stiffness,
-    "damping": damping,
-    "collision": collision,
-    "dosing": feed_scheduling,
-    "loop_time": loop_time,
+    **{one.__name__: one for one in (*_STEPS, pushed.force_error, pushed.guiding, pushed.zeroing, pushed.stability)},
+    **{one.__name__: one for one in (moving.speed, moving.stiffness, moving.damping)},
+    "collision": moving.collision,
+    "dosing": moving.feed_scheduling,
+    "loop_time": pushed.loop_time,
 }
-_STEPS = ("force_stiffness", "force_damping", "orientation", "all_axes")
 _ALONE = "loop_time"
 # The longest first, so that neither of two processes waits long for the other.
 _ORDER = ("dosing", "collision", "force_damping", "force_stiffness")
@@ -230,10 +209,11 @@ def run_experiments(folder: Path, engine: str, tell: Tell) -> Answer:
 def collected(engine: Engine, answers: Mapping[str, _Answer]) -> Experiments:
     """Every experiment's answer by name, with the worst of the flange's over 6.1.1 to 6.1.4."""
     records = {name: answers[name][0] for name in EXPERIMENTS}
-    worst, notes = flange_worst(records[name] for name in _STEPS)
+    steps = {one.__name__: records[one.__name__] for one in _STEPS}
+    worst, notes = pushed.flange_worst(steps.values())
     numbers = {
         "engine": engine.value,
-        **{name: records[name] for name in _STEPS},
+        **steps,
         "flange_worst": worst or None,
         "flange_worst_notes": notes,
         "flange_worst_of_the_earlier_work_m": dict(zip(("largest", "mean"), FLANGE_EARLIER, strict=True)),

@@ -14,10 +14,8 @@ from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
 from trajopt_cli.iiwa.report.follow import feed_figure, following_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
 from trajopt_cli.iiwa.report.runs import Following, picture
-from trajopt_cli.iiwa.task.arm_map import arm_map, stages
-from trajopt_cli.iiwa.task.joint_rows import joints_along
+from trajopt_cli.iiwa.task.arm_map import ArmTask, arm_map, stages
 from trajopt_cli.iiwa.task.joints import Followed
-from trajopt_cli.robot.srs_inverse import arm_angle
 from trajopt_cli.units import MM
 
 _MAP = 480, 360  # stages and arm angles that a page can show
@@ -45,15 +43,14 @@ def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
 
 def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
     """The map of path and arm angle with the courses on it."""
-    task, robot, t = opened.task, opened.robot, followed.trajectory.t
-    limits, plan = robot.profile(task.limits), followed.plan
-    begin = float(arm_angle(robot, task.start_joints, followed.definition))
-    rows = stages(len(t), _MAP[0])
-    chart = arm_map(robot, followed.X_WF, rows, followed.definition, followed.configuration, begin, _MAP[1])
-    fixed = begin if task.arm_angle is None else task.arm_angle
+    task, t = opened.task, followed.trajectory.t
+    limits, plan = opened.robot.profile(task.limits), followed.plan
+    how = limits, followed.definition, followed.configuration, task.start_joints
+    arm = ArmTask(opened.robot, followed.X_WF, opened.equilibrium.h, *how)
+    chart = arm_map(arm, stages(len(t), _MAP[0]), _MAP[1])
+    fixed = arm.begin if task.arm_angle is None else task.arm_angle
     q, name = followed.trajectory.q, Path(task.file).stem
-    along = joints_along(robot, followed.X_WF, fixed, followed.definition, followed.configuration, task.start_joints)
-    courses = [ArmAngleSeries("fixed", np.full(len(t), fixed), along)]
+    courses = [ArmAngleSeries("fixed", np.full(len(t), fixed), arm.joints(fixed))]
     if np.any(followed.arm_angle != fixed):
         courses.append(ArmAngleSeries("chosen" if plan is not None else "free", followed.arm_angle, q))
     places = [(t[one.last], one.goal) for one in opened.equilibrium.pieces if not one.dwell]

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, Lead, dose_path
 from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, Dosed, dose
 from trajopt_cli.iiwa.controller.lag import settling
@@ -28,7 +27,6 @@ from trajopt_cli.iiwa.job.joints import joint_record
 from trajopt_cli.iiwa.job.simulation import Simulated, clamped, lag_record, run_controller
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import rotation_vector
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import ACCELERATION
 from trajopt_cli.iiwa.task.joints import Followed
 from trajopt_cli.iiwa.task.model import Clamps, Feed, Profile, RotationLaw, Task
@@ -307,16 +305,8 @@ def _left_out(task: Task) -> tuple[str, ...]:
 
 def _opened(before: Opened, made: Dosed) -> Opened:
     """The scheduled sequence in place of the one before, and its plan."""
-    sequence = before.equilibrium
-
-    def of(pose: Array, R: Array, notes: tuple[str, ...]) -> Equilibrium:
-        return Equilibrium(sequence.h, pose, R, sequence.rotation, sequence.meaning, made.pieces, notes)
-
-    return replace(
-        before,
-        equilibrium=of(made.pose, made.R, made.notes),
-        plan=of(made.plan, made.R_plan, ()),
-    )
+    plan = replace(before.equilibrium, pose=made.plan, R=made.R_plan, pieces=made.pieces, notes=())
+    return replace(before, equilibrium=replace(plan, pose=made.pose, R=made.R, notes=made.notes), plan=plan)
 
 
 def lead_record(lead: Lead | None, units: tuple[str, str] = ("N", "m")) -> dict[str, Any] | None:

@@ -169,28 +169,14 @@ def open_folder(folder: Path) -> Opened:
     program = None if inputs.program is None else folder / inputs.program
     task = load_task(folder / str(inputs.task), program)
     robot = load_srs(task.robot, task.X_WB)
-    _, pose = read_angles_csv(found.text(EQUILIBRIUM), str(folder / EQUILIBRIUM))
-    _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
-    if not len(pose) == len(R_WT) == record.rows:
-        rows = f"{len(pose)} and {len(R_WT)} rows, summary.json says {record.rows}"
-        raise InputError(f"{EQUILIBRIUM} and {QUATERNIONS} have {rows}; make the folder again", file=str(folder))
     if abs(record.period_s - task.route.h) > 1e-9 * task.route.h:
         message = (
             f"summary.json has a period of {record.period_s:g} s, the task {task.route.h:g} s; make the folder again"
         )
         raise InputError(message, file=str(folder))
     X_start = robot.forward(task.start_joints) @ task.X_FT
-    sequence = _sequence(record, pose, R_WT, X_start)
-    plan = None
-    if PLAN in found.contents:
-        _, pose = read_angles_csv(found.text(PLAN), str(folder / PLAN))
-        _, _, R_WT = read_quaternion_csv(found.text(PLAN_QUATERNIONS), str(folder / PLAN_QUATERNIONS))
-        if not len(pose) == len(R_WT) == record.rows:
-            message = (
-                f"{PLAN} and {PLAN_QUATERNIONS} have {len(pose)} and {len(R_WT)} rows, {EQUILIBRIUM} {record.rows}"
-            )
-            raise InputError(f"{message}; make the folder again", file=str(folder))
-        plan = _sequence(record, pose, R_WT, X_start)
+    sequence = _sequence(found, EQUILIBRIUM, QUATERNIONS, record, X_start)
+    plan = _sequence(found, PLAN, PLAN_QUATERNIONS, record, X_start) if PLAN in found.contents else None
     return Opened(task, robot, sequence, found, record.feed, plan)
 
 
@@ -279,8 +265,13 @@ def sequence_record(opened: Opened) -> dict[str, Any]:
     }
 
 
-def _sequence(record: SequenceSection, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
+def _sequence(found: TaskRun, angles: str, quaternions: str, record: SequenceSection, X_start: Array) -> Equilibrium:
     """A sequence from its files; its matrices count as its angles do."""
+    _, pose = read_angles_csv(found.text(angles), str(found.folder / angles))
+    _, _, R_WT = read_quaternion_csv(found.text(quaternions), str(found.folder / quaternions))
+    if not len(pose) == len(R_WT) == record.rows:
+        rows = f"{len(pose)} and {len(R_WT)} rows, summary.json says {record.rows}"
+        raise InputError(f"{angles} and {quaternions} have {rows}; make the folder again", file=str(found.folder))
     law, meaning = record.rotation, record.angles
     pieces = tuple(Piece(one.first, one.last, one.origin, one.goal, one.dwell) for one in record.pieces)
     R = rotation(pose[:, 3:])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 from math import ceil
 from pathlib import Path
@@ -44,6 +44,9 @@ from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.runs import REPORT
 
 _LONGEST_SETTLING = 10.0  # s
+# of LinkContact and Motor, field by field
+_LINK = ("link", "obstacle", "first_s", "last_s", "deepest_m", "largest_force_N")
+_MOTOR = ("joint", "largest_torque_Nm", "limit_Nm", "saturated_at_s")
 _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
 
 
@@ -290,26 +293,8 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
     if run.loop is not None:
         record["world"] = run.loop.world
         record["contact"] = run.touch
-        record["links_in_obstacles"] = [
-            {
-                "link": one.link,
-                "obstacle": one.obstacle,
-                "first_s": one.first,
-                "last_s": one.last,
-                "deepest_m": one.depth,
-                "largest_force_N": one.force,
-            }
-            for one in run.links
-        ]
-        record["motors"] = [
-            {
-                "joint": motor.joint,
-                "largest_torque_Nm": motor.torque,
-                "limit_Nm": motor.limit,
-                "saturated_at_s": motor.saturated,
-            }
-            for motor in run.motors
-        ]
+        for name, keys, rows in (("links_in_obstacles", _LINK, run.links), ("motors", _MOTOR, run.motors)):
+            record[name] = [dict(zip(keys, astuple(one), strict=True)) for one in rows]
         record["stopped"] = None if run.loop.stop is None else run.loop.stop.message
     return record
 

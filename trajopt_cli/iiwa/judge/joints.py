@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -74,14 +73,6 @@ def _meeting(axes: Array, points: Array, i: int) -> Array:
 
 
 _TURN = np.pi  # rad: a joint that moves this far from row to row has jumped
-
-
-@dataclass(frozen=True)
-class ArmAngleRange:
-    """What the maker of the joints says the arm angle does: least and greatest [rad]."""
-
-    least: float
-    greatest: float
 
 
 def check_limits(arm: JudgedArm, rows: Trajectory, resolution: Resolution | None) -> Iterator[Finding]:
@@ -158,12 +149,12 @@ def _speed_columns(
 
 
 def check_posture(
-    order: Order, rows: Trajectory, reported: ArmAngleRange | None, first_is_start: bool
+    order: Order, rows: Trajectory, reported: tuple[float, float] | None, first_is_start: bool
 ) -> Iterator[Finding]:
     """One configuration, that of the start, and one arm angle: the task's, else that of the start.
 
-    reported: the range in which the maker says it moves instead. first_is_start: the first pose is the tool's at the
-    start's joints.
+    reported: least and greatest [rad] between which the maker says it moves instead. first_is_start: the first pose is
+    the tool's at the start's joints.
     """
     q, t, start = rows.q, rows.t, order.start_joints
     wanted = configuration(start)
@@ -180,10 +171,10 @@ def check_posture(
     at_start = arm_angles(order.arm.mechanism, start[None], order.swivel)[0]
     fixed = float(at_start[0]) if order.arm_angle is None else order.arm_angle
     doubt = np.where(off > 0, 10 * ROUNDING / np.maximum(off, 1e-300), np.inf)
-    moves = reported is not None and reported.greatest - reported.least > ARM_ANGLE
+    moves = reported is not None and reported[1] - reported[0] > ARM_ANGLE
     if moves or order.arm_angle_free:
         if reported is not None:
-            middle, half = (reported.least + reported.greatest) / 2, (reported.greatest - reported.least) / 2
+            middle, half = (reported[0] + reported[1]) / 2, (reported[1] - reported[0]) / 2
             off = np.maximum(np.abs(wrapped(angle - middle)) - half - doubt, 0.0)
             yield worst("arm angle range", "elbow", off, ARM_ANGLE, "rad", t, words="leaves its reported range by")
     else:

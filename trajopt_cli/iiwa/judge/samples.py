@@ -91,14 +91,8 @@ def poses_of_joints(
     half = np.zeros((1, rows.q.shape[1])) if resolution is None else resolution.q / 2
     linear = J[:, :3] + np.cross(J[:, 3:], lever[:, :, None], axis=1)
     rounding = ROUNDING * (1 + np.linalg.norm(p, axis=1))
-    return Poses(
-        t=rows.t,
-        p=p,
-        q=q,
-        off_p=(np.linalg.norm(linear, axis=1) * half).sum(axis=1) + rounding,
-        off_q=np.zeros(len(p)) + half.sum(axis=1) + ROUNDING,
-        period=period,
-    )
+    off_p = (np.linalg.norm(linear, axis=1) * half).sum(axis=1) + rounding
+    return Poses(rows.t, p, q, off_p, np.zeros(len(p)) + half.sum(axis=1) + ROUNDING, period)
 
 
 @of_kind(ErrorKind.RESULTS)

@@ -13,7 +13,7 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
-from trajopt_cli.iiwa.judge.joints import ArmAngleRange, check_between, check_follows, check_limits, check_posture
+from trajopt_cli.iiwa.judge.joints import check_between, check_follows, check_limits, check_posture
 from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, read_table, unit, worst
 from trajopt_cli.iiwa.judge.sequence import check_sequence
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
@@ -205,7 +205,7 @@ def _joint_file(
         middle = Trajectory(rows.names, (rows.t[:-1] + rows.t[1:]) / 2, (rows.q[:-1] + rows.q[1:]) / 2)
         yield from check_between(poses_of_joints(order.arm, order.X_FT, middle, None, order.h), tool)
     said = _section(sections, "joints", run.folder).get("arm_angle", {})
-    reported = ArmAngleRange(float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
+    reported = (float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
     yield from check_posture(order, rows, reported, begins)
 
 

@@ -14,7 +14,7 @@ from trajopt_cli.iiwa.report.thinning import thinned
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.encode import block, text
 from trajopt_cli.page.scene import HOLDER, SCRIPTS
-from trajopt_cli.page.tables import Tile, chart, head, points
+from trajopt_cli.page.tables import Tile, chart, head, numbers, points
 
 BEFORE, AFTER = "before", "after"
 AXES = ("a", "b", "c")
@@ -102,17 +102,13 @@ def legs_table(heads: Sequence[str], legs: Sequence[TimelineEntry]) -> str:
     )
     rows = "".join(
         f'<tr data-from="{one.start:.6g}" data-to="{one.end:.6g}"><td><button type="button" class="quiet">'
-        f"{text(one.name)}</button></td>{''.join(map(_number, (f'{one.start:.3f}', f'{one.end:.3f}', *one.more)))}</tr>"
+        f"{text(one.name)}</button></td>{''.join(numbers(f'{one.start:.3f}', f'{one.end:.3f}', *one.more))}</tr>"
         for one in legs
     )
     return (
         '<div class="scroll tall" role="region" aria-label="Legs" tabindex="0"><table id="legs"><caption>A click goes '
         f"to the beginning of a leg.</caption><thead><tr>{top}</tr></thead><tbody>{rows}</tbody></table></div>"
     )
-
-
-def _number(value: str) -> str:
-    return f'<td class="n">{text(value)}</td>'
 
 
 def charts_data(charts: Sequence[Chart]) -> tuple[dict[str, Any], dict[str, Any]]:

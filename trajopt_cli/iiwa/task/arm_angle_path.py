@@ -42,7 +42,7 @@ def find_path(task: ArmTask) -> tuple[Array, Array] | NoPlan:
         rows = stages(n, max(_FEWEST_STAGES, int(np.ceil((n - 1) * h / stage))))
         cell = 2 * pi / cells
         grid = np.asarray(begin + cell * np.arange(cells), dtype=np.float64)
-        every = fans(task.robot, task.X_WF[rows], task.definition, task.configuration, grid)
+        every = fans(task, rows, grid)
         nodes = cheapest(every, np.diff(rows) * h, limits, cell, partial(_holding, limits=limits), _driving)
         if isinstance(nodes, Blocked):
             failure = NoPlan(int(rows[nodes.stage]), nodes.why)

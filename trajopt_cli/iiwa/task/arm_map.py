@@ -77,26 +77,18 @@ class ArmMap:
         return 2 * pi / len(self.delta)
 
 
-def arm_map(
-    robot: SrsRobot,
-    X_WF: Array,
-    rows: IndexArray,
-    definition: ArmAngle,
-    configuration: int,
-    begin: float,
-    cells: int,
-) -> ArmMap:
-    """The map of flange poses X_WF (n, 4, 4) at rows, one turn in cells, from the arm angle begin [rad] on."""
-    delta = np.asarray(begin + 2 * pi / cells * np.arange(cells), dtype=np.float64)
-    q = np.array(list(fans(robot, X_WF[rows], definition, configuration, delta)))
-    wrist = robot.axes_and_points(q[:, 0])[2][:, 6]
+def arm_map(task: ArmTask, rows: IndexArray, cells: int) -> ArmMap:
+    """The map of what the arm follows at rows, one turn in cells, from the arm angle of the start joints on."""
+    delta = np.asarray(task.begin + 2 * pi / cells * np.arange(cells), dtype=np.float64)
+    q = np.array(list(fans(task, rows, delta)))
+    wrist = task.robot.axes_and_points(q[:, 0])[2][:, 6]
     return ArmMap(rows, delta, q, np.asarray(np.hypot(wrist[0], wrist[1])))
 
 
-def fans(robot: SrsRobot, X_WF: Array, definition: ArmAngle, configuration: int, delta: Array) -> Iterator[Array]:
+def fans(task: ArmTask, rows: IndexArray, delta: Array) -> Iterator[Array]:
     """The joints (m, 7) at every arm angle of delta (m,), pose after pose."""
-    for X in X_WF:
-        yield inverse_branch(robot, X[None], delta[:, None], definition, configuration)[:, 0]
+    for X in task.X_WF[rows]:
+        yield inverse_branch(task.robot, X[None], delta[:, None], task.definition, task.configuration)[:, 0]
 
 
 def stages(n: int, count: int) -> IndexArray:

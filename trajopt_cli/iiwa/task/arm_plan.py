@@ -135,7 +135,7 @@ def plan_arm(task: ArmTask, fixed: float, objective: ArmAngleObjective, stops: b
         count = int(np.clip(np.ceil((len(task.X_WF) - 1) * task.h / stage), *_STAGES))
         rows = stages(len(task.X_WF), count)
         objective.progress(f"map of {len(rows)} x {cells} arm angles")
-        chart = arm_map(task.robot, task.X_WF, rows, task.definition, task.configuration, task.begin, cells)
+        chart = arm_map(task, rows, cells)
         fixed_cost = costs.cost(q_fixed[rows], rows) if fixed_figures.passes else np.inf
         found = costs.search(chart, fixed_figures, fixed_cost, stops)
         if isinstance(found, NoPlan) and not fixed_figures.passes:

@@ -119,14 +119,12 @@ def _leg(
         L_theta = _length(end[3:] - start[3:])
         angles = zip(("alpha", "beta", "gamma"), plain, more, start[3:], end[3:], strict=True)
         notes += [f"{name}: {_way(*angle)}" for angle in angles if angle[2]]
-    if L_p == 0 and L_theta == 0:
-        if goal.dwell == 0:
-            message = f"pose {goal.name} repeats pose {origin.name}: give it a dwell, or remove it"
-            raise InputError(message, file=goal.place)
-        return StraightSegment(
-            origin, goal, start, end, L_p, L_theta, turn, speeds, (UNCAPPED,) * 3, tuple(notes)
-        ), turns
-    rates = _rates(name, goal.place, speeds, (L_p, L_theta), route.profile)
+    rates = (UNCAPPED,) * 3
+    if L_p or L_theta:
+        rates = _rates(name, goal.place, speeds, (L_p, L_theta), route.profile)
+    elif goal.dwell == 0:
+        message = f"pose {goal.name} repeats pose {origin.name}: give it a dwell, or remove it"
+        raise InputError(message, file=goal.place)
     return StraightSegment(origin, goal, start, end, L_p, L_theta, turn, speeds, rates, tuple(notes)), turns
 
 
@@ -279,7 +277,7 @@ def _caps(route: Route, ways: tuple[Array, Array]) -> Array:
     for k, (order, part, cap, unit) in enumerate(asked):
         if order >= _ORDERS[route.profile]:
             break
-        given = np.array([_number(speeds, cap) for speeds in kinds])[kind]
+        given = np.array([getattr(speeds, cap) for speeds in kinds], dtype=np.float64)[kind]  # None becomes NaN
         moves = ways[part] > SAME
         wrong = np.flatnonzero((moves & ~(np.isfinite(given) & (given > 0))) | (given < 0))
         if wrong.size:
@@ -292,8 +290,3 @@ def _caps(route: Route, ways: tuple[Array, Array]) -> Array:
         if moves.any():
             table[:, k] = np.where(usable, given, given[moves].min())
     return table
-
-
-def _number(speeds: SegmentSpeeds, cap: str) -> float:
-    value = getattr(speeds, cap)
-    return np.nan if value is None else float(value)

@@ -62,7 +62,8 @@ def chain_of(
             corner = Corner.of_zone(way, ways[k], zones[k].radius, zones[k].turning)
         left = 1.0 - (corner.fraction_before if corner else 0.0)
         if left > entered:
-            count = _pieces(way, left - entered, tolerance)
+            part = left - entered  # cut by how far chords are from it, and by what they turn
+            count = max(1, ceil(way.angle * part / _TURN), ceil(part * _chords(way, tolerance)))
             shares = entered + (left - entered) * np.arange(1, count + 1) / count
             X.append(way.pose(shares))
             of += [k] * count
@@ -70,7 +71,7 @@ def chain_of(
             ends.append(len(of) - 1)
             entered = 0.0
             continue
-        half = _half(corner, tolerance)
+        half = max(_FEWEST, ceil(_chords(corner, tolerance) / 2), ceil(corner.angle / _TURN / 2))  # chords
         X.append(corner.pose(np.arange(1, 2 * half + 1) / (2 * half)))
         ends.append(len(of) - 1 + half)
         of += [k] * half + [k + 1] * half
@@ -78,20 +79,10 @@ def chain_of(
     return np.concatenate(X), of, ends
 
 
-def _pieces(segment: Segment, fraction: float, tolerance: float) -> int:
-    """Into how many chords a part of a path is cut: by their distance from it, and by what they turn."""
-    return max(1, ceil(segment.angle * fraction / _TURN), ceil(fraction * _chords(segment, tolerance)))
-
-
 def _chords(segment: Segment, tolerance: float) -> float:
     """How many chords keep within a part of the tolerance of a segment."""
     bend = segment.twist_rate(np.linspace(0.0, 1.0, 9))[:, :3]
     return sqrt(float(np.linalg.norm(bend, axis=1).max()) / (8 * _SHARE * tolerance))
-
-
-def _half(corner: Corner, tolerance: float) -> int:
-    """Chords in one half of a corner."""
-    return max(_FEWEST, ceil(_chords(corner, tolerance) / 2), ceil(corner.angle / _TURN / 2))
 
 
 _SAME = 1e-12  # m, rad: rounding of one and the same target

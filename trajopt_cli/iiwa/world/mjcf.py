@@ -59,7 +59,9 @@ def mjcf(
         if load is not None and joint is moving[-1]:
             R, p = last.X[:3, :3], last.X[:3, 3]
             body = _joined(body, (load.mass, R @ load.com + p, R @ load.inertia @ R.T))
-        lines.append(_inertial(*body))
+        mass, com, tensor = body
+        upper = tensor[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+        lines.append(f'<inertial mass="{_number(mass)}" pos="{_row(com)}" fullinertia="{_row(upper)}"/>')
         lines.append(
             f'<joint name="{joint.name}" type="hinge" axis="{_row(joint.axis)}" limited="true" '
             f'range="{_row((joint.lower, joint.upper))}" damping="{_number(damping)}" '
@@ -109,11 +111,6 @@ def _joined(one: _Body, other: _Body) -> _Body:
     mass, apart = m + n, d - c
     steiner = m * n / mass * (apart @ apart * np.eye(3) - np.outer(apart, apart))
     return mass, (m * c + n * d) / mass, A + B + steiner
-
-
-def _inertial(mass: float, com: Array, inertia: Array) -> str:
-    upper = (inertia[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
-    return f'<inertial mass="{_number(mass)}" pos="{_row(com)}" fullinertia="{_row(upper)}"/>'
 
 
 def _place(X: Array) -> str:
