@@ -26,6 +26,7 @@ from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.trajectories.axes import Axes
 
 CELL = """robot: irb140_rail
+settle: 0
 rail: {eax: a, stroke: [0, 2]}
 start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
 """

@@ -17,7 +17,7 @@ from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Problem
-from trajopt_cli.study import causes, table
+from trajopt_cli.study import causes, comparison, table
 from trajopt_cli.study.comparison import Tried, compare
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8") + "signals: {di1: 1}\n"
@@ -172,7 +172,7 @@ def test_both_commands_find_the_same_time(body: str, tmp_path: Path) -> None:
 @pytest.fixture
 def alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only the row of the RAPID optimum is made."""
-    monkeypatch.setattr(table, "BASELINES", {"optimum rapid": table.BASELINES["optimum rapid"]})
+    monkeypatch.setattr(comparison, "BASELINES", {"optimum rapid": table.BASELINES["optimum rapid"]})
     monkeypatch.setattr(
         causes, "CAUSES", (causes.Cause("optimum rapid", Target.RAPID, replace(EVERYTHING, drop=False)),)
     )

@@ -55,7 +55,7 @@ def uncertainty(
     saved = {
         name: saving(T[before], T[name], [(one[before], one[name]) for one in found])
         for name in plans
-        if before in plans and name != before and found
+        if before in plans and name != before and found and abs(T[name] - T[before]) > _WORTH * T[before]
     }
     kept = [{name: ends for name, ends in one.items() if ends is not None} for one in (ranges, saved)]
     return Uncertainty(cycle_time_range_s=kept[0], saving_range=kept[1], guesses=guesses)
