@@ -16,10 +16,11 @@ from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.judge.accelerations import Accelerations
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.limits import AccelerationTable, TcpCaps
+from trajopt_cli.limits import AccelerationTable, JointLimits, TcpCaps
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.acceleration_table import read_acceleration_table
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.trajectory import Trajectory
 
@@ -104,6 +105,44 @@ def test_a_cell_asks_for_a_share_of_a_table_or_for_another_number() -> None:
     assert own.table.axes == ("joint_2", "joint_3")
     with pytest.raises(InputError, match="keep one"):
         parse_cell(cell % "acceleration: 5, acceleration_factor: 2", "c.yaml")
+
+
+HEAD, ROWS = "joint_2 [deg],rail [m],joint_1 [rad/s2],rail [m/s2]", ["0,0,1,5", "0,1,2,5", "9,0,3,5", "9,1,4,5"]
+
+
+@pytest.mark.parametrize(
+    ("rows", "line"),
+    [
+        ([HEAD, *ROWS[:3]], 1),  # a row lacks
+        ([HEAD, *ROWS, "", ROWS[1]], 7),  # one too many
+        ([HEAD, *ROWS[:2]], 1),  # one place
+        ([HEAD, *(f"{k},{k},1,5" for k in range(40_000))], 1),  # a grid of 40 000 x 40 000
+        ([HEAD.replace("rail [m]", "rail [deg]"), *ROWS], 1),
+        ([HEAD.replace("joint_1 [rad/s2]", "joint_1 [m/s2]"), *ROWS], 1),
+        (["", HEAD, *ROWS[:3], '9,1,"4",5'], 6),
+        ([HEAD, *ROWS[:3], "1" * 200_000], 5),
+    ],
+)
+def test_a_table_that_is_no_grid_of_numbers_is_refused_where_it_is_wrong(
+    tmp_path: Path, rows: list[str], line: int
+) -> None:
+    file = tmp_path / "table.csv"
+    file.write_text("\n".join(rows))
+    with pytest.raises(InputError) as refused:
+        read_acceleration_table(file, {"rail": True, "joint_1": False, "joint_2": False})
+    assert refused.value.line == line
+
+
+def test_planner_and_judge_leave_out_the_same_lines(tmp_path: Path) -> None:
+    file = tmp_path / "table.csv"
+    file.write_text("\r\n".join(["", HEAD, "  ", *ROWS[::-1], ""]))
+    table = read_acceleration_table(file, {"rail": True, "joint_1": False, "joint_2": False})
+    q = np.array([[0.5, 0.0, np.radians(4.5)]])
+    least = np.array([5.0, 1.0, 7.0])
+    one = np.ones(3)
+    limits = JointLimits(("rail", "joint_1", "joint_2"), -one, one, one, least, {}, table=table)
+    for side in (*limits.acceleration_at(q), *Accelerations(limits).at(q)):
+        np.testing.assert_allclose(side, [[5.0, 2.5, 7.0]], rtol=1e-12)
 
 
 @pytest.mark.parametrize("name", ["irb1200_5_90", "irb6640_180_255_rail"])

@@ -40,9 +40,9 @@ class Accelerations:
             sides = enumerate((table.lower, table.upper))
             found = {(axis, sign): side[..., j] for sign, side in sides for j, axis in enumerate(table.axes)}
             return dict(zip(table.over, table.places, strict=True)), found
-        head, *lines = file.read_text(encoding="utf-8").splitlines()
+        head, *lines = [line for line in file.read_text(encoding="utf-8").split("\n") if line.strip()]
         titles = [title.strip().replace("]", "").split(" ") for title in head.split(",")]
-        rows = np.array([[float(x) for x in line.split(",")] for line in lines if line.strip()])
+        rows = np.array([[float(x) for x in line.split(",")] for line in lines])
         rows = rows * [DEG if words[-1].startswith("[deg") else 1.0 for words in titles]
         over = [k for k, words in enumerate(titles) if not words[-1].endswith("/s2")]
         order = np.lexsort([rows[:, k] for k in reversed(over)])

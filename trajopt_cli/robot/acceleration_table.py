@@ -9,8 +9,9 @@ all places of a grid, in any order.
 
 from __future__ import annotations
 
-import csv
 import re
+from collections.abc import Mapping
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -27,10 +28,11 @@ _UNITS = {"rad": 1.0, "m": 1.0, "deg": DEG}
 _WANTED = "wanted 'joint_2 [rad]' of the posture, then 'joint_1 negative [rad/s2]' and 'joint_1 positive [rad/s2]'"
 
 
-def read_acceleration_table(path: Path, names: tuple[str, ...]) -> AccelerationTable:
-    """The table in a file, of axes with these names. Raises InputError with the line of what is wrong."""
-    file = str(path)
-    rows = [(i, row) for i, row in enumerate(csv.reader(read_text(path, "table").splitlines()), 1) if row]
+def read_acceleration_table(path: Path, rails: Mapping[str, bool]) -> AccelerationTable:
+    """The table in a file. rails: of each axis by name whether it is one. Raises InputError with the line of what is
+    wrong."""
+    file, lines = str(path), enumerate(read_text(path, "table").split("\n"), 1)
+    rows = [(i, line.split(",")) for i, line in lines if line.strip()]
     if len(rows) < 2:
         raise InputError(f"the table has no rows; {_WANTED}", file=file, line=1)
     (line, head), *body = rows
@@ -40,9 +42,12 @@ def read_acceleration_table(path: Path, names: tuple[str, ...]) -> AccelerationT
         if found is None or found["unit"] not in _UNITS or not (found["rate"] or not (found["sign"] or limited)):
             raise InputError(f"column '{short(title)}' is not one of a table; {_WANTED}", file=file, line=line)
         axis = found["axis"]
-        if axis not in names:
-            known = ", ".join(names)
+        if axis not in rails:
+            known = ", ".join(rails)
             raise InputError(f"column '{short(title)}': no such axis; wanted {known}", file=file, line=line)
+        if rails[axis] != (found["unit"] == "m"):
+            wanted = "m" if rails[axis] else "rad or deg"
+            raise InputError(f"column '{short(title)}': wanted {wanted} of this axis", file=file, line=line)
         keys = [(axis, sign) for sign in ([found["sign"]] if found["sign"] else ["negative", "positive"])]
         if axis in over if not found["rate"] else any(key in limited for key in keys):
             raise InputError(f"column '{short(title)}' stands twice; remove one", file=file, line=line)
@@ -60,15 +65,21 @@ def read_acceleration_table(path: Path, names: tuple[str, ...]) -> AccelerationT
         row, column = (int(at[0]) for at in np.nonzero(bad))
         value = values[row, len(over) + column]
         raise InputError(f"acceleration {value:g}, wanted one above 0", file=file, line=body[row][0])
+    postures = [tuple(row) for row in values[:, : len(over)].tolist()]
+    seen = dict[tuple[float, ...], int]()
+    for posture, (at_line, _) in zip(postures, body, strict=True):
+        if (before := seen.setdefault(posture, at_line)) != at_line:
+            raise InputError(f"the posture of line {before} again; remove one of them", file=file, line=at_line)
     places = [np.unique(values[:, k]) for k in range(len(over))]
     shape = tuple(map(len, places))
-    at = tuple(np.searchsorted(one, values[:, k]) for k, one in enumerate(places))
-    count = np.zeros(shape, dtype=np.intp)
-    np.add.at(count, at, 1)
-    if min(shape) < 2 or np.any(count != 1):
-        whole = " x ".join(map(str, shape))
-        message = f"{len(values)} rows are no grid: wanted every pair of its places ({whole}) once, two or more of each"
+    lacking = next((one for one in product(*places) if one not in seen), None)
+    if min(shape) < 2 or lacking is not None:
+        message = f"{len(values)} rows are no grid of {' x '.join(map(str, shape))} places; wanted two or more of each"
+        if lacking is not None:
+            where = ", ".join(f"{title.strip()} {x / k:g}" for title, x, k in zip(head, lacking, factors, strict=False))
+            message += f" and every pair of them, here also {where}"
         raise InputError(message, file=file, line=line)
+    at = tuple(np.searchsorted(one, values[:, k]) for k, one in enumerate(places))
     sides = list[Array]()
     for sign in ("negative", "positive"):
         side = np.empty((*shape, len(axes)))

@@ -117,9 +117,9 @@ def beside(given: str, key: tuple[str, ...], path: Path, raw: Raw) -> Path:
 
 def acceleration_tables(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint]) -> dict[str, AccelerationTable]:
     """Accelerations by posture, by the profile's name. Raises InputError."""
-    names = tuple(joint.name for joint in axes)
+    rails = {joint.name: joint.kind == "prismatic" for joint in axes}
     return {
-        name: read_acceleration_table(beside(table.file, ("profiles", name, "by_posture", "file"), path, raw), names)
+        name: read_acceleration_table(beside(table.file, ("profiles", name, "by_posture", "file"), path, raw), rails)
         for name, table in _tables(data).items()
     }
 
