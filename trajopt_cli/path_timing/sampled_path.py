@@ -169,22 +169,24 @@ class SampledPath:
 
 
 def sample_path(
-    axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int
+    axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int, ramps: bool = True
 ) -> SampledPath | None:
     """The path of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
-    the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
+    the problem, those of a fly-by at its point. nodes: intervals of a leg, about. ramps: with more of them beside stops
+    of a run with corners. None where the arm cannot follow.
     """
-    return sample_paths(axes, problem, [run], [q], cfx, [nodes])[0]
+    return sample_paths(axes, problem, [run], [q], cfx, [nodes], ramps)[0]
 
 
 def sample_paths(
     axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int],
-    nodes: Sequence[int],
+    nodes: Sequence[int], ramps: bool = True,
 ) -> list[SampledPath | None]:  # fmt: skip
     """The same of many runs, each between axes of its own; the same run may be there more than once."""
     known: Known = {}
     cuts = [
-        _RunParts(axes, problem, run, own, cfx, N, known).parts() for run, own, N in zip(runs, q, nodes, strict=True)
+        _RunParts(axes, problem, run, own, cfx, N, known, ramps).parts()
+        for run, own, N in zip(runs, q, nodes, strict=True)
     ]
     found = iter(_sampled(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
     return [next(found) if parts else None for parts in cuts]
@@ -254,9 +256,10 @@ class _RunParts:
 
     def __init__(
         self, axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int,
-        known: Known,
+        known: Known, ramps: bool,
     ):  # fmt: skip
         self._axes, self._problem, self._q, self._cfx, self._nodes, self._known = axes, problem, q, cfx, nodes, known
+        self._ramps = ramps
         self._first, self._last = run
         self._paths = {k: self._path(k) for k in range(*run)}
 
@@ -322,7 +325,8 @@ class _RunParts:
             if b - a == 1.0:
                 u = spaced(N, settings.end_spacing)
             else:
-                u = _with_ramps(np.linspace(0.0, 1.0, N + 1), a == 0.0 and not start, b == 1.0 and not end)
+                u = np.linspace(0.0, 1.0, N + 1)
+                u = _with_ramps(u, a == 0.0 and not start, b == 1.0 and not end) if self._ramps else u
             yield PathPart(
                 k,
                 segment,

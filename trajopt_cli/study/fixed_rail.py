@@ -184,7 +184,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
             run, path = StopToStop(tuple(legs.values())), None
             if len(legs) > 1 or run.legs[0].on_line:
                 nodes = plant.settings.run_nodes if len(legs) > 1 or run.legs[0].curved else _LINE_NODES
-                path = sample_path(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes)
+                path = sample_path(axes, problem, (min(legs), max(legs) + 1), np.array(q), cfx, nodes, ramps=False)
                 if path is None:
                     why = f"{motion_name(motion)} has no path, although the fixed-rail plan has one"
                     raise ValueError(f"{motion.source}: {why}")

@@ -147,9 +147,12 @@ def _timed(path: _Path) -> TimeLaw | None:
     piece = Piece(law.duration, law.times, partial(_run, path, law))
     rows = rows_of(path.trajectory.names, [piece], path.run.legs[-1].q_1)
     t = np.r_[rows.t[:-1] + 1e-9, (rows.t[:-1] + rows.t[1:]) / 2, rows.t[1:] - 1e-9]
-    number = path.run.leg_at(path.run.span[0] + law.at(t)[0])
-    use = use_of(path.axes, path.run.legs, path.caps, number, *hermite(rows, t))
-    return law.slowed(max(1.0, use.slowing / SAFE))
+    now, motion = path.run.span[0] + law.at(t)[0], hermite(rows, t)
+    tools = {leg.leg.X_FT.tobytes() for leg in path.run.legs}
+    sides = (0.0,) if len(tools) == 1 else (-STEP, 0.0, STEP)  # about where a tool changes rows are of either
+    numbers = [path.run.leg_at(np.clip(now + side, *path.run.span)) for side in sides]
+    slowing = [use_of(path.axes, path.run.legs, path.caps, number, *motion).slowing for number in numbers]
+    return law.slowed(max(1.0, *(one / SAFE for one in slowing)))
 
 
 def _fastest(path: _Path) -> TimeLaw | None:
