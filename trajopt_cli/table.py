@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -12,6 +13,7 @@ from trajopt_cli.findings import Finding, good_side, nearest
 from trajopt_cli.motion import Source
 
 Row = TypeVar("Row")
+_OPEN = 9e9  # RAPID's 9E9: an external axis that is not there, or keeps its place
 _ROUNDED = 5e-4  # a share that is printed as 0.0 %: its sign may be rounding
 
 
@@ -41,9 +43,22 @@ def tabulate(
     total: Sequence[str] | None = None,
 ) -> TextTable:
     """A table of one row per item. columns: a cell's text by head, in order. total: a last row of its own."""
-    cells = [tuple(column(row) for column in columns.values()) for row in rows]
+    cells = [tuple(short_target(column(row)) for column in columns.values()) for row in rows]
     cells += [] if total is None else [tuple(total)]
     return TextTable(title, tuple(columns), tuple(cells), total is not None)
+
+
+def short_target(text: str) -> str:
+    """A target written out, as "[1090.0, -496.5, 994.0] [812.5]": its position [mm] or joints [deg], then its external
+    axes, then what stands behind it. Any other text as it is."""
+    groups = re.findall(r"\[([^\[\]]*)\]", text) if text.startswith("[[") else []
+    try:
+        first, *_, external = [[float(value) for value in group.split(",")] for group in groups]
+    except ValueError:  # names or expressions in it
+        return text
+    shown = (first, [value for value in external if value < _OPEN])
+    figures = (", ".join(f"{round(x, 1) + 0.0:.1f}" for x in values) for values in shown if values)
+    return " ".join(f"[{one}]" for one in figures) + text.rpartition("]")[2]
 
 
 def seconds(value: float | None, without: str = "") -> str:

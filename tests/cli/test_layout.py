@@ -20,6 +20,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.cli.layout import Column, table_lines
 from trajopt_cli.cli.remarks import by_name, remarks
 from trajopt_cli.robot.model import robot_names
+from trajopt_cli.table import short_target
 
 REPOSITORY = Path(__file__).parents[2]
 _WORD = st.text("abc_.1", min_size=1, max_size=9)
@@ -228,3 +229,20 @@ def test_json_of_a_no_says_which_motion_and_which_limit(program: Path, capsys: p
     assert json.loads(capsys.readouterr().out)["feasible"] is False
     assert run(["optimize", "nothing.mod", "--json"]) == 2
     assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("[[878.25,-436.56,-0.01],[1,0,0,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]]", "[878.2, -436.6, 0.0]"),
+        (
+            "[[1,2,3,4,5,6],[812.5, 9e+09,9E9,9E9,9E9,9E9]] (1 point)",
+            "[1.0, 2.0, 3.0, 4.0, 5.0, 6.0] [812.5] (1 point)",
+        ),
+        ("[[x,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]", None),
+        ("Offs([[1,2,3],[1,0,0,0]],0,0,1)", None),
+        ("[[", None),
+    ],
+)
+def test_targets_written_out_are_told_by_where_they_are(written: str, told: str | None) -> None:
+    assert short_target(written) == (told or written)

@@ -294,7 +294,7 @@ def test_a_page_of_a_cycle_is_small(page: str) -> None:
 
 
 def test_the_diff_names_the_motions_of_each_new_line() -> None:
-    """By the target's name where it is declared, by the line where another instruction stands in its place."""
+    """By the target's name where it is declared, by the line where something else or a move to it stands."""
     case = RAIL
     plans = {one: Judged(replace(case.plan, target=one), RowsFile(), LEGAL) for one in Target}
     told = summarized(case.program, case.plant, plans, slower(case.plan))
@@ -303,7 +303,7 @@ def test_the_diff_names_the_motions_of_each_new_line() -> None:
     diff = (
         f"--- a/{file}\n+++ b/{file}\n@@ -90,1 +90,1 @@\n"
         f"-CONST {first.target}:=[1,</b>];\n+CONST {first.target}:=[2,</b>];\n"
-        f"@@ -{line},1 +{line},1 @@\n-WaitTime 0.4;\n+MoveL p_new;\n--- not a file's head\n"
+        f"@@ -{line},1 +{line},1 @@\n-WaitTime 0.4;\n+MoveL {first.target};\n--- not a file's head\n"
     )
     html = changes_section(diff, told).html
     chips = re.findall(r'<b>?(\d?)[^\n]*?data-motion="(\d+)">([^<]*)<', html)

@@ -28,7 +28,7 @@ def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
     if log:
         columns[">measured [s]"] = lambda one: seconds(measured.get(one.index))
         columns[">measured - predicted [s]"] = lambda one: (
-            f"{measured[one.index] - one.driven:+.3f}" if one.index in measured else ""
+            signed(measured[one.index] - one.driven) if one.index in measured else ""
         )
     columns["held back by"] = lambda one: "" if one.wait else one.binding
     title = f"{answer.job.title}: as written, driven by its controller under the limits of {answer.job.cell_path}"
@@ -38,7 +38,7 @@ def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
     cells = {"place": SETTLING, "target": answer.settling.how, ">wait [s]": seconds(answer.settling.seconds)}
     if log and (seen := [one for one in log.motions if settles(program.motions, one.index)]):
         stood, off = sum(one.measured for one in seen), sum(one.measured - one.predicted for one in seen)
-        cells |= {">measured [s]": seconds(stood), ">measured - predicted [s]": f"{off:+.3f}"}
+        cells |= {">measured [s]": seconds(stood), ">measured - predicted [s]": signed(off)}
     return replace(made, rows=(*made.rows, tuple(cells.get(head, "") for head in made.heads)), total=True)
 
 

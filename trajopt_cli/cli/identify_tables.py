@@ -79,7 +79,7 @@ def seen_lines(
         yield (
             f"{name}: {one.rows} rows every {one.period * 1e3:.3g} ms, "
             + (
-                f"{one.motions} motions between rests, {', '.join(left)}"
+                f"{one.motions} motion{'s' * (one.motions > 1)} between rests, {', '.join(left)}"
                 if one.motions
                 else "no motion between two rests"
             )
@@ -92,7 +92,7 @@ def seen_lines(
     if any(one.kind is Kind.SPEED and one.value is not None for one in found):
         yield "one speed programmed for all motions of an axis looks the same as its limit: log vmax at 100 % override"
     if all(one.value is None for one in found):
-        yield "no limit is identified, which takes motions of several lengths between rests; it is 'reached' or more"
+        yield "no limit is identified: that takes motions of several lengths between rests; each is 'reached' or more"
 
 
 def identified_record(

@@ -83,7 +83,7 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
         yield from _caps(robot, notes)
         if robot.settle is not None:
             fine, inpos, source, _ = robot.settle
-            yield f"settling at stops that are waited for {notes.mark(source)}: {fine:g} s, {inpos:g} s with \\Inpos\n"
+            yield f"settling before waits and signals {notes.mark(source)}: fine {fine:g} s, inpos {inpos:g} s\n"
     for name in robot.profiles:
         load = robot.notes.get(f"profiles.{name}.load")
         yield f"profile {name}: {robot.notes[f'profiles.{name}']}{f'; found with {load}' if load else ''}"

@@ -136,15 +136,15 @@ class Alignment:
     @property
     def said(self) -> str:
         """What was compared, one line."""
-        moves, off = len([one for one in self.motions if not one.wait]), self.predicted_motion - self.motion
+        moves, off = len([one for one in self.motions if not one.wait]), self.motion - self.predicted_motion
         held = f"{moves} motions" if moves == self.moves else f"{moves} of {self.moves} motions"
         times = [one.t_1 - one.t_0 for one in self.counted]
         many = f"{len(times)} {'passes' if self.whole else 'parts'} of {min(times):.3f} to {max(times):.3f} s, "
         many = (many if len(times) > 1 else "") + (f"one every {self.period:.3f} s, medians: " if self.period else "")
         return (
             f"compared with {self.file}, {self.counted[0].t_0:.3f} to {self.counted[-1].t_1:.3f} s: "
-            f"{many}{held} take {self.motion:.3f} s, "
-            f"predicted {off:+.3f} s ({100 * off / self.motion:+.1f} %); waits {self.waits:.3f} s; {self.farthest}"
+            f"{many}{held} take {self.motion:.3f} s, measured - predicted {off:+.3f} s "
+            f"({100 * off / self.motion:+.1f} %); standing {self.waits:.3f} s; {self.farthest}"
         )
 
 

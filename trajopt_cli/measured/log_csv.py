@@ -199,7 +199,7 @@ def lost_rows(t: Array) -> str:
     gaps, at = np.diff(t), long_gaps(t)
     usual = float(np.median(gaps))
     where = ", ".join(f"t = {t[i]:.6g} and {t[i + 1]:.6g} s ({1e3 * gaps[i]:.3g} ms)" for i in at[:3])
-    more = f" and {len(at) - 3} times more" if len(at) > 3 else ""
+    more = f" and {len(at) - 3} more" if len(at) > 3 else ""
     return f"no rows between {where}{more}; usually they are {1e3 * usual:.3g} ms apart" if at.size else ""
 
 

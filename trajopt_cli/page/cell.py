@@ -27,7 +27,7 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.scene import plan_cycle, program_points
-from trajopt_cli.table import place, seconds
+from trajopt_cli.table import place, seconds, short_target
 
 SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000
@@ -148,7 +148,7 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         way = f' <span class="quiet">{text(told[index])}</span>' if index in told else ""
         rows.append(
             f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
-            f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}{way}</td>'
+            f'<td>{text(instruction)}</td><td title="{text(target)}">{text(short_target(target))}{way}</td>'
             f"{''.join(numbers(*cells))}"
             f"<td>{text(planned[-1].binding if planned[-1] is not None else '')}</td></tr>"
         )

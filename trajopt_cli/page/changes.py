@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.encode import text
 from trajopt_cli.page.tables import points
-from trajopt_cli.runs.summary import MotionRow, Summary
+from trajopt_cli.runs.summary import SETTLING, MotionRow, Summary
 from trajopt_cli.table import seconds
 
 MOST = 1_500
@@ -42,6 +42,8 @@ def _rows(lines: Sequence[str], told: Summary) -> Iterator[str]:
     """The diff's lines as HTML."""
     named, placed = dict[str, list[MotionRow]](), dict[tuple[str, str], list[MotionRow]]()
     for one in told.plans.rapid.motions:
+        if one.instruction == SETTLING:
+            continue
         named.setdefault(one.target.lower(), []).append(one)
         file, line, _ = f"::{one.source}".rsplit(":", 2)
         placed.setdefault((file.removeprefix("::"), line), []).append(one)
@@ -62,7 +64,7 @@ def _rows(lines: Sequence[str], told: Summary) -> Iterator[str]:
         elif sign == "+":
             at, was = max(gone, key=lambda one: _common(one[1], rest), default=(0, ""))
             names = dict.fromkeys(name.lower() for name in _NAME.findall(rest))
-            meant = [one for name in names for one in named.get(name, ())] or placed.get((file, str(at)), [])
+            meant = placed.get((file, str(at))) or [one for name in names for one in named.get(name, ())]
             chips = "".join(_chips(meant, told))
             yield _ROW.format(kind=" add", number=f"+ {new}", text=_marked(was, rest), motions=chips)
             new += 1

@@ -288,7 +288,8 @@ def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...
         estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
         if estimated:
             name = robot.profile_name(cell.profile)
-            about = f" (profile {name}: {robot.notes[f'profiles.{name}']})" if what != "speeds" else ""
+            of_profile = what != "speeds" and {*estimated} != {"rail"}
+            about = f" (profile {name}: {robot.notes[f'profiles.{name}']})" if of_profile else ""
             notes.append(
                 f"{what} of {', '.join(estimated)} are estimates of grade {max(estimated.values())}{about}; "
                 f"a measured value belongs in {cell.file}"
