@@ -142,7 +142,7 @@ def test_another_program_is_seen_when_it_is_read_back(tmp_path: Path) -> None:
         ("33.836", "33.840", "another place"),
         ("0.286510365", "0.286610365", "another orientation"),
         ("MoveJ", "MoveL", "MoveJ became MoveL"),
-        ("WaitTime 0.2;", "", "2 motions became 1"),
+        ("WaitTime 0.2;", "", "3 motions became 1"),
         ("WaitTime 0.2", "WaitTime 0.3", "wait"),
     ):
         (tmp_path / "other.mod").write_text(ENDS_WITH_A_WAIT.text.replace(old, new))

@@ -49,7 +49,7 @@ class Calm(Limit):
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         return {"calm": ()}
 
-    def node_values(self, leg: Leg, margin: Array, on_path: bool) -> Mapping[str, Array]:
+    def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         return {"calm": TOP * margin[:, 0]}
 
     def node_rows(self, kind: Hashable, node: NodeMotion, p: Any) -> list[Row]:
