@@ -95,7 +95,7 @@ def optimized_page(
 def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     before = told.as_written
     if before.why_not is None:
-        said = [*told.uncertainty.times("as_written"), "the program under the same limits"]
+        said = told.uncertainty.times("as_written") or ("the program under the same limits",)
         tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", "; ".join(said), "before")]
     else:
         why = before.why_not if before.why_not == NOT_TIMED else f"cannot be driven: {before.why_not}"
@@ -103,7 +103,7 @@ def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     for one, kind in zip(target.first, ("after", "other"), strict=True):
         plan, said = told.plans.of(one), [*told.uncertainty.times(one.value), told.change(one)]
         if plan.gap is not None:
-            said.append(f"lower bound {seconds(plan.lower_bound_s)} s, {told_gap(plan.gap)}")
+            said.append(f"bound {seconds(plan.lower_bound_s)} s, {told_gap(plan.gap).partition(':')[0]}")
         if plan.suspicious is not None:
             said.append(f"suspicious: {plan.suspicious}")
         tiles.append(Tile(_NAMES[one], f"{seconds(plan.cycle_time_s)} s", "; ".join(filter(None, said)), kind))
