@@ -301,9 +301,11 @@ def test_settling_is_the_cells_else_the_robots_else_an_estimate(said: str, expec
     cell = parse_cell(f"robot: irb140\nstart: {{joints: [0, 0, 0, 0, 0, 0]}}\n{said}", "cell.yaml")
     assert cell.settling(Settling(0.2, 0.3, "measured"))[:2] == expected
     nobody = cell.settling(None)
-    assert nobody.source == ("settle of cell.yaml" if said else ESTIMATED_SETTLING.source)
-    if not said:
-        assert nobody == ESTIMATED_SETTLING
+    if said and "{inpos" not in said:
+        assert nobody[2:] == ("settle of cell.yaml", (1.0, 1.0))
+    else:  # how long fine takes is as unsure as it was
+        assert nobody.source.endswith(ESTIMATED_SETTLING.source)
+        assert nobody.spread == ESTIMATED_SETTLING.spread
 
 
 @pytest.mark.parametrize("value", ["-1 ms", "100", "", "{fine: 6}", "{stop: 0.1}", "[0.1]", "true"])

@@ -105,6 +105,9 @@ def test_a_cell_asks_for_a_share_of_a_table_or_for_another_number() -> None:
     assert own.table.axes == ("joint_2", "joint_3")
     with pytest.raises(InputError, match="keep one"):
         parse_cell(cell % "acceleration: 5, acceleration_factor: 2", "c.yaml")
+    for wrong in ("true", "0", "1.2 rad/s2", ".inf", "'1,5'"):
+        with pytest.raises(InputError, match="acceleration_factor: "):
+            parse_cell(cell % f"acceleration_factor: {wrong}", "c.yaml")
 
 
 HEAD, ROWS = "joint_2 [deg],rail [m],joint_1 [rad/s2],rail [m/s2]", ["0,0,1,5", "0,1,2,5", "9,0,3,5", "9,1,4,5"]

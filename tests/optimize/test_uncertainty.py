@@ -117,6 +117,23 @@ def test_stops_that_are_waited_for_settle_as_long_as_the_robot_does():
     assert ESTIMATED_SETTLING.spread == SPREADS["settling"]["C"]
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_limit_along_the_path_stands_beside_moves_that_the_tool_does_not_limit():
+    limits = plant_with_rail().limits
+    unsure = {"spread": {"rail.acceleration": D}, "sources": {"rail.acceleration": "a guess (grade D)"}}
+    limited = plant_with_rail(limits=replace(limits, **unsure))
+    data = "CONST jointtarget jE:=[[0,0,0,0,30,0],[300,9E9,9E9,9E9,9E9,9E9]];"
+    data += "CONST robtarget p:=[[500,100,500],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]];"
+    body = "MoveJ p,v1000,fine,tool0;WaitTime 0.1;PathAccLim TRUE\\AccMax:=1,TRUE\\DecelMax:=2;"
+    body += "MoveL Offs(p,0,0,100),v1000,fine,tool0;PathAccLim FALSE,FALSE;MoveExtJ jE,vlin500,fine;"
+    program = rapid(body, data=data)
+    plan = optimize(program, limited, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan), plan
+    found = uncertainty(program, limited, NO_SETTLING, {WRITTEN: plan})
+    low, high = ends(found)
+    assert low < plan.duration < high
+
+
 def test_nothing_is_unsure_where_the_cell_measured_everything():
     limits = plant().limits
     assert asked(turning(20), plant(limits=replace(limits, spread={})))[1] == Uncertainty()

@@ -289,7 +289,7 @@ def _limit_section(axis: str, end: Any, about: str) -> type[LimitSection]:
     """The section of an axis, turning or rail; end: the type of both ends of its range."""
     given: dict[str, Any] = {"lower": (end, None), "upper": (end, None)}
     given |= {name: _positive(units[axis]) for name, units in AXIS_LIMITS.items()}
-    given["acceleration_factor"] = Annotated[float, Field(gt=0, allow_inf_nan=False)] | None, None
+    given["acceleration_factor"] = Annotated[float, BeforeValidator(positive(RATIO))] | None, None
     name = "JointLimitSection" if axis == "turning" else "RailLimitSection"
     return create_model(name, __base__=LimitSection, __doc__=about, **given, source=(SourceText, ...))
 

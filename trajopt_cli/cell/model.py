@@ -121,8 +121,11 @@ class Cell:
         known = robot or ESTIMATED_SETTLING
         if fine is None and inpos is None:
             return known
-        inpos = inpos if inpos is not None else fine if fine is not None else known.inpos
-        return Settling(known.fine if fine is None else fine, inpos, f"settle of {self.file}")
+        inpos = fine if inpos is None else inpos
+        assert inpos is not None
+        if fine is None:  # as unsure as it was
+            return known._replace(inpos=inpos, source=f"settle.inpos of {self.file}; fine: {known.source}")
+        return Settling(fine, inpos, f"settle of {self.file}")
 
     def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
         """limits with the cell's overrides and the rail's stroke in force, sources included.

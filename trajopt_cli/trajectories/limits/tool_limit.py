@@ -17,6 +17,7 @@ from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, Nod
 # takes back where it is used.
 _TOOL_DIRECTIONS = 8
 _STILL_TOOL = 1e-09  # m/s: of a tool as slow nothing is along its path.
+_NO_RAMP = 1e6  # m/s2, of moves without a limit of the tool beside others that have one
 _STILL_NODE = 0.001  # m/s of a tool at a node of a joint move, as above but smoothly.
 
 _ANGLES = (np.arange(_TOOL_DIRECTIONS) + 0.5) * np.pi / _TOOL_DIRECTIONS - np.pi / 2
@@ -91,7 +92,8 @@ class ToolLimit(Limit):
         slopes, bends = size * c, forward * c + aside * s
         rests = np.zeros_like(slopes)
         if caps.along:
-            half, tilt = np.sum(caps.ramps, axis=1, keepdims=True) / 2, -np.diff(caps.ramps, axis=1) / 2
+            ramps = np.minimum(caps.ramps, _NO_RAMP)
+            half, tilt = np.sum(ramps, axis=1, keepdims=True) / 2, -np.diff(ramps, axis=1) / 2
             slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
             rests = np.hstack([rests, -tilt / half])
         return PathRows(top, slopes, bends, rests)
