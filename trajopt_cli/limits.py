@@ -83,22 +83,12 @@ class AccelerationTable:
             raise ValueError("AccelerationTable.places: wanted two or more of each axis, ascending")
 
     @cached_property
-    def least(self) -> dict[str, float]:
-        """The least anywhere, of either sign, by axis."""
-        both = np.minimum(self.lower, self.upper).reshape(-1, len(self.axes))
-        return dict(zip(self.axes, both.min(axis=0).tolist(), strict=True))
-
-    @cached_property
-    def most(self) -> dict[str, float]:
-        """The greatest anywhere, by axis."""
-        both = np.maximum(self.lower, self.upper).reshape(-1, len(self.axes))
-        return dict(zip(self.axes, both.max(axis=0).tolist(), strict=True))
-
-    @cached_property
-    def usual(self) -> dict[str, float]:
-        """The median of the smaller sign's, by axis."""
-        both = np.minimum(self.lower, self.upper).reshape(-1, len(self.axes))
-        return dict(zip(self.axes, np.median(both, axis=0).tolist(), strict=True))
+    def range(self) -> dict[str, tuple[float, float, float]]:
+        """By axis the least of either sign, the median of the smaller sign's, and the greatest."""
+        sides = [side.reshape(-1, len(self.axes)) for side in (self.lower, self.upper)]
+        small = np.minimum(*sides)
+        each = np.array([small.min(axis=0), np.median(small, axis=0), np.maximum(*sides).max(axis=0)]).T.tolist()
+        return {axis: (least, usual, most) for axis, (least, usual, most) in zip(self.axes, each, strict=True)}
 
     @cached_property
     def _reads(self) -> Any:
@@ -170,16 +160,17 @@ class JointLimits:
     @property
     def most_acceleration(self) -> Array:
         """The greatest (n,) that any posture allows."""
-        return self._of_table("most")
+        return self._of_table(2)
 
     @property
     def usual_acceleration(self) -> Array:
         """What (n,) most postures allow: for estimates."""
-        return self._of_table("usual")
+        return self._of_table(1)
 
-    def _of_table(self, name: str) -> Array:
-        known = {} if self.table is None else getattr(self.table, name)
-        return np.array([known.get(axis, one) for axis, one in zip(self.names, self.acceleration, strict=True)])
+    def _of_table(self, place: int) -> Array:
+        known = {} if self.table is None else self.table.range
+        own = zip(self.names, self.acceleration.tolist(), strict=True)
+        return np.array([known[axis][place] if axis in known else one for axis, one in own])
 
     def changed(self, kind: str, values: Array) -> JointLimits:
         """The same with these (n,) of a kind, "velocity" say; accelerations of a table change as the least of them."""

@@ -38,7 +38,7 @@ def by_joint_2(plant: Plant) -> Plant:
     table = AccelerationTable(("joint_2",), ("joint_2", "joint_3"), (PLACES, np.array([-1.0, 1.0])), sides[0], sides[1])
     limits, j = plant.limits, plant.limits.names.index("joint_2")
     acceleration, velocity = limits.acceleration.copy(), limits.velocity.copy()
-    acceleration[j], velocity[j] = table.least["joint_2"], 50.0
+    acceleration[j], velocity[j] = table.range["joint_2"][0], 50.0
     limits = replace(limits, acceleration=acceleration, velocity=velocity, table=table)
     start = plant.start.copy()
     start[j] = START

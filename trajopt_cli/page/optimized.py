@@ -95,8 +95,8 @@ def optimized_page(
 def _head(title: str, plant: Plant, told: Summary, target: Target) -> str:
     before = told.as_written
     if before.why_not is None:
-        said = told.uncertainty.times("as_written") or ("the program under the same limits",)
-        tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", "; ".join(said), "before")]
+        about = "; ".join(told.uncertainty.times("as_written")) or "the program under the same limits"
+        tiles = [Tile(WRITTEN, f"{seconds(before.cycle_time_s)} s", about, "before")]
     else:
         why = before.why_not if before.why_not == NOT_TIMED else f"cannot be driven: {before.why_not}"
         tiles = [Tile(WRITTEN, "–", why, "before")]

@@ -178,7 +178,7 @@ def profiles(
             np.array([joint.lower for joint in axes]),
             np.array([joint.upper for joint in axes]),
             np.array([joint.velocity for joint in axes]),
-            np.array([origin.value if isinstance(origin, Rate) else tables[name].least[n] for n, origin in of.items()]),
+            np.array([one.value if isinstance(one, Rate) else tables[name].range[n][0] for n, one in of.items()]),
             origins
             | {f"{n}.acceleration": str(origin) for n, origin in of.items()}
             | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
