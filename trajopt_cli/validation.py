@@ -41,20 +41,20 @@ def in_words(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, 
         case "float_type" | "finite_number":
             return f"needs a finite number, not {spelled(value)}"
         case "greater_than":
-            return f"needs a {_kind(value)} above {_bound(bounds['gt'])}, not {spelled(value)}"
+            return f"needs a {_kind(bounds['gt'])} above {_bound(bounds['gt'])}, not {spelled(value)}"
         case "greater_than_equal":
-            return f"needs a {_kind(value)}, {_bound(bounds['ge'])} or more, not {spelled(value)}"
+            return f"needs a {_kind(bounds['ge'])}, {_bound(bounds['ge'])} or more, not {spelled(value)}"
         case "less_than":
-            return f"needs a {_kind(value)} below {_bound(bounds['lt'])}, not {spelled(value)}"
+            return f"needs a {_kind(bounds['lt'])} below {_bound(bounds['lt'])}, not {spelled(value)}"
         case "less_than_equal":
-            return f"needs a {_kind(value)}, {_bound(bounds['le'])} or less, not {spelled(value)}"
+            return f"needs a {_kind(bounds['le'])}, {_bound(bounds['le'])} or less, not {spelled(value)}"
         case "literal_error" | "enum":
             return f"{spelled(value)} is not one of {bounds['expected']}"
     return detail["msg"]
 
 
-def _kind(value: object) -> str:
-    return "number" if isinstance(value, float) else "whole number"
+def _kind(bound: object) -> str:
+    return "number" if isinstance(bound, float) else "whole number"
 
 
 def _bound(value: float) -> str:

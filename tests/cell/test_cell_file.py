@@ -277,6 +277,10 @@ def test_the_scenario_has_values_sequences_answers_waits_searches_and_limits() -
         ("searches: {a: 1.5}\n", "3: searches.a: needs a share of the way from 0 to 1, or never, not 1.5"),
         ("searches: {a: no}\n", '3: searches.a: needs a share of the way from 0 to 1, or never, not "no"'),
         ("endless_passes: 0\n", "3: endless_passes: needs a whole number above zero, not 0"),
+        (
+            "limits: {joint_1: {acceleration_factor: 0, source: log}}\n",
+            "3: limits.joint_1.acceleration_factor: needs a number above zero, not 0",
+        ),
         ("endless_passes: 10001\n", "3: endless_passes: needs a whole number, 10000 or less, not 10001"),
         ("statement_limit: 1.5\n", "3: statement_limit: needs a whole number, not 1.5"),
         ("assume_identity: tGrip\n", "3: assume_identity: needs a list, not tGrip"),

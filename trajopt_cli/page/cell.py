@@ -25,7 +25,7 @@ from trajopt_cli.page.tables import numbers
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.runs.summary import motion_label
+from trajopt_cli.runs.summary import SETTLING, motion_label
 from trajopt_cli.scene import plan_cycle, program_points
 from trajopt_cli.table import place, seconds, short_target
 
@@ -150,7 +150,7 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
             f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
             f'<td>{text(instruction)}</td><td title="{text(target)}">{text(short_target(target))}{way}</td>'
             f"{''.join(numbers(*cells))}"
-            f"<td>{text(planned[-1].binding if planned[-1] is not None else '')}</td></tr>"
+            f"<td>{text(planned[-1].binding if planned[-1] is not None and instruction != SETTLING else '')}</td></tr>"
         )
     ends = [seconds(one.plan.duration) for one in shown]
     if two:
