@@ -20,7 +20,7 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.runs.summary import motion_label
-from trajopt_cli.table import place
+from trajopt_cli.table import place, short_target
 from trajopt_cli.trajectories.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
@@ -144,7 +144,7 @@ def motions_data(program: Program, files: Sequence[str]) -> dict[str, list[Any]]
     labels = [motion_label(program, i) for i in range(len(program.motions))]
     return {
         "instruction": [one for one, _ in labels],
-        "target": [target for _, target in labels],
+        "target": [short_target(target) for _, target in labels],
         "file": [known.get(motion.source.file, -1) for motion in program.motions],
         "line": [motion.source.line for motion in program.motions],
         "place": [place(motion.source) for motion in program.motions],
@@ -176,7 +176,10 @@ def _legs(program: Program, course: PlanSeries) -> dict[str, list[Any]]:
         "from": [motion.t_0 - start for motion in planned],
         "to": [motion.t_1 - start for motion in planned],
         "kind": [kind_of(leg.motion) for leg in legs],
-        "binding": [motion.binding for motion in planned],
+        "binding": [
+            "" if isinstance(leg.motion, Wait) and leg.motion.settles else motion.binding
+            for leg, motion in zip(legs, planned, strict=True)
+        ],
         "passed": [int(leg.passed) for leg in legs],
         "way": [told.get(motion.index, "") for motion in planned],
         "points": [[point.t - start for point in motion.via] for motion in planned],

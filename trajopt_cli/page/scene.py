@@ -18,6 +18,7 @@ from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.scene import WORLD, Body, Cycle, Joint, Scene, ScenePoint, scene_of_plant, scene_of_robot
 from trajopt_cli.shapes import TOOL, Box, Capsule, Mesh, Shape
+from trajopt_cli.table import short_target
 
 SCRIPTS = ("view3d.css", "view3d_motion.js", "view3d_graphics.js", "view3d.js")
 """What a page with a scene takes besides; an element with the attribute data-scene then shows it."""
@@ -55,7 +56,8 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
         ],
         "static": [_shape(body, most) | {"role": body.role} for body in scene.bodies if body.frame == WORLD],
         "points": [
-            {"name": one.name, "position": list(one.position), "place": one.place, "added": one.added} for one in points
+            {"name": short_target(one.name), "position": list(one.position), "place": one.place, "added": one.added}
+            for one in points
         ],
         "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
         "base": _flat(scene.base),

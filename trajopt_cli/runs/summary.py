@@ -22,7 +22,7 @@ from trajopt_cli.runs.record import Section
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.scenario import Settling
-from trajopt_cli.table import change, told_gap
+from trajopt_cli.table import change, short_target, told_gap
 
 NOT_TIMED = "not timed: stopped by Ctrl-C"
 SETTLING = "settling"
@@ -101,7 +101,7 @@ class MotionRow(Section):
     @property
     def name(self) -> str:
         """The same, for people."""
-        return " ".join(self.key).strip()
+        return f"{self.instruction} {short_target(self.target)}".strip()
 
 
 class PointRow(Section):
