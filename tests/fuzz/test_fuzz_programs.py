@@ -137,6 +137,7 @@ def test_another_program_is_seen_when_it_is_read_back(tmp_path: Path) -> None:
     answer = optimize_job(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
     assert isinstance(answer, OptimizedJob)
     plan = answer.judged[Target.RAPID].plan
+    assert [motion.binding for motion in plan.motions[-2:]] == ["settling", "programmed duration"]
     check_same_motions(job, plan, job.program)
     for old, new, said in (
         ("33.836", "33.840", "another place"),

@@ -14,7 +14,7 @@ from trajopt_cli.collision.merge_via_points import detours_left
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.motion import Hold, Program, motion_name
+from trajopt_cli.motion import Hold, Program, Wait, motion_name
 from trajopt_cli.nlp.mesh_refinement import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
@@ -397,7 +397,7 @@ def _planned(
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
         q_1 = draft.q[k + 1]
-        begin = float(bounds[first[i]])
-        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, binding[k]))
+        begin, why = float(bounds[first[i]]), "settling" if isinstance(motion, Wait) and motion.settles else binding[k]
+        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, why))
         now, q_now = float(bounds[k + 1]), q_1
     return tuple(out)

@@ -77,7 +77,8 @@ class PlannedMotion:
     """One motion of the program as planned.
 
     index: its place in Program.motions. t_0, t_1: start and end [s]. q_0, q_1: axis positions (k,) at both. binding:
-    the limit that holds the motion back ("joint_1 acceleration", "programmed TCP speed", "programmed duration").
+    the limit that holds the motion back ("joint_1 acceleration", "programmed TCP speed", "programmed duration"), or
+    "settling".
     dropped: the user allowed it and the plan leaves it out; then t_0 = t_1. via: the points that are added on its way.
     """
 
