@@ -62,7 +62,7 @@ class AccelerationTable:
 
     axes: the k axes that are limited; over: the p axes of the posture. places: p ascending lists [rad or m] that span
     the grid. lower, upper: the grid's shape and (k,), how much of either sign is allowed, both positive [1/s2].
-    file: where it was read.
+    file: where it was read. times: by axis, how many times what is read there is asked for, where not once.
     """
 
     axes: tuple[str, ...]
@@ -71,6 +71,7 @@ class AccelerationTable:
     lower: Array
     upper: Array
     file: Path | None = None
+    times: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         shape = (*map(len, self.places), len(self.axes))
@@ -112,8 +113,9 @@ class AccelerationTable:
 
     def scaled(self, factors: Mapping[str, float]) -> AccelerationTable:
         """With those of some axes so many times as large."""
-        times = np.array([factors.get(axis, 1.0) for axis in self.axes])
-        return replace(self, lower=self.lower * times, upper=self.upper * times)
+        each = [factors.get(axis, 1.0) for axis in self.axes]
+        times = {axis: self.times.get(axis, 1.0) * one for axis, one in zip(self.axes, each, strict=True)}
+        return replace(self, lower=self.lower * each, upper=self.upper * each, times=times)
 
 
 def _axis(turning: str, rail: str) -> dict[str, str]:

@@ -99,6 +99,12 @@ def test_a_cell_asks_for_a_share_of_a_table_or_for_another_number() -> None:
     factor = parse_cell(cell % "acceleration_factor: 1.2", "c.yaml").apply_limits(before, robot.axis_names)
     for found in (factor.acceleration_at(q), Accelerations(factor).at(q[None])[:, 0]):
         np.testing.assert_allclose(found[0], before.acceleration_at(q)[0] * [1.2, 1, 1, 1, 1, 1], rtol=1e-12)
+    assert factor.table is not None
+    wrong = replace(factor.table, lower=factor.table.lower * 1.0001, upper=factor.table.upper * 1.0001)
+    misread = replace(factor, table=wrong, acceleration=factor.acceleration * 1.0001)
+    np.testing.assert_array_equal(
+        Accelerations(misread).at(q[None])[:, 0, :3], Accelerations(factor).at(q[None])[:, 0, :3]
+    )
     own = parse_cell(cell % "acceleration: 5", "c.yaml").apply_limits(before, robot.axis_names)
     assert own.acceleration_at(q)[1][0] == own.most_acceleration[0] == Accelerations(own).most[0] == 5
     assert own.table is not None

@@ -29,7 +29,7 @@ class Accelerations:
             j = self._names.index(axis)
             sides = [values[axis, sign] for sign in (NEGATIVE, POSITIVE)]
             own = self._given.file is not None  # then a cell may ask for more or less of what is read
-            self._times[axis] = float(limits.acceleration[j] / np.min(sides)) if own else 1.0
+            self._times[axis] = self._given.times.get(axis, 1.0) if own else 1.0
             self.most[j] = np.max(sides) * self._times[axis]
 
     @cached_property
