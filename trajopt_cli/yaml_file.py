@@ -46,7 +46,7 @@ def read_text(path: str | Path, what: str) -> str:
         raise InputError(f"cannot read the {what}: {error.strerror}", file=str(path)) from error
     if what in ("cell file", "task file", "robot file"):
         refuse_other(path, what)
-    _check_size(size, str(path))
+    _check_size(size, str(path), "take a coarser grid" if what == "table" else _SMALLER)
     try:
         return content.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
@@ -166,10 +166,10 @@ def _end(node: Node) -> int:
     return int(node.end_mark.index)
 
 
-def _check_size(size: int, file: str) -> None:
+def _check_size(size: int, file: str, advice: str = _SMALLER) -> None:
     if size > MAX_BYTES:
         bound = f"more than {MAX_BYTES / 1e6:g} MB"
-        raise InputError(f"holds {size / 1e6:.3g} MB of text, {bound}; {_SMALLER}", file=file)
+        raise InputError(f"holds {size / 1e6:.3g} MB of text, {bound}; {advice}", file=file)
 
 
 def _too_many(file: str, line: int) -> InputError:

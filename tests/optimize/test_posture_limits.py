@@ -195,3 +195,10 @@ def test_a_plan_over_a_rail_by_a_shipped_table_is_legal_and_above_its_bound() ->
     slow = optimize(program, least, Target.RAPID, bounded=False)
     assert isinstance(slow, Plan)
     assert plans[Target.RAPID] < slow.duration
+
+
+def test_a_table_that_is_too_large_is_to_be_coarser(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("joint_2 [rad],joint_3 [rad],joint_1 [rad/s2]\n" + "1,2,3\n" * 200_000)
+    with pytest.raises(InputError, match="grid") as refused:
+        read_acceleration_table(tmp_path / "a.csv", {"joint_1": False})
+    assert refused.value.file == str(tmp_path / "a.csv")
