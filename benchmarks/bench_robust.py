@@ -347,13 +347,13 @@ def _half(q: Array) -> Array:
 # -------------------------------------------------------------------------------------------------------------- runs
 
 
-def command(arguments: list[str], patience: float) -> tuple[int | None, str, float]:
+def command(arguments: list[str], patience: float, checkout: Path = REPOSITORY) -> tuple[int | None, str, float]:
     """Exit code (None: killed after so many seconds of processor), the last line on stderr, seconds of processor, of
-    the program's command."""
+    the program's command as a checkout has it."""
     with tempfile.TemporaryFile("w+") as said:
         line = [sys.executable, "-m", "trajopt_cli.cli", *arguments]
         process = subprocess.Popen(
-            line, stdout=subprocess.DEVNULL, stderr=said, cwd=REPOSITORY, start_new_session=True
+            line, stdout=subprocess.DEVNULL, stderr=said, cwd=checkout, start_new_session=True
         )  # fmt: skip
         until, code, seconds = monotonic() + CLOCK * patience, None, 0.0
         while True:
