@@ -86,11 +86,11 @@ def test_a_log_has_whole_lines_and_few_of_them(clock: list[float], monkeypatch: 
         view.show("stream", Progress("search"))
         view.show("rapid", Progress("search"))
         clock[0] += 0.5
-        view.show("stream", Progress("solve", 8.0))
+        view.show("stream", Progress("timing"))
         assert log.getvalue() == "0 s: stream: searching rail and configurations\n"
         tick(clock, 1.5)
         told = log.getvalue().splitlines()
-        assert told[1:] == ["2 s: rapid: searching rail and configurations; stream: refining the plan, best 8.000 s"]
+        assert told[1:] == ["2 s: rapid: searching rail and configurations; stream: timing the paths found"]
         for _ in range(20):  # nothing new
             tick(clock, 1.0)
         assert log.getvalue().splitlines() == told
@@ -104,6 +104,18 @@ def test_a_log_has_whole_lines_and_few_of_them(clock: list[float], monkeypatch: 
     assert all(re.match(r"\d+ s: rapid: ", one) for one in lines[1:])
     assert "\x1b" not in log.getvalue()
     assert "\r" not in log.getvalue()
+
+
+def test_the_first_legal_motion_is_told_at_once_and_no_later_one(clock: list[float]) -> None:
+    for stream in (Terminal(), StringIO()):
+        with ProgressView(stream=stream) as view:
+            view.show("stream", Progress("search"))
+            clock[0] += 0.1
+            view.show("stream", Progress("timing", 8.0))
+            assert "best 8.000 s" in stream.getvalue()
+            clock[0] += 0.1
+            view.show("rapid", Progress("timing", 9.0))
+            assert "best 9.000 s" not in stream.getvalue()
 
 
 def test_quiet_says_nothing_but_what_ctrl_c_does(clock: list[float]) -> None:

@@ -55,7 +55,8 @@ class ProgressView:
     Where there is patience and an answer at hand, the first interrupt ends only the search for a better one.
 
     A terminal has one line, as wide as it is, with the seconds gone, of how many; it is drawn four times a second at
-    most and taken away at the end. A log has whole lines when something changed. quiet: nothing is shown.
+    most and taken away at the end. A log has whole lines when something changed; that there is a first legal motion is
+    shown at once. quiet: nothing is shown.
     """
 
     def __init__(self, patience: Patience | None = None, quiet: bool = False, stream: TextIO | None = None) -> None:
@@ -106,6 +107,8 @@ class ProgressView:
         """Tell that the plan called label has reached progress."""
         if self._interrupted:
             raise KeyboardInterrupt
+        if progress.incumbent is not None and all(one.incumbent is None for one in self._latest.values()):
+            self._shown = -_SILENT
         self._news |= self._latest.pop(label, None) != progress
         self._latest[label] = progress
         self._show()
