@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 from timing.toppra_law import fastest_law
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.timing import topp
 from trajopt_cli.timing.topp import TimeLaws, fastest_laws
 
 Rows = tuple[Array, Array]
@@ -152,13 +151,6 @@ def test_one_path_alone_has_the_same_answer(make: Callable[..., Paths]) -> None:
         assert alone.durations[0] == laws.durations[k]
 
 
-def test_a_batch_beyond_one_work_array_has_the_same_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    paths = smooth(6, 25, 20, 3)
-    laws = fastest_laws(*paths, 0.0, 0.0)
-    monkeypatch.setattr(topp, "_ELEMENTS", 19 * 6 * 7)
-    assert same(fastest_laws(*paths, 0.0, 0.0), laws)
-
-
 def test_columns_of_zeros_and_tops_beyond_the_rows_change_nothing() -> None:
     s, top, begins, ends = jumping(7, 20, 40, 5)
     far, free = (np.full_like(top, x) for x in (300.0, np.inf))
@@ -245,21 +237,6 @@ def test_free_ends_are_the_fastest_that_lead_on(make: Callable[..., Paths]) -> N
     np.testing.assert_allclose(given.rates, free.rates, rtol=1e-6)
     assert not np.isfinite(fastest_laws(*paths, first * (1 + 1e-6), np.inf).durations).any()
     assert (free.durations <= fastest_laws(*paths, 0.0, np.inf).durations).all()
-
-
-@pytest.mark.parametrize("make", [smooth, jumping])
-@pytest.mark.parametrize("ends", [(0.0, 0.0), (np.inf, np.inf), (3.0, 0.0), (40.0, np.inf)])
-def test_long_paths_in_lanes_are_those_in_one_go(
-    make: Callable[..., Paths], ends: tuple[float, float], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """To the last bit, whatever the lanes' length; the last start is too fast for some."""
-    paths = make(7, 3, 1001, 6)
-    monkeypatch.setattr(topp, "_LANES", 1)
-    whole = fastest_laws(*paths, *ends)
-    for lanes, shortest in ((128, 32), (9, 5), (1000, 1)):
-        monkeypatch.setattr(topp, "_LANES", lanes)
-        monkeypatch.setattr(topp, "_SHORTEST_LANE", shortest)
-        assert same(fastest_laws(*paths, *ends), whole)
 
 
 @pytest.mark.parametrize("make", [smooth, jumping])

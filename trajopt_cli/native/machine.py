@@ -6,7 +6,8 @@ Needs llvmlite, a wheel with LLVM in it; no compiler is asked for.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from ctypes.util import find_library
 from dataclasses import dataclass
 from functools import cache, partial
@@ -22,6 +23,8 @@ from trajopt_cli.native.writing import LIBM, module_text
 
 _ENTRY = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
 _LEVEL = 0  # of code generation. Measured: see docs/measured.md, Machine code
+_OPTIMISED = 2  # the same for loops that are run often
+_COUNTING = re.compile(r"^(define [^\n]*@NRT_(?:in|de)cref\([^\n]*\)[^\n{]*)\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,19 +67,37 @@ class Machine:
         """Object code of functions by name, each as writing.module_text says."""
         return bytes(self._target.emit_object(llvm.parse_assembly(module_text(functions, self.lanes))))
 
+    def optimised(self, texts: Sequence[str], names: Sequence[str]) -> bytes:
+        """Object code of the functions with these names in LLVM IR by numba, one in each text, without all else in it.
+        Arrays count no references there."""
+        module, target = llvm.parse_assembly(""), self._target_machine(_OPTIMISED)
+        passes = llvm.create_pass_builder(target, llvm.create_pipeline_tuning_options(speed_level=_OPTIMISED))
+        for text, name in zip(texts, names, strict=True):
+            one = llvm.parse_assembly(_COUNTING.sub(r"\1 {\nret void\n}\n", text))
+            for value in (*one.functions, *one.global_variables):
+                if not value.is_declaration and value.name != name:
+                    value.linkage = llvm.Linkage.internal
+            passes.getModulePassManager().run(one, passes)
+            module.link_in(one)
+        return bytes(target.emit_object(module))
+
     def loaded(self, code: bytes, names: tuple[str, ...]) -> dict[str, NativeKernel]:
-        """The functions with these names in object code."""
+        """The functions with these names in object code, as module_text writes them."""
+        library = self.linked(code, names)
+        return {name: NativeKernel(self.lanes, _ENTRY(library[name]), library) for name in names}
+
+    def linked(self, code: bytes, names: Sequence[str]) -> Any:
+        """The addresses of the functions with these names in object code, by name; they live as long as it."""
         builder = llvm.JITLibraryBuilder().add_object_img(code)
         for name, address in self._libm.items():
             builder = builder.import_symbol(name, address)
         for name in names:
             builder = builder.export_symbol(name)
-        library = builder.link(self._jit, next(self._names))
-        return {name: NativeKernel(self.lanes, _ENTRY(library[name]), library) for name in names}
+        return builder.link(self._jit, next(self._names))
 
-    def _target_machine(self) -> Any:
+    def _target_machine(self, level: int = _LEVEL) -> Any:
         return llvm.Target.from_default_triple().create_target_machine(
-            cpu=self._cpu, features=self._features, opt=_LEVEL, jit=True
+            cpu=self._cpu, features=self._features, opt=level, jit=True
         )
 
 

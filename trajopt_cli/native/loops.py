@@ -1,0 +1,93 @@
+"""Loops over arrays of numbers as machine code: numba compiles them once per computer, and then it is not asked again.
+
+A module whose name ends in _loops holds functions for numba. Those without a leading underscore have a signature and
+can be called from elsewhere: they take numbers and arrays of float64 and int64, and write into arrays that they are
+given. They allocate nothing, raise nothing and return nothing. The module, and numba with it, is imported only where
+its machine code is not in the user's cache.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import import_module
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trajopt_cli.native.machine import machine
+from trajopt_cli.native.store import Store, users_store
+
+_SCALARS = {"int64": ctypes.c_int64, "float64": ctypes.c_double}
+
+
+class Loop:
+    """A compiled function. kinds: of its arguments as numba writes them: float64, or array(int64, 2d, A), C where it is
+    dense."""
+
+    def __init__(self, address: int, kinds: Sequence[str], library: object):
+        self._kinds, self._keeps = kinds, library
+        types: list[Any] = []
+        for kind in kinds:  # of an array: who keeps it twice, length, bytes of one, address, lengths and strides
+            types += (
+                [_SCALARS[kind]] if kind in _SCALARS else [ctypes.c_ssize_t] * (5 + 2 * int(kind.split(", ")[1][0]))
+            )
+        self._call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *types)(address)
+        self._out = np.zeros(2)  # for what it returns or raises, which is nothing
+
+    def __call__(self, *given: NDArray[np.generic] | float) -> None:
+        """Call it. Raises TypeError for an array of another kind."""
+        flat: list[Any] = []
+        for one, kind in zip(given, self._kinds, strict=True):
+            if not isinstance(one, np.ndarray):
+                flat.append(one)
+                continue
+            loose = f"array({one.dtype}, {one.ndim}d, A)"
+            if kind != loose and (kind != loose.replace("A", "C") or not one.flags.c_contiguous):
+                raise TypeError(f"{loose} for {kind}")
+            flat += (0, 0, one.size, one.itemsize, one.ctypes.data, *one.shape, *one.strides)
+        out = self._out.ctypes.data
+        self._call(out, out + 8, *flat)
+
+
+@cache
+def loops(name: str) -> Mapping[str, Loop]:
+    """The functions of a module, compiled; from the user's cache where they are there."""
+    return loops_kept(name, users_store())
+
+
+def loops_kept(name: str, store: Store) -> Mapping[str, Loop]:
+    """The same, kept in a store."""
+    spec = find_spec(name)
+    assert spec is not None
+    assert spec.origin is not None
+    digest = hashlib.sha256(Path(spec.origin).read_bytes() + Path(__file__).read_bytes()).hexdigest()
+    key = f"{name} {digest} {machine().identity} numba {version('numba')}"
+    if (kept := store.read(key)) is None:
+        kept = _compiled(name)
+        store.write(key, kept)
+    symbols = kept["symbols"].tolist()
+    library = machine().linked(kept["code"].tobytes(), symbols)
+    made = zip(kept["names"].tolist(), symbols, kept["kinds"].tolist(), strict=True)
+    return {one: Loop(library[symbol], kinds.split("; "), library) for one, symbol, kinds in made}
+
+
+def _compiled(name: str) -> dict[str, NDArray[np.generic]]:
+    """Object code of a module's functions, with their names, symbols and the kinds of their arguments."""
+    texts, symbols, kinds = list[str](), list[str](), list[str]()
+    public = {
+        key: one for key, one in vars(import_module(name)).items() if hasattr(one, "signatures") and key[0] != "_"
+    }
+    for function in public.values():
+        (signature,) = function.signatures
+        texts.append(function.inspect_llvm(signature))
+        symbols.append(function.overloads[signature].fndesc.llvm_func_name)
+        kinds.append("; ".join(str(kind) for kind in signature))
+    code = np.frombuffer(machine().optimised(texts, symbols), dtype=np.uint8)
+    return {"names": np.array([*public]), "symbols": np.array(symbols), "kinds": np.array(kinds), "code": code}
