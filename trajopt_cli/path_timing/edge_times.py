@@ -104,19 +104,21 @@ def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
     leg, rest = problem.legs[pairs.k], _resting(problem, pairs)
     if axes.jerk is not None:
         T = np.maximum(T, _straight_times(axes, leg, pairs.q_0[~rest], pairs.q_1[~rest]))
-    if leg.kind is LegKind.DWELL:
-        times = np.full(len(rest), leg.duration or 0.0)
-        fits = (leg.duration or np.inf) >= T * _SLACK
-        times[~rest] = np.where(fits, T if leg.duration is None else leg.duration, np.inf)
-        return times
     if leg.kind is LegKind.JOINT and not (
         problem.coordinated or problem.passes(pairs.k) or problem.passes(pairs.k + 1)
     ):
         T = np.minimum(T, _own_times(axes, leg, pairs.q_0, pairs.q_1))
-    if leg.duration is not None:  # too long is no answer, but the search can compare it
-        late = np.maximum(T * _SLACK - leg.duration, 0.0)
-        T = np.where(np.isfinite(T), leg.duration + _LATE * late, np.inf)
-    return np.maximum(T, leg.least)
+    times = np.zeros(len(rest))
+    times[~rest] = T
+    return as_programmed(leg, times)
+
+
+def as_programmed(leg: Leg, T: Array | float) -> Array:
+    """Times (...) of a leg that takes T at least: its programmed one, and so much more where that is too short that
+    what is late by less is better: no answer, but it can be compared."""
+    if leg.duration is not None:
+        T = leg.duration + _LATE * np.maximum(T * _SLACK - leg.duration, 0.0)
+    return np.asarray(np.maximum(T, leg.least))
 
 
 def _resting(problem: Problem, pairs: Pairs) -> BoolArray:

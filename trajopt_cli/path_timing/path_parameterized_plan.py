@@ -13,7 +13,7 @@ from hashlib import blake2b
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.path_timing.edge_times import leg_name_at, short
+from trajopt_cli.path_timing.edge_times import as_programmed, leg_name_at, short
 from trajopt_cli.path_timing.path_timing import Unresolved, least_times, time_paths
 from trajopt_cli.path_timing.sampled_path import sample_paths
 from trajopt_cli.path_timing.smooth import smooth
@@ -148,8 +148,8 @@ def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Seq
 
 
 def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:
-    """How long runs (m,) take between stops, each between axes of its own, on a few nodes; infinite where they cannot
-    be driven."""
+    """How long runs (m,) take between stops, each between axes of its own, on a few nodes; a leg with a programmed time
+    that, and more where it is late; infinite where they cannot be driven."""
     settings = axes.settings
     names = [(run, own[run[0] : run[1] + 1].tobytes()) for run, own in zip(runs, q, strict=True)]
     distinct = dict(zip(names, zip(runs, q, strict=True), strict=True))
@@ -162,7 +162,9 @@ def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array],
     )
     can = {name: path for name, path in paths.items() if path is not None}
     times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
-    return np.array([times[name] for name in names])
+
+    alone = {run: problem.legs[run[0]] for run, _ in names if run[1] == run[0] + 1}
+    return np.array([as_programmed(alone[run], times[run, q]) if run in alone else times[run, q] for run, q in names])
 
 
 def _timed_runs(

@@ -21,8 +21,9 @@ from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.plan.collision_diagnosis import blocked_place, collision_answer
-from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated, timed_clear
+from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
+from trajopt_cli.plan.repair import timed_in_time
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.editable import Changes, everything
@@ -311,7 +312,7 @@ def initial_plan_of(
                 start = perf_counter()
                 for one in tried:
                     try:
-                        draft = timed_clear(axes, problem, one, runs)
+                        one, draft = timed_in_time(axes, problem, one, runs, narrow, known)
                     except Stopped:
                         if not drafts:
                             raise
