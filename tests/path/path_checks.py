@@ -73,6 +73,30 @@ def check_expression(segment: Segment, rng: np.random.Generator, symbols: Symbol
         first, second = slopes(p, share)
         np.testing.assert_allclose(first.full().ravel(), turn @ twist, rtol=0, atol=1e-11)
         np.testing.assert_allclose(second.full().ravel(), turn @ rate, rtol=0, atol=1e-10)
+    check_curve(segment, X_BA, X_FT, symbols, s)
+
+
+def check_curve(segment: Segment, X_BA: Array, X_FT: Array, symbols: Symbols, s: Array) -> None:
+    """What limits of the tool are held against in a corner: its slopes in the base's frame, its turning in its own."""
+    P, S = ca.SX.sym("p", symbols.size), ca.SX.sym("s")
+    curve = symbols.curve(P, S)
+    if curve is None:
+        return
+    of, R_BA, p = ca.Function("curve", [P, S], [*curve]), X_BA[:3, :3], segment.parameters(X_BA, X_FT)
+    for share, X, twist, rate in zip(s, segment.pose(s), segment.twist(s), segment.twist_rate(s), strict=True):
+        tangent, bend, turn = (one.full().ravel() for one in of(p, share))
+        np.testing.assert_allclose(tangent, R_BA @ twist[:3], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(bend, R_BA @ rate[:3], rtol=0, atol=1e-11)
+        np.testing.assert_allclose(turn, X_FT[:3, :3] @ X[:3, :3].T @ twist[3:], rtol=0, atol=1e-12)
+
+
+def check_part(segment: Segment, rng: np.random.Generator) -> None:
+    """A part goes where the whole does, with rates of its own s."""
+    a, b = np.sort(rng.uniform(0, 1, 2))
+    part, s = segment.between(a, b), np.linspace(0, 1, 13)
+    at = a + (b - a) * s
+    np.testing.assert_allclose(part.pose(s), segment.pose(at), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(part.twist(s), (b - a) * segment.twist(at), rtol=0, atol=1e-9)
 
 
 def check_same_way(one: Segment, other: Segment, X: Array, backwards: bool = False, atol: float = 1e-12) -> None:

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from path_checks import check_expression, check_same_way, check_slopes, random_pose, seeds
+from path_checks import check_expression, check_part, check_same_way, check_slopes, random_pose, seeds
 from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
+from trajopt_cli.motion import CirPathMode
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.circle import circle_through
 
@@ -53,6 +54,22 @@ def test_slopes_of_an_arc(seed: int, sweep: float) -> None:
     rng = np.random.default_rng(seed)
     X_0, via, X_1, _, radius = drawn(rng, sweep)
     check_slopes(Arc.through(X_0, via, X_1), rng, bound=1.01 * radius * (sweep**3 / 24 + sweep**4 / 12))
+
+
+@given(seeds, st.floats(0.3, 6.0), st.sampled_from([CirPathMode.OBJECT_FRAME, CirPathMode.PATH_FRAME]))
+@settings(max_examples=10)
+def test_part_of_an_arc(seed: int, sweep: float, mode: CirPathMode) -> None:
+    rng = np.random.default_rng(seed)
+    X_0, via, X_1, _, _ = drawn(rng, sweep)
+    check_part(Arc.through(X_0, pose(X_0[:3, :3], via), X_1, mode), rng)
+
+
+def test_an_arc_that_turns_through_its_circle_point_has_no_parts() -> None:
+    X_0, _, X_1, _, _ = drawn(np.random.default_rng(2), 2.0)
+    arc = Arc.through(X_0, random_pose(np.random.default_rng(5)), X_1, CirPathMode.CIR_POINT_ORI)
+    assert not arc.evenly_turned
+    with pytest.raises(NotImplementedError):
+        arc.between(0.1, 0.9)
 
 
 @given(seeds, st.floats(0.3, 6.0))

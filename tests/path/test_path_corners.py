@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from path_checks import check_slopes, inside, random_pose, seeds
+from path_checks import check_expression, check_slopes, inside, random_pose, seeds
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.corner import Corner
+from trajopt_cli.path.corner import Corner, CornerSymbols
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import along_all
 
@@ -54,6 +54,24 @@ def some_corner(rng: np.random.Generator, pair: tuple[str, str], bent: tuple[flo
     after = onward(rng, pair[1], before.X_1)
     largest = min(before.length, after.length) * rng.uniform(0.1, 0.5)
     return Corner.of_zone(before, after, largest * bent[0], largest * bent[1])
+
+
+@pytest.mark.parametrize("turning", [True, False])
+def test_the_expression_of_a_corner_says_what_its_numbers_say(turning: bool) -> None:
+    rng = np.random.default_rng(3)
+    for _ in range(6):
+        corner = some_corner(rng, ("line", "line"), (1.0, 1.0))
+        if not turning:
+            lines = corner.before, corner.after
+            R = lines[0].pose(np.zeros(1))[0, :3, :3]
+            points = [line.pose(np.array([0.0, 1.0]))[:, :3, 3] for line in lines]
+            still = [Line(pose(R, p), pose(R, q)) for p, q in points]
+            corner = Corner(*still, corner.fraction_before, corner.fraction_after)
+        assert corner.whole
+        assert corner.symbols == CornerSymbols(turning)
+        check_expression(corner, rng)
+    assert not some_corner(rng, ("line", "line"), (0.6, 1.0)).whole  # a curve of three parts
+    assert not some_corner(rng, ("arc", "line"), (1.0, 1.0)).whole
 
 
 @given(seeds, parts)

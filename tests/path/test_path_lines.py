@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from path_checks import check_expression, check_same_way, check_slopes, random_pose, seeds
+from path_checks import check_expression, check_part, check_same_way, check_slopes, random_pose, seeds
 from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.geometry import Array, pose
@@ -47,6 +47,13 @@ def test_slopes_of_a_line(seed: int) -> None:
     rng = np.random.default_rng(seed)
     line = some_line(rng)
     check_slopes(line, rng, bound=0.0)  # twists are constant
+
+
+@given(seeds)
+@settings(max_examples=10)
+def test_part_of_a_line(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    check_part(some_line(rng), rng)
 
 
 @given(seeds)

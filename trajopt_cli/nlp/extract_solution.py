@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.nlp.transcription import LegVariables, Transcription, glides
-from trajopt_cli.problem.problem import Leg, Problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg
@@ -22,7 +23,8 @@ def read(program: Transcription, x: Array) -> Iterate:
     """
     axes, problem, iterate = program.axes, program.problem, program.iterate
     q, qd = (np.array([x[i] for i in indices]) for indices in (program.waypoint_q, program.waypoint_qd))
-    q, qd = _polished(axes, problem, iterate, q, qd)
+    rates = {k: float(x[i]) for k, i in program.waypoint_rate.items()}
+    q, qd = _polished(axes, problem, iterate, q, qd, rates)
     qdd = None
     if program.waypoint_qdd:
         qdd = _accelerations(axes, problem, q, qd, np.array([x[i] for i in program.waypoint_qdd]))
@@ -37,9 +39,11 @@ def read(program: Transcription, x: Array) -> Iterate:
         elif var is None:  # a dwell in which nothing moves, or no time for it
             legs.append(replace(hold(motion.T, q[k]), qd_0=qd[k]))
         elif isinstance(motion, PathLeg):
-            legs.append(
-                _path(axes, motion, var, x, q[k : k + 2], qd[k : k + 2], qdd if qdd is None else qdd[k : k + 2])
-            )
+            own = _path(axes, motion, var, x, q[k : k + 2], qd[k : k + 2], qdd if qdd is None else qdd[k : k + 2])
+            for node, i in ((0, k), (-1, k + 1)):
+                if i in rates and leg.kind is LegKind.LINE:
+                    own.v[node] = rates[i] * own.T / program.rate_share(leg, node, i)
+            legs.append(own)
         elif isinstance(motion, JointProfiles):
             legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T]), program.least(leg)))
         else:
@@ -88,15 +92,22 @@ def _exact(grid: Array, ends: tuple[Array, Array, Array], jerk: Array) -> tuple[
     return x, v, np.diff(v, axis=0) / h
 
 
-def _polished(axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array) -> tuple[Array, Array]:
-    """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
+def _polished(
+    axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array, rates: Mapping[int, float]
+) -> tuple[Array, Array]:
+    """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual. rates: at which those
+    that are passed along a path are."""
     rail, arm = axes.layout.rail, axes.layout.arm
     for k, stop in enumerate(problem.waypoints):
-        if stop.q is not None:
+        passage = stop.passage
+        if stop.q is not None or (passage is not None and passage.way is None):
             continue
         joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, iterate.cfx[k]]
         q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
         qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
+        if passage is not None and passage.way is not None:
+            tool = rates[k] * passage.way.twist(np.zeros(1))[0]
+            qd[k, arm] += np.linalg.solve(axes.jacobian(q[k], passage.X_FT)[:, arm], tool)
     return q, qd
 
 

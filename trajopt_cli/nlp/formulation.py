@@ -34,6 +34,7 @@ from trajopt_cli.trajectories.limits.limit import INF, Limit, NodeMotion, Row, S
 
 DWELL, JOINTS = "dwell", "joints"
 _REST = LineSymbols(turning=False)  # where the tool rests it is on a line of no length
+_PASSED = LineSymbols()
 OwnShapes = dict[str, tuple[int, ...]]
 Place = Symbols | str
 """Where a node is: on a path of some kind, in a dwell, or in a joint move on a grid."""
@@ -198,7 +199,7 @@ class Formulation:
         acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
         ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
         at, qd, qdds, qddds = _carried(placed, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, jerks)
-        share = Share(z.v, acc, place.tangent_rate(p.path, z.s))
+        share = Share(z.v, acc, place.tangent_rate(p.path, z.s), place.curve(p.path, z.s))
         node = self._joined(z, at, qd, rail_acc, qdds, [j[1:, 0] for j in jerks], qddds, share, ends)
         return node, self._walls(at)
 
@@ -365,6 +366,35 @@ class Formulation:
             return [(z.q - at.q, 0.0, 0.0), *self._walls(at)]
 
         return self._relation(("resting",), z, self._on_path, rows)
+
+    def passed_waypoint(self) -> Relation:
+        """The tool goes along a path at its start with the rate u by its s, while the rail passes: q = IK(X(0), d) and
+        qd = dIK/ds u + dIK/dd w, real velocities."""
+        z: Shapes = {"u": (), "d": self._rails, "w": self._rails, "q": self._joints, "qd": self._joints}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            def placed(x: ca.SX) -> Reached:
+                flange = _PASSED.flange(p.path, x[0])
+                return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+
+            at, qd, _, _ = _carried(placed, ca.vertcat(0.0, z.d), ca.vertcat(z.u, z.w), [], [])
+            return [(z.q - at.q, 0.0, 0.0), (z.qd - qd, 0.0, 0.0), *self._walls(at)]
+
+        return self._relation(("passed",), z, self._on_path, rows)
+
+    def rate_link(self) -> Relation:
+        """A path begins or ends at its waypoint's rate: u T = m v, with m of the waypoint's s per s of the path."""
+        z: Shapes = {"u": (), "v": (), "T": ()}
+        return self._relation(("rate",), z, {"m": ()}, lambda z, p: [(z.u * z.T - p.m * z.v, 0.0, 0.0)])
+
+    def near_point(self) -> Relation:
+        """The tool centre point is within a radius of a place in the world. tcp: in the flange's frame."""
+        p: Shapes = {"tcp": (3,), "place": (3,), "radius": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            return [(ca.sumsqr(self._tcp(p.tcp, z.q) - p.place) / p.radius**2, -INF, 1.0)]
+
+        return self._relation(("near",), {"q": self._all}, p, rows)
 
     def velocity_link(self) -> Relation:
         """A leg begins and ends at its waypoint's real velocity: xd T = x'."""

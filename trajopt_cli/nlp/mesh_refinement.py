@@ -28,6 +28,7 @@ from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, LegMotion, PathLeg, integrate, parabola
 from trajopt_cli.trajectories.profiles import hold
 
+_EVEN = 1e-9  # share of a path by which intervals differ by rounding.
 _LEAST_RATE = 1e-09  # of a share's rate by scaled time.
 _RAMPS = 0.45  # share of a path's changes that its first zone and its last have each.
 _RATE_LOOKS = 401  # at a motion for which a grid is made, besides its breaks.
@@ -50,6 +51,11 @@ class Grids:
         if len(problem.legs) <= settings.short_program:
             return cls(settings.fine_path_grid, settings.fine_joint_grid)
         return LONG if len(problem.legs) <= settings.few_legs else LONGER
+
+    def on(self, leg: Leg) -> int:
+        """Of a path: a corner is short."""
+        corner = leg.segment is not None and leg.segment.is_corner
+        return max(DEFAULT.first_grid, self.path // 4) if corner else self.path
 
     @property
     def rough(self) -> Grids:
@@ -93,23 +99,24 @@ def on_grid(axes: Axes, problem: Problem, iterate: Iterate, grids: Grids = LONG)
     """The motion on these grids, as near as its nodes come."""
     legs: list[LegMotion | None] = []
     for k, (leg, motion) in enumerate(zip(problem.legs, iterate.legs, strict=True)):
-        q, at_hand = iterate.q[k], motion is not None and grids.path == motion.N
+        N = grids.on(leg)
+        q, at_hand = iterate.q[k], isinstance(motion, PathLeg) and N == motion.N and _in_zones(motion)
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
             if isinstance(motion, JointProfiles) and _on_grids(axes, problem):
                 motion = _sampled(axes, motion, _with_switches(axes, leg, motion, grids.joints))
-            keep = isinstance(motion, JointProfiles) or grids.joints == motion.N
+            keep = isinstance(motion, JointProfiles) or (isinstance(motion, JointNodes) and grids.joints == motion.N)
             legs.append(motion if keep else _on_grid(axes, motion, grids.joints))
-        elif isinstance(motion, PathLeg) and at_hand:
+        elif at_hand:
             legs.append(motion)
         else:
-            grid = np.linspace(0, 1, grids.path + 1)
+            grid = np.linspace(0, 1, N + 1)
             s, v, a = parabola(grid)
-            d = np.tile(q[axes.layout.rail], (grids.path + 1, 1))  # where nothing moves
+            d = np.tile(q[axes.layout.rail], (N + 1, 1))  # where nothing moves
             nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
             if isinstance(motion, PathLeg):
-                grid = _zoned(axes, motion, grids.path)
+                grid = _zoned(axes, motion, N)
                 at, rate, _ = motion.progress(motion.T * grid, right=True)
                 x, v = at, rate * motion.T
                 a = np.diff(v, axis=0) / np.diff(grid)[:, None]
@@ -138,6 +145,12 @@ def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
     change = _behind(motion.sample(axes, times * motion.T).qd / axes.velocity)
     grid = np.interp(np.linspace(0, 1, N + 1), (times + change) / 2, times)
     return _sampled(axes, motion, grid)
+
+
+def _in_zones(motion: PathLeg) -> bool:
+    """Whether a path's grid has three zones of even intervals."""
+    steps = np.diff(motion.grid).reshape(3, -1) if motion.N % 3 == 0 else np.arange(2.0)[None]
+    return bool(np.ptp(steps, axis=1).max() < _EVEN)
 
 
 def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
@@ -332,11 +345,11 @@ class MeshRefinement:
             stage = self._finer(stage)
         return self._exchange(stage.iterate, stage.margins, stage.warm)
 
-    def _grows(self, motion: LegMotion | None, n: int) -> bool:
+    def _grows(self, leg: Leg, motion: LegMotion | None, n: int) -> bool:
         """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
         if isinstance(motion, JointNodes):
             return 2 * n >= self.axes.settings.ranking_grid and self.grids.joints > motion.N
-        return isinstance(motion, PathLeg) and self.grids.path > motion.N
+        return isinstance(motion, PathLeg) and self.grids.on(leg) > motion.N
 
     def _intervals(self, iterate: Iterate, default: int) -> int:
         """On the paths of an iterate."""
@@ -347,7 +360,7 @@ class MeshRefinement:
         settings = self.axes.settings
         iterate, margins, last = stage.iterate, [*stage.margins], self.grids.path
         n = self._intervals(iterate, last)
-        finer = [self._grows(motion, n) for motion in iterate.legs]
+        finer = [self._grows(leg, motion, n) for leg, motion in zip(self.problem.legs, iterate.legs, strict=True)]
         opened = self._open_grids(iterate, margins, self.grids if n >= settings.ranking_grid else self.grids.rough)
         if not (opened or any(finer)):
             return replace(stage, ended=True)

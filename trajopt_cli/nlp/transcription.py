@@ -21,7 +21,7 @@ from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
-from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.problem import Leg, LegKind, Passage, Problem
 from trajopt_cli.settings import Settings
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
@@ -35,6 +35,8 @@ _MOST_ZONES = 0.6  # and at most.
 # s of a joint move on a grid up to which it has DAMPING; a slower one has more in proportion. Measured on joint moves
 # of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to 125 that is 0.05 to 0.1 % slower.
 _DAMPED_AS_MUCH = 1.25
+
+_FASTEST = 50.0  # m/s or rad/s: no tool goes along a path so fast.
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
@@ -96,6 +98,13 @@ def glides(leg: Leg, settings: Settings) -> bool:
     return leg.kind is LegKind.DWELL and leg.rail_moves and leg.duration is not None and leg.duration < settings.glide
 
 
+def path_rate(axes: Axes, passage: Passage, q: Array, qd: Array) -> float:
+    """How fast the short line of a passage goes by at axes q (n,) with velocities qd, of its s [1/s]."""
+    assert passage.way is not None
+    way = passage.way.twist(np.zeros(1))[0]
+    return max(float(way @ (axes.jacobian(q, passage.X_FT) @ qd) / (way @ way)), 0.0)
+
+
 class Transcription:
     """The program for one iterate's structure: its branches, grids, which joint moves are on a grid, and which legs
     have bodies near them."""
@@ -110,6 +119,7 @@ class Transcription:
         self.waypoint_q: list[IndexArray] = []
         self.waypoint_qd: list[IndexArray] = []
         self.waypoint_qdd: list[IndexArray] = []
+        self.waypoint_rate: dict[int, int] = {}  # of those that are passed along a path
         self._smooth = formulation.smooth
         for k in range(len(problem.waypoints)):
             self._waypoint(k)
@@ -134,9 +144,26 @@ class Transcription:
         qdd = np.zeros(axes.n) if self.iterate.qdd is None else self.iterate.qdd[k]
         if stop.q is not None and self._smooth:
             self.waypoint_qdd.append(nlp.variables(qdd, qdd, qdd))
+        passage = stop.passage
+        if passage is not None and passage.way is not None:
+            rate = path_rate(axes, passage, q, qd)
+            low_u, high_u = (rate, rate) if stop.q is not None else (0.0, _FASTEST / passage.measure)
+            self.waypoint_rate[k] = int(nlp.variables([rate], low_u, high_u)[0])
         if stop.q is not None:
             self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
             self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
+            return
+        if passage is not None and passage.way is None:
+            self.waypoint_q.append(nlp.variables(q, axes.lower, axes.upper))
+            self.waypoint_qd.append(nlp.variables(qd, -axes.velocity, axes.velocity))
+            where: Parts = {
+                "tcp": passage.X_FT[:3, 3],
+                "place": (stop.X_WF @ passage.X_FT)[:3, 3],
+                "radius": passage.radius,
+            }
+            self._hold(self.formulation.near_point(), {"q": self.waypoint_q[k]}, where)
+            if axes.couplings:
+                self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
             return
         low, high = self._waypoint_range(k, stop.rail)
         d = nlp.variables(np.clip(q[rail], low, high), low, high)
@@ -151,13 +178,19 @@ class Transcription:
         if self._smooth:
             A = np.zeros(axes.n) if rest else axes.acceleration
             self.waypoint_qdd.append(nlp.variables(np.zeros(axes.n) if rest else np.clip(qdd, -A, A), -A, A))
+        way, X_FT = Line(stop.X_WF, stop.X_WF), np.eye(4)
+        if passage is not None and passage.way is not None:
+            way, X_FT = passage.way, passage.X_FT
         p = {
-            "path": Line(stop.X_WF, stop.X_WF).parameters(inverse_pose(axes.X_WB0), np.eye(4)),
+            "path": way.parameters(inverse_pose(axes.X_WB0), X_FT),
             "branch": axes.robot.expressions.branch(self.iterate.cfx[k]),
             "near": q[arm],
         }
         if rest:
             self._hold(self.formulation.resting_waypoint(), {"d": d, "q": joints}, p)
+        elif passage is not None:
+            z: dict[str, ArrayLike] = {"u": self.waypoint_rate[k], "d": d, "w": w, "q": joints, "qd": joints_v}
+            self._hold(self.formulation.passed_waypoint(), z, p)
         else:
             z = {"d": d, "w": w, "q": joints, "qd": joints_v}
             if self._smooth:
@@ -252,7 +285,10 @@ class Transcription:
             return shortest
         points = self.problem.waypoints[leg.start : leg.start + 2]
         p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
-        return max(shortest, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, mean_ramp(*leg.ramps))))
+        way = float(np.linalg.norm(p_1 - p_0))
+        if passages := [x.passage for x in points if x.passage is not None]:
+            return max(shortest, (way - sum(one.radius for one in passages)) / leg.v_tcp)
+        return max(shortest, float(trapezoid_time(way, leg.v_tcp, mean_ramp(*leg.ramps))))
 
     def _elapse(self, seconds: float) -> None:
         """The legs take so long in all."""
@@ -324,17 +360,21 @@ class Transcription:
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 
-    def _path_parameter(self, motion: PathLeg, curve: float, out: LegVariables) -> None:
-        """Variables of the path parameter going from 0 to 1, at rest at both ends, never backwards; curve: bound of its
-        second derivative."""
+    def _path_parameter(self, leg: Leg, motion: PathLeg, curve: float, out: LegVariables) -> None:
+        """Variables of the path parameter going from 0 to 1, at rest at both ends but where these are passed, never
+        backwards; curve: bound of its second derivative."""
         settings = self.axes.settings
         N = motion.N
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
         low_s[-1], high_s[0] = 1.0, 0.0
         high_v = np.full(N + 1, settings.scaled_rate)
-        high_v[[0, -1]] = 0.0
+        passed = {node: k for node, k in ((0, leg.start), (-1, leg.start + 1)) if k in self.waypoint_rate}
+        high_v[[node for node in (0, -1) if node not in passed]] = 0.0
         out.s = self.nlp.variables(motion.s, low_s, high_s)
-        out.v = self.nlp.variables(motion.v, 0.0, high_v)
+        out.v = self.nlp.variables(np.minimum(motion.v, high_v), 0.0, high_v)
+        for node, k in passed.items():
+            z = {"u": self.waypoint_rate[k], "v": out.v[node], "T": out.T}
+            self._hold(self.formulation.rate_link(), z, {"m": self.rate_share(leg, node, k)})
         if not self._smooth:
             out.a = self.nlp.variables(motion.a, -curve, curve)
             return
@@ -343,6 +383,17 @@ class Transcription:
         between = np.r_[0.0, (motion.a[1:] + motion.a[:-1]) / 2, 0.0]
         out.a = self.nlp.variables(between, -most, most)
         out.j = self.nlp.variables(np.diff(between) / np.diff(motion.grid), -settings.share_jerk, settings.share_jerk)
+
+    def rate_share(self, leg: Leg, node: int, k: int) -> float:
+        """How much of the short line of waypoint k one s of a leg is, at its node 0 or -1."""
+        passage = self.problem.waypoints[k].passage
+        assert passage is not None
+        assert passage.way is not None
+        assert leg.segment is not None
+        size = [np.linalg.norm(one.twist(np.array([at]))[0].reshape(2, 3), axis=1)
+                for one, at in ((leg.segment, float(-node)), (passage.way, 0.0))]  # fmt: skip
+        part = int(size[1][0] == 0.0)
+        return float(size[0][part] / size[1][part])
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
@@ -387,7 +438,7 @@ class Transcription:
         line = leg.kind is LegKind.LINE
         if line:
             sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow path has short ramps
-            self._path_parameter(motion, max(settings.share_curve, min(sharp, settings.sharpest)), out)
+            self._path_parameter(leg, motion, max(settings.share_curve, min(sharp, settings.sharpest)), out)
             self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
             if self._smooth:
                 self._damp_jerk(out.j[:, None], np.array([settings.typical_jerk]), motion.T)

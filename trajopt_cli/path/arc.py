@@ -187,6 +187,15 @@ class Arc(Segment):
         """Second derivative (n, 6): towards the centre, and how the rate of turning changes."""
         return np.hstack([-(self.sweep**2) * self._on_circle(s), self._turn_rates(s)[1]])
 
+    def between(self, s_0: float, s_1: float) -> Arc:
+        """The part of it from s_0 to s_1, an arc; where the tool turns at a constant rate."""
+        if not self.evenly_turned:
+            raise NotImplementedError("the part of an arc that turns unevenly is no such arc")
+        part = s_1 - s_0
+        X_0, X_1 = self.pose(np.array([s_0, s_1]))
+        turns = (part * self._turns[0],)
+        return replace(self, X_0=X_0, X_1=X_1, sweep=part * self.sweep, spin=part * self.spin, turns=turns)
+
     @property
     def symbols(self) -> ArcSymbols:
         """By how many turns it has, and whether their frame goes around."""

@@ -12,18 +12,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotations_by
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.path.line import Line, lines_along
 from trajopt_cli.path.segment import POINT, Batch, Segment, check_fractions
+from trajopt_cli.path.symbols import Curve, Flange, Layout, Symbols, rotated
+
+if TYPE_CHECKING:
+    import casadi as ca
 
 _HALF = 0.5 + 1e-9  # of a segment, with rounding
 _START, _END = np.zeros(1), np.ones(1)
+_NO_TURN = 1e-9  # rad: a turn this small has no expression
+_X = np.array([1.0, 0.0, 0.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,6 +172,37 @@ class Corner(Segment):
         return A
 
     @property
+    def whole(self) -> bool:
+        """Whether one expression is all of it: both zones are one, or nothing turns, and what turns about it does so at
+        a constant rate about axes of the tool."""
+        turns = [isinstance(one, Line) or (one.evenly_turned and one.angle < _NO_TURN) for one in self._both]
+        return self.breaks.size == 0 and all(turns)
+
+    @property
+    def _both(self) -> tuple[Segment, Segment]:
+        return self.before, self.after
+
+    @property
+    def symbols(self) -> CornerSymbols:
+        """With turns or without."""
+        if not self.whole:
+            return super().symbols  # type: ignore[return-value]
+        return CornerSymbols(any(one.angle > _NO_TURN for one in self._both))
+
+    def parameters(self, X_BA: Array, X_FT: Array) -> Array:
+        """Parameters (size,) of the expression."""
+        R_BA, (p_0, m_0, p_1, m_1) = X_BA[:3, :3], self._curve
+        X_P = X_BA @ self.after.pose(_START)[0]
+        parts: dict[str, ArrayLike] = {
+            "p_0": R_BA @ p_0 + X_BA[:3, 3], "m_0": R_BA @ m_0, "p_1": R_BA @ p_1 + X_BA[:3, 3], "m_1": R_BA @ m_1,
+            "R": X_P[:3, :3] @ X_FT[:3, :3].T, "offset": X_FT[:3, 3],
+        }  # fmt: skip
+        for i, turn in enumerate(self._turns[1:]):
+            angle = float(np.linalg.norm(turn))
+            parts |= {f"axis_{i}": X_FT[:3, :3] @ (turn / angle if angle > 0 else _X), f"angle_{i}": angle}
+        return CornerSymbols.layout.vector(parts)
+
+    @property
     def batch(self) -> Batch:
         """Corners of lines at once."""
         return _corners_along if isinstance(self.before, Line) and isinstance(self.after, Line) else super().batch
@@ -181,6 +219,47 @@ class Corner(Segment):
         first = _turn(self.before, 1 - f_0 * (1 - u) ** 2, 2 * f_0 * (1 - u), -2 * f_0)
         second = _turn(self.after, f_1 * u * u, 2 * f_1 * u, 2 * f_1)
         return first, np.asarray(first.R @ self._R_point.T), second
+
+
+@dataclass(frozen=True)
+class CornerSymbols(Symbols):
+    """The flange in a corner whose zones are one, as an expression: R(s) = R exp(-(1 - s)^2 w_0) exp(s^2 w_1) with the
+    turns w inside the zone. turning: False leaves these out."""
+
+    turning: bool = True
+    # p_i, m_i: both ends and the derivatives there; R: the flange's rotation at the point; axis_i, angle_i: the turns
+    # in the zone, before and behind the point, about axes of the flange; offset: the tool centre point in its frame
+    layout: ClassVar[Layout] = Layout(
+        {
+            **dict.fromkeys(("p_0", "m_0", "p_1", "m_1", "axis_0", "axis_1", "offset"), (3,)),
+            **dict.fromkeys(("angle_0", "angle_1"), ()),
+            "R": (3, 3),
+        }
+    )
+
+    def flange(self, p: ca.SX, s: ca.SX | float) -> Flange:
+        """The flange in the arm's base frame at s of the corner with parameters p (size,)."""
+        part = self.layout.split(p)
+        R = part["R"]
+        if self.turning:
+            R = R @ rotated(part["axis_0"], -part["angle_0"] * (1 - s) ** 2)
+            R = R @ rotated(part["axis_1"], part["angle_1"] * s**2)
+        return Flange(self._along(part, s)[0] - R @ part["offset"], R)
+
+    def curve(self, p: ca.SX, s: ca.SX) -> Curve:
+        """See Symbols."""
+        import casadi as ca
+
+        part = self.layout.split(p)
+        _, tangent, bend = self._along(part, s)
+        turn = ca.SX.zeros(3)
+        if self.turning:
+            back = rotated(part["axis_1"], -part["angle_1"] * s**2)
+            turn = 2 * (1 - s) * part["angle_0"] * (back @ part["axis_0"]) + 2 * s * part["angle_1"] * part["axis_1"]
+        return Curve(tangent, bend, turn)
+
+    def _along(self, part: dict[str, ca.SX], s: ca.SX | float) -> tuple[ca.SX, ca.SX, ca.SX]:
+        return hermite(part["p_0"], part["m_0"], part["p_1"], part["m_1"], s)
 
 
 class _Turn(NamedTuple):

@@ -78,6 +78,10 @@ class Line(Segment):
         """Lines at once."""
         return lines_along
 
+    def between(self, s_0: float, s_1: float) -> Line:
+        """The part of it from s_0 to s_1, a line."""
+        return Line(*self.pose(np.array([s_0, s_1])))
+
     @property
     def symbols(self) -> LineSymbols:
         """With a turn or without one."""

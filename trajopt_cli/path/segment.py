@@ -102,6 +102,14 @@ class Segment(ABC):
         s (m,), each on the one with its number of (m,)."""
         return _one_by_one
 
+    def between(self, s_0: float, s_1: float) -> Segment:
+        """The part of it from s_0 to s_1, with an s of its own from 0 to 1.
+
+        Raises:
+            NotImplementedError: no segment of its kind is a part of it.
+        """
+        raise NotImplementedError(f"{type(self).__name__} has no parts")
+
     @property
     def symbols(self) -> Symbols:
         """The flange on it as an expression: equal for segments that one compiled block serves."""

@@ -73,6 +73,15 @@ class Flange(NamedTuple):
     rotation: ca.SX
 
 
+class Curve(NamedTuple):
+    """First and second derivative (3,) of the tool centre point [m] by s, and its rate of turning (3,) [rad] in the
+    tool's own frame."""
+
+    tangent: ca.SX
+    bend: ca.SX
+    turn: ca.SX
+
+
 class Symbols(ABC):
     """The flange on a kind of segment as an expression of parameters (size,), by the layout's names, and of s."""
 
@@ -93,6 +102,10 @@ class Symbols(ABC):
     def tangent_rate(self, p: ca.SX, s: ca.SX) -> ca.SX | float:
         """By what angle the path's tangent turns per unit of s [rad], over the work object: length by radius."""
         return 0.0
+
+    def curve(self, p: ca.SX, s: ca.SX) -> Curve | None:
+        """How the tool goes at s where that is not evenly; None where the rates by s are its length and its angle."""
+        return None
 
 
 def flange_at_start(X_BA: Array, X_AT: Array, X_FT: Array) -> Array:

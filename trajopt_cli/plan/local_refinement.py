@@ -6,7 +6,7 @@ little is gained; equal ones are solved once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -24,6 +24,7 @@ from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged,
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
+from trajopt_cli.plan.opened_corners import opened
 from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -54,12 +55,14 @@ def refine(
     tell: Report,
     seconds: dict[str, float],
     max_workers: Callable[[], int] = lambda: 1,
+    through_corners: bool = True,
 ) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """The initial plan made faster by the nonlinear program.
 
     Where the rail may be in motion at the stops, the chain of a search with such a rail is a start, too. Runs with
-    corners stay as they are, and so do their ends; but where joint moves meet at a fly-by, a stop there is
-    tried, too. Joint moves by points that were added are one leg each, without the points.
+    corners are opened, so that their points are passed in motion; where that gains nothing, or a window of it fails,
+    they stay as they are, and so do their ends, but stops beside joint moves are tried, too. Joint moves by points that
+    were added are one leg each, without the points.
 
     Args:
         axes: of the plant.
@@ -68,6 +71,7 @@ def refine(
         tell: hears of faster plans.
         seconds: time spent, by phase; what is spent here is added.
         max_workers: how many processes may work now.
+        through_corners: whether runs with corners may be opened.
 
     Returns:
         The problem that is solved, its motion, and what a reader should know of it, one line each.
@@ -81,19 +85,27 @@ def refine(
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
-    bases, chain = [(problem, merged)], None
     sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
+    solved, best, chain = problem, merged, None
+    bases: Iterable[tuple[Problem, Iterate]] = [(problem, merged)]
     start = perf_counter()
     try:
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
+            runs = opened(axes, problem, merged) if through_corners else None
+            if runs is not None:
+                found = sweeps.run(runs.problem, runs.draft, report, partial(_tell_best, tell, duration(best)))
+                if duration(found) < duration(best) - axes.settings.least_gain:
+                    closed = runs.closed(axes, found)
+                    best = closed if clear(axes, problem, closed) else best
             with_stops = _with_stops(axes, legal.problem, legal.chain)
-            bases = [merge_via_points(axes, *one, legal.detours) for one in with_stops]
+            bases = (merge_via_points(axes, *one, legal.detours) for one in with_stops)
+            if best is not merged and not report.failed:
+                bases = []
         elif axes.layout.has_rail and problem.freedom.through_stops:
             chain = search(axes, problem)
             add(seconds, "search", perf_counter() - start)
     except Stopped:
         report.stopped = True
-    solved, best = problem, merged
     for one, base in bases:
         found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)), chain)
         if duration(found) < duration(best) - axes.settings.least_gain:
@@ -389,6 +401,8 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
     joint move takes longer than its axes and the tool's chord ask for."""
     if any(piece.passes(k) for k in range(len(piece.waypoints))):
         return False
+    if any(point.passage is not None for point in piece.waypoints):
+        return True
     if piece.coordinated and any(leg.kind is LegKind.JOINT for leg in piece.legs):
         return False
     if isinstance(piece.objective, LeastEffort):

@@ -119,7 +119,8 @@ def optimize(
         notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
-        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
+        fastest = not isinstance(objective, LeastEffort)  # a gentle motion is looked for in runs as they are
+        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers, fastest)
     elif axes.jerk is not None:
         draft = refine_laws(axes, legal, patience, seconds, max_workers)
     least, eased = duration(draft), None

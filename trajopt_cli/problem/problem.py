@@ -83,6 +83,24 @@ class LegKind(Enum):
 
 
 @dataclass(frozen=True, eq=False)
+class Passage:
+    """A place that is passed in motion inside a run that was opened. way: of the tool, a short line from here on, with
+    which the tool goes; None where joint moves meet. measure: how far the tool goes on it [m], or turns [rad]. Then the
+    tool centre point is within radius [m] of the waypoint's, its axes free. X_FT: tool in force."""
+
+    X_FT: Array
+    way: Line | None = None
+    measure: float = 1.0
+    radius: float = 0.0
+
+    @cached_property
+    def key(self) -> bytes:
+        """What is asked by it."""
+        way = b"" if self.way is None else _digits(self.way.numbers)
+        return b"|".join([_digits(self.X_FT), way, repr((self.measure, self.radius)).encode()])
+
+
+@dataclass(frozen=True, eq=False)
 class Waypoint:
     """Where a motion ends. motion: its index, -1 for the start.
 
@@ -90,7 +108,7 @@ class Waypoint:
     written: the rail value of the program as written. rest: every axis must stand still here. conf:
     the program's confdata, demanded at the written rail value; None where any configuration will do. nearest: a joint
     move ends here in the configuration nearest to where it begins. fly_by: how large its corner is, None where the TCP
-    stops.
+    stops. passage: how it is passed where a run was opened, else None.
     """
 
     motion: int
@@ -102,12 +120,14 @@ class Waypoint:
     conf: ConfData | None = None
     fly_by: FlyBy | None = None
     nearest: bool = False
+    passage: Passage | None = None
 
     @cached_property
     def key(self) -> bytes:
         """What is asked at it: equal where the same is, wherever it stands in a program."""
         asked = self.rail, self.written, self.rest, self.conf, self.fly_by, self.nearest
         parts = [_digits(self.X_WF), repr(asked).encode(), b"" if self.q is None else _digits(self.q)]
+        parts += [] if self.passage is None else [self.passage.key]
         return b"|".join(parts)
 
 
@@ -219,7 +239,7 @@ class Problem:
         """Of a cycle the legs from waypoint last on, and behind them those up to waypoint first."""
         waypoints = (*self.waypoints[last:], *self.waypoints[1 : first + 1])
         legs = [replace(leg, start=k) for k, leg in enumerate((*self.legs[last:], *self.legs[:first]))]
-        return replace(self, waypoints=waypoints, legs=tuple(legs), stations=_stations(legs, len(waypoints)), ties=())
+        return replace(self, waypoints=waypoints, legs=tuple(legs), stations=stations_of(legs, len(waypoints)), ties=())
 
     def without_settling(self) -> tuple[Problem, float]:
         """The problem whose stops do not settle, with no ties, and what settling takes in this one [s]: every legal
@@ -228,7 +248,9 @@ class Problem:
         kept = [k for k, wait in enumerate(waits) if wait is None or not wait.settles]
         legs = [replace(self.legs[k], start=i) for i, k in enumerate(kept)]
         waypoints = (self.waypoints[0], *(self.waypoints[k + 1] for k in kept))
-        apart = replace(self, waypoints=waypoints, legs=tuple(legs), stations=_stations(legs, len(waypoints)), ties=())
+        apart = replace(
+            self, waypoints=waypoints, legs=tuple(legs), stations=stations_of(legs, len(waypoints)), ties=()
+        )
         return apart, sum(wait.duration for wait in waits if wait is not None and wait.settles)
 
     def passes(self, k: int) -> bool:
@@ -243,7 +265,7 @@ class Problem:
 
     def rests(self, k: int) -> bool:
         """Whether every axis stands still at waypoint k."""
-        if self.passes(k):
+        if self.passes(k) or self.waypoints[k].passage is not None:
             return False
         return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
@@ -323,7 +345,7 @@ def build_problem(
         freedom,
         tuple(waypoints),
         tuple(_timed(leg, waypoints) for leg in _loaded(program, plant, _at_rest(build.legs, program, target))),
-        _stations(build.legs, len(waypoints)),
+        stations_of(build.legs, len(waypoints)),
         frozenset(dropped),
         target,
         Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
@@ -663,7 +685,8 @@ def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
     return a[1] < b[0] or b[1] < a[0]
 
 
-def _stations(legs: list[Leg], count: int) -> tuple[tuple[int, int], ...]:
+def stations_of(legs: Sequence[Leg], count: int) -> tuple[tuple[int, int], ...]:
+    """The stations of so many waypoints: from one joint move to the next."""
     starts = [0] + [leg.start + 1 for leg in legs if leg.kind is LegKind.JOINT]
     ends = [start - 1 for start in starts[1:]] + [count - 1]
     return tuple(zip(starts, ends, strict=True))

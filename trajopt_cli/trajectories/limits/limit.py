@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.path.symbols import Curve
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.leg_trajectories import Sample
@@ -119,11 +120,13 @@ class NodeMotion:
 @dataclass(frozen=True, eq=False)
 class Share:
     """First derivative v and second ones a, by side, of the share of a line or an arc. inward: part of the tool's
-    acceleration towards the centre of an arc by v^2 and the length of its way, 0 on a line."""
+    acceleration towards the centre of an arc by v^2 and the length of its way, 0 on a line. curve: how the tool goes by
+    the share in a corner, None elsewhere."""
 
     v: ca.SX
     a: Sequence[ca.SX]
     inward: ca.SX | float
+    curve: Curve | None = None
 
 
 class Limit(ABC):

@@ -32,10 +32,12 @@ class ToolCap(IntEnum):
 
 
 class ToolKind(NamedTuple):
-    """Which caps a leg has, and whether speeding up and slowing down along the path are limited by themselves."""
+    """Which caps a leg has, whether speeding up and slowing down along the path are limited by themselves, and whether
+    it is a corner."""
 
     caps: tuple[ToolCap, ...]
     along: bool
+    corner: bool = False
 
 
 class ToolLimit(Limit):
@@ -105,7 +107,8 @@ class ToolLimit(Limit):
         if leg.kind is LegKind.DWELL:
             return None
         caps = tuple(cap for cap, x in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True) if np.isfinite(x))
-        return ToolKind(caps, leg.along is not None) if caps else None
+        corner = leg.segment is not None and leg.segment.is_corner
+        return ToolKind(caps, leg.along is not None, corner) if caps else None
 
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         """Caps, of the share of a path or in metres; ramps: speeding up and slowing down along the path, of a path as
@@ -120,7 +123,9 @@ class ToolLimit(Limit):
         share = margin[:, ToolCap.ACCELERATION]
         out = {} if on_path else {"tcp": np.tile(leg.X_FT[:3, 3], (len(margin), 1))}
         if on_path:
-            out["caps"] = np.array([leg.chord, leg.chord, leg.fastest_turn]) / caps / margin
+            corner = leg.segment is not None and leg.segment.is_corner
+            ways = [1.0, 1.0, 1.0] if corner else [leg.chord, leg.chord, leg.fastest_turn]
+            out["caps"] = np.array(ways) / caps / margin
         else:
             out["caps"] = np.where(np.isfinite(caps), caps, 1.0) * margin
         if leg.along is not None and on_path:
@@ -175,9 +180,19 @@ class ToolLimit(Limit):
 
 
 def _path_rows(kind: ToolKind, node: NodeMotion, p: Any) -> list[Row]:
-    """Of a line or an arc, by its share: L |a| <= a_tcp T^2, on an arc with the part towards the centre, squared."""
+    """Of a line or an arc, by its share: L |a| <= a_tcp T^2, on an arc with the part towards the centre, squared. Of a
+    corner by its curve p(s): |p' a + p'' v^2| <= a_tcp T^2, squared."""
     assert node.share is not None
     v, T, inward = node.share.v, node.T, node.share.inward
+    if (curve := node.share.curve) is not None:
+        import casadi as ca
+
+        return [
+            ((p.caps[0] * v / T) ** 2 * ca.sumsqr(curve.tangent), -INF, 1.0),
+            ((p.caps[2] * v / T) ** 2 * ca.sumsqr(curve.turn), -INF, 1.0),
+            *(((p.caps[1] / T**2) ** 2 * ca.sumsqr(curve.tangent * a + curve.bend * v**2), -INF, 1.0)
+              for a in node.share.a),
+        ]  # fmt: skip
     out: list[Row] = [(p.caps[0] * v / T, -1.0, 1.0), (p.caps[2] * v / T, -1.0, 1.0)]
     for a in node.share.a:
         if isinstance(inward, float):
