@@ -22,6 +22,7 @@ from legal_runs import (
     arc_alone,
     driven,
     joint_joint,
+    joint_line,
     line_line,
     parts_of,
     rounded_rail,
@@ -312,3 +313,53 @@ def joint_move_bent_outside_its_zones() -> Judged:
     t_0, t_1 = (time_at(0.05 + x, 0.16) for x in (1.2 * R, 0.06 - 1.2 * R))
     case = bumped(case, t_0, t_1, (), 2 * OVER * tol.JOINT_TARGET, axis=2)
     return case, case.rows(), Target.RAPID
+
+
+LINE_BETWEEN = 0.16  # the way of joint_line
+
+
+@spoiled("line position", "TCP", 13)
+def line_joined_beyond_the_zone() -> Judged:
+    """A joint move comes to its line 0.25 mm beyond the zone, and the next one leaves it as much too early."""
+    q = [arm_at(joint_line().plant, X[None], None)[0] for X in (P0, P1, P2, P3)]
+    legs = [JointMove(q[0], q[1]), Line(P1, P2), JointMove(q[2], q[3])]
+    case = ran(joint_line(), legs, [(R + 0.25e-3, R + 0.25e-3)] * 2)
+    return case, case.rows(), None
+
+
+@spoiled("line rotation", "TCP", 13)
+def turned_on_the_line_beside_a_joint_move() -> Judged:
+    t_0, t_1 = (time_at(0.05 + x * R, LINE_BETWEEN) for x in (1.05, 2.5))
+    case = bumped(joint_line(), t_0, t_1, [0, 0, 0, 0, 0, 1.0], 2 * OVER * tol.LINE_ROTATION)
+    return case, case.rows(), None
+
+
+@spoiled("programmed speed", "TCP", 12)
+def too_fast_in_the_corner_beside_a_joint_move() -> Judged:
+    """The run at v200; only within the zone faster."""
+    case = joint_line()
+    first, *motions = case.program.motions
+    slow = [replace(motion, speed=V200) for motion in motions]  # type: ignore[call-arg]
+    case = replace(case, program=program(first, *slow))
+    return faster_between(case, *(time_at(0.05 + x, LINE_BETWEEN) for x in (-0.8 * R, 0.8 * R)), 2.0)
+
+
+@spoiled("rail along line", "rail", 14)
+def rail_sways_on_a_line_behind_a_corner() -> Judged:
+    """A stream may do that; a RAPID controller leads the rail in proportion."""
+    case = with_swaying_rail(OVER * tol.JOINT_TARGET)
+    return case, case.rows(), Target.RAPID
+
+
+def with_swaying_rail(high: float) -> Case:
+    """Line, arc and line with corners, the rail off its share on the last line by so much [m], in the middle of it."""
+    legs = [Line(P0, P1), Arc.through(P1, VIA, turned(P2, 0.3)), Line(turned(P2, 0.3), P3)]
+    edges = np.r_[0.0, np.cumsum([leg.length for leg in legs])]
+    straight, a, b = rounded_rail(RAILS, edges, [TURN] * 2), edges[2] + 1.1 * TURN, edges[3]
+
+    def rail(sigma: Array) -> tuple[Array, Array]:
+        d, rate = straight(sigma)
+        u = np.clip((sigma - a) / (b - a), 0, 1)
+        return d + high * np.sin(np.pi * u) ** 2, rate + high * np.pi / (b - a) * np.sin(2 * np.pi * u)
+
+    return ran(with_rail(), legs, [(R, TURN)] * 2, rail=rail)

@@ -32,6 +32,7 @@ from legal_runs import (
     Z0,
     Z10,
     contour,
+    joint_line,
     leaning,
     line_line,
     move_abs,
@@ -42,7 +43,7 @@ from legal_runs import (
     turns_in_place,
     with_rail,
 )
-from spoiled_runs import faster_between
+from spoiled_runs import bumped, faster_between, with_swaying_rail
 from test_judge_legal import printed
 
 from trajopt_cli.errors import InputError
@@ -350,3 +351,24 @@ def test_a_small_hairpin_between_two_rows_is_legal(step: float) -> None:
     case = run_case(motions, [PathLine(P0, P1), PathLine(P1, X_2)], [(Z0.radius, Z0.radius)], v=0.042)
     report = verify(case.program, case.plant, case.rows(grid_only=True, step=step))
     assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+FREE = {
+    "the rail sways on a line": lambda: with_swaying_rail(1e-3),
+    "beside a joint move elsewhere in the sphere": lambda: in_the_corner(
+        joint_line(), 0.16, [0, 0, 1.0, 0, 0, 0], 1e-3
+    ),
+    "another curve in the triangle": lambda: in_the_corner(line_line(), 0.11, [-1.0, 1.0, 0, 0, 0, 0], 1e-3),
+}
+
+
+def in_the_corner(case: Case, length: float, twist: list[float], high: float) -> Case:
+    """The TCP aside by high * twist in the corner around its first point."""
+    return bumped(case, *(time_at(0.05 + x, length) for x in (-0.9 * Z10.radius, 0.9 * Z10.radius)), twist, high)
+
+
+@pytest.mark.parametrize("name", FREE)
+def test_a_stream_is_free_within_its_corridor(name: str) -> None:
+    """No form is asked for in a zone, nor a share of the path of the rail."""
+    case = FREE[name]()
+    assert verify(case.program, case.plant, case.rows(), target=Target.STREAM).legal
