@@ -155,8 +155,6 @@ class Settings:
     # reach between two nodes, a thousandth of its acceleration was left and no solve converged.
 
     # rows of the written file
-    slower: tuple[float, ...] = (1.0, 1.001, 1.01, 1.1, 1.5, 3.0)  # times as long as the first legal motion, where rows
-    # of a faster one are not legal. Not measured.
     row_step: float = 0.001  # s, the grid: what a machine that follows a stream takes. Not measured.
     longest_motion: float = 3600.0  # s on one motion in which something moves. Measured: 38 s of processor, 0.9 GB for
     # that long

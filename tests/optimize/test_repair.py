@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -12,13 +13,18 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, timed
 from trajopt_cli.plan.detour_planner import coordinated
+from trajopt_cli.plan.initial_plan import InitialPlan
+from trajopt_cli.plan.local_refinement import refine
+from trajopt_cli.plan.output_rows import rows_of
 from trajopt_cli.plan.rail_refinement import refine_rail
-from trajopt_cli.plan.repair import timed_in_time
+from trajopt_cli.plan.repair import timed_in_time, with_legal_rows
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_legs
+from trajopt_cli.trajectory import Trajectory
 
 TWO_WAITS = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v300, fine, tool0;
@@ -57,3 +63,46 @@ def test_a_way_in_a_wait_that_is_too_far_is_shortened_to_what_the_rail_can(targe
         assert 0.97 * most < shorter.q[k + 1, 0] - shorter.q[k, 0] <= most * (1 + 1e-9)
         assert problem.legs[k].duration == draft.legs[k].T
     assert all(one.worst <= 1 + 1e-6 for one in check_legs(axes, problem.legs, draft.legs))
+
+
+def accelerations(trajectory: Trajectory) -> np.ndarray:
+    """Of the cubics between rows, at both ends of each (2, rows - 1, n)."""
+    assert trajectory.qd is not None
+    h = np.diff(trajectory.t)[:, None]
+    slope, before, behind = np.diff(trajectory.q, axis=0) / h, trajectory.qd[:-1], trajectory.qd[1:]
+    return np.stack([6 * slope - 4 * before - 2 * behind, 2 * before + 4 * behind - 6 * slope]) / h
+
+
+@pytest.mark.usefixtures("coarse")
+@pytest.mark.parametrize("in_motion", [False, True])
+def test_rows_that_pass_a_limit_are_mended_where_they_do(in_motion: bool) -> None:
+    """The limits are lowered by a hair behind the planner's back. Red where the whole plan is slowed, which makes
+    speeds jump where a wait begins in motion, and where nothing is mended."""
+    plant = plant_with_rail((-0.2, 2.4))
+    axes, problem = Axes.of(plant), problem_of(rapid(TWO_WAITS, data=FAR), plant)
+    chain = search(axes, coordinated(problem))
+    assert chain is not None
+    chain = refine_rail(axes, problem, chain)
+    draft = timed(axes, problem, chain)
+    if in_motion:
+        _, draft, _ = refine(axes, InitialPlan(problem, chain, draft), Patience(), lambda _: None, {})
+        assert np.abs(draft.qd[:, 0]).max() > 0.1
+    assert not len(rows_of(axes, problem, draft)[2])
+    below = 6e-5  # more than the 3e-5 and 5e-5 that a clean motion leaves of a limit
+    limits = replace(plant.limits, acceleration=plant.limits.acceleration * (1 - below * np.eye(7)[0]))
+    lower = replace(plant, limits=limits)
+    tight, asked = Axes.of(lower), replace(problem, plant=lower)
+    assert len(rows_of(tight, asked, draft)[2])
+    mended = with_legal_rows(tight, asked, draft, Patience())
+    assert mended is not None
+    trajectory, bounds = mended.rows
+    assert np.abs(accelerations(trajectory)).max(axis=(0, 1))[0] <= limits.acceleration[0] * (1 + 2e-6)
+    assert 0 < bounds[-1] / sum(motion.T for motion in draft.legs) - 1 < 2e-3
+    kept = [now is then for now, then in zip(mended.draft.legs, draft.legs, strict=True)]
+    assert any(kept) != in_motion
+    assert not all(kept)
+    for leg, motion in zip(problem.legs, mended.draft.legs, strict=True):
+        assert leg.duration is None or leg.duration == motion.T
+    ends = [motion.sample(axes, np.array([0.0, motion.T])) for motion in mended.draft.legs]
+    for one, then in pairwise(ends):
+        np.testing.assert_allclose(one.qd[1], then.qd[0], atol=1e-7)

@@ -389,6 +389,22 @@ class MeshRefinement:
             found, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_refined)
         return self._exchange(found, margins, warm)
 
+    def tightened(self, iterate: Iterate, legs: Sequence[int], share: float) -> Iterate:
+        """From a clean iterate to one that uses at most this share of every limit on some legs.
+        Raises NotConverged and Stopped."""
+        iterate = on_grid(self.axes, self.problem, iterate, self.grids)
+        margins = self.margins(iterate)
+        for k in legs:
+            motion = iterate.legs[k]
+            if isinstance(motion, JointProfiles):
+                margins[k] = Margins.full(self.axes, self.grids.joints, on_path=False)
+            own = margins[k]
+            for margin in own.by_name.values() if own is not None else ():
+                margin *= share
+        iterate = self._with_grids(iterate, margins)
+        found, *warm = self._solve(self._slowed(iterate, margins), margins, self.axes.settings.barrier_refined)
+        return self._exchange(found, margins, warm)
+
     def _first(self, iterate: Iterate, margins: list[Margins | None]) -> tuple[Iterate, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from an iterate already on the last grid."""
         settings = self.axes.settings

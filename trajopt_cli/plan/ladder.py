@@ -1,7 +1,7 @@
 """The ladder of plans: from the fastest that is found for a target down to the first that the judge accepts.
 
-1. The initial plan, refined: `solve.optimize`, which itself goes back to the initial plan, slower and slower, where
-   rows of the file would pass a limit.
+1. The initial plan, refined: `solve.optimize`. Where rows of the file would pass a limit, the legs there are mended
+   (plan.repair); where they cannot be, it is the initial plan.
 2. The plan of the rung below, which may change less: the RAPID plan for a stream, the program as written for RAPID.
 3. The fallback plan, which stops at every point: `solve.slow_plan`.
 

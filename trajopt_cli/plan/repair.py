@@ -1,25 +1,39 @@
 """Repair of a plan where it is broken, leg by leg: what is legal elsewhere stays as it is.
 
-A leg that has less time than its way takes goes less far with the rail.
+A leg that has less time than its way takes goes less far with the rail. Where the rows of a file pass a limit between
+them, the legs there from one rest to the next are driven a hair slower; where one among them has a time of its own, and
+is entered or left in motion, they are solved again with less of every limit.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trajopt_cli.collision.collision_scene import collision_scene_of
+from trajopt_cli.collision.motion_collision import clear
+from trajopt_cli.geometry import Array
+from trajopt_cli.nlp.formulation import Formulation
+from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, slowed
 from trajopt_cli.path_timing.edge_times import Times
-from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration
 from trajopt_cli.plan.detour_planner import NoClearPath, timed_clear
+from trajopt_cli.plan.output_rows import rows_of
 from trajopt_cli.plan.rail_refinement import refine_rail
+from trajopt_cli.plan.subproblems import Span, Window
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.route import Route
+from trajopt_cli.trajectory import Trajectory
 
 _SHORTENINGS = 3  # times that the way in one leg is shortened
+_ROW_ROUNDS = 16  # of mending rows; each is twice as strong as the one before it
 _HAIR = 1e-4  # share of its time that a shortened leg has to spare
 _SAME = 1e-9  # m, rad
 
@@ -62,3 +76,64 @@ def timed_in_time(
                 if np.abs(shorter.q - chain.q).max() < _SAME:
                     raise
             chain = shorter
+
+
+@dataclass(frozen=True, eq=False)
+class Mended:
+    """A motion with its rows and the boundaries of its legs (L + 1,) [s], and what a reader should know of it."""
+
+    draft: Iterate
+    rows: tuple[Trajectory, Array]
+    notes: tuple[str, ...]
+
+
+def with_legal_rows(axes: Axes, problem: Problem, draft: Iterate, patience: Patience) -> Mended | None:
+    """A clean motion whose rows keep every limit between them, too: as it is, or mended where they do not; None where
+    that cannot be."""
+    took = duration(draft)
+    rounds = Counter[Span]()
+    for _ in range(_ROW_ROUNDS):
+        trajectory, bounds, over = rows_of(axes, problem, draft)
+        if not len(over):
+            notes = _told(problem, [*rounds], duration(draft) / took - 1) if rounds else ()
+            return Mended(draft, (trajectory, bounds), notes)
+        legs = np.unique(np.searchsorted(bounds, over, side="right") - 1).tolist()
+        for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs}):
+            share = (axes.settings.hardly - 1) * 2.0 ** rounds[span]
+            rounds[span] += 1
+            found = _gentler(axes, problem, draft, span, [k for k in legs if span[0] <= k < span[1]], share, patience)
+            if found is None:
+                return None
+            draft = found
+    return None
+
+
+def _told(problem: Problem, spans: Sequence[Span], longer: float) -> tuple[str, ...]:
+    """Where the motion is slower than found, and by what share of the cycle."""
+    where = ", ".join(str(problem.motion(problem.legs[first].motion).source) for first, _ in sorted(spans))
+    return (f"{where}: slower there, by {100 * longer:.2g} % of the cycle: the file's rows would have passed a limit",)
+
+
+def _from_rest_to_rest(problem: Problem, draft: Iterate, k: int) -> Span:
+    """The legs around leg k, itself among them, from a waypoint at rest to the next one."""
+    at_rest = [not problem.passes(i) and not draft.qd[i].any() for i in range(len(problem.waypoints))]
+    first = next((i for i in range(k, 0, -1) if at_rest[i]), 0)
+    return first, next((i for i in range(k + 1, len(problem.legs)) if at_rest[i]), len(problem.legs))
+
+
+def _gentler(
+    axes: Axes, problem: Problem, draft: Iterate, span: Span, legs: Sequence[int], share: float, patience: Patience
+) -> Iterate | None:
+    """The motion with a span so much slower, or with so much less of every limit on some of its legs; None where no
+    such motion is found."""
+    window = Window.of(problem, draft, span)
+    timed = any(leg.duration is not None for leg in window.problem.legs)
+    if not timed and not isinstance(problem.objective, LeastEffort):
+        return window.put(slowed(window.problem, window.draft, 1 + share), draft)
+    scene = collision_scene_of(window.problem)
+    refiner = MeshRefinement(axes, Formulation(axes), window.problem, patience, Grids.of(problem), scene)
+    try:
+        found = refiner.tightened(window.draft, [k - span[0] for k in legs], 1 - 2 * share)
+    except (NotConverged, Stopped):
+        return None
+    return window.put(found, draft) if clear(axes, window.problem, found) else None

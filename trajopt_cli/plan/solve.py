@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
@@ -12,12 +12,11 @@ import numpy as np
 from trajopt_cli.bound.lower_bound import lower_bound
 from trajopt_cli.collision.merge_via_points import detours_left
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Hold, Program, Wait, motion_name
-from trajopt_cli.nlp.mesh_refinement import slowed
 from trajopt_cli.path_timing.path_parameterized_plan import duration
-from trajopt_cli.path_timing.positioner_timing import switches, turning, with_tables
+from trajopt_cli.path_timing.positioner_timing import turning
 from trajopt_cli.plan.fallback_plan import fallback_motion
 from trajopt_cli.plan.initial_plan import (
     InitialPlan,
@@ -29,7 +28,8 @@ from trajopt_cli.plan.initial_plan import (
 )
 from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import least_effort_plan
-from trajopt_cli.plan.output_rows import output_rows
+from trajopt_cli.plan.output_rows import motions_of, rows_of
+from trajopt_cli.plan.repair import with_legal_rows
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
 from trajopt_cli.problem.editable import Changes
@@ -46,14 +46,13 @@ from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.trajectory import Trajectory
 
-_DENSER = 6  # times that rows are put between rows where the cubic passes a limit.
-_RESIDUAL = 1e-14  # rad or m: rounding of a position in a row.
-
 _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
 )
 _CUT_BOUND = "the bound was not proved to its end for want of time: it holds, but a better one may"
-_SLOWED = "the whole plan is slowed down: between rows of the file a limit would have been passed"
+_FIRST = (
+    "the plan is the first legal one: between rows of the file the faster one passes a limit, wherever it is mended"
+)
 _HOLD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 _UNIT = "the rail's unit is not active there: ActUnit before it, or DeactUnit where the rail stands in reach"
 _HELD = {Hold.CELL: _HOLD, Hold.PROGRAM: _HOLD, Hold.UNIT: _UNIT}
@@ -136,15 +135,13 @@ def optimize(
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
     _check_lengths(program, problem, draft)
-    rows = None
-    for rung in _slower(legal, problem, draft, eased):
-        rows = _rows(axes, rung.problem, rung.draft)
-        if rows is not None:
-            problem, draft, eased = rung.problem, rung.draft, rung.eased
-            notes = rung.notes or notes
-            break
-    if rows is None:
+    mended = with_legal_rows(axes, problem, draft, patience)
+    if mended is None:
+        problem, eased, notes = legal.problem, None, (_FIRST,)
+        mended = with_legal_rows(axes, problem, legal.draft, patience)
+    if mended is None:
         raise NoCleanPlan("between two rows of the file the motion would pass a limit")
+    draft, rows, notes = mended.draft, mended.rows, (*notes, *mended.notes)
     trajectory = rows[0]
     bound: float | None = None
     if bounded and not patience.interrupted:
@@ -176,30 +173,10 @@ def optimize(
     return _with_detours(folded(plan, program, legal.detours), driven)
 
 
-@dataclass(frozen=True, eq=False)
-class _Rung:
-    """A motion whose rows may be legal. notes: what a reader should know of it instead of what is known."""
-
-    problem: Problem
-    draft: Iterate
-    eased: Eased | None = None
-    notes: tuple[str, ...] = ()
-
-
-def _slower(legal: InitialPlan, problem: Problem, draft: Iterate, eased: Eased | None) -> Iterator[_Rung]:
-    """The motion found; it a hair slower, as a limit may be passed between the places of the dense check; and the
-    initial plan, slower and slower."""
-    yield _Rung(problem, draft, eased)
-    if eased is None:
-        yield _Rung(problem, slowed(problem, draft, problem.plant.settings.hardly))
-    for times in problem.plant.settings.slower:
-        yield _Rung(legal.problem, slowed(legal.problem, legal.draft, times), notes=(_SLOWED,))
-
-
 def _plan(
     axes: Axes, problem: Problem, draft: Iterate, target: Target, rows: tuple[Trajectory, Array], notes: tuple[str, ...]
 ) -> Plan:
-    legs, (trajectory, bounds) = _motions(draft), rows
+    legs, (trajectory, bounds) = motions_of(draft), rows
     motions = _planned(axes, problem, draft, legs, bounds)
     return Plan(target, trajectory, motions, None, _grid(legs, problem), notes=notes)
 
@@ -214,9 +191,9 @@ def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes |
         if isinstance(problem, Infeasible) or draft is None:
             continue
         _check_lengths(program, problem, draft)
-        rows = _rows(axes, problem, draft)
-        if rows is not None:
-            return _plan(axes, problem, draft, target, rows, (_SLOW.format(why=why),))
+        trajectory, bounds, over = rows_of(axes, problem, draft)
+        if not len(over):
+            return _plan(axes, problem, draft, target, (trajectory, bounds), (_SLOW.format(why=why),))
     return None
 
 
@@ -289,59 +266,6 @@ def _check_lengths(program: Program, problem: Problem, draft: Iterate) -> None:
             text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to"
             text += f" {settings.longest_motion:g} s: give it another speed or time, or a part of its way"
             raise InputError(text, file=one.source.file, line=one.source.line, column=one.source.column)
-
-
-def _rows(axes: Axes, problem: Problem, draft: Iterate) -> tuple[Trajectory, Array] | None:
-    """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
-    where that does not help."""
-    legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
-    more = switches(problem, legs)
-    for _ in range(_DENSER + 1):
-        trajectory, bounds = output_rows(axes, legs, end, more, busy)
-        over = _passing(axes, trajectory)
-        if not len(over):
-            return with_tables(problem, legs, trajectory, bounds), bounds
-        gaps = np.diff(trajectory.t)[over]
-        if gaps.min() < 2 * axes.settings.least_row_step:
-            return None
-        more += list(trajectory.t[over] + gaps / 2)
-    return None
-
-
-def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
-    """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
-    rounding does to rows that stand near each other: less than the judge grants for it, also late in a cycle."""
-    assert trajectory.qd is not None
-    eps, over = float(np.finfo(np.float64).eps), np.zeros(len(trajectory.t) - 1, dtype=bool)
-    for first in range(0, len(over), axes.settings.batch):
-        rows = slice(first, first + axes.settings.batch + 1)
-        t, q, qd = trajectory.t[rows], trajectory.q[rows], trajectory.qd[rows]
-        h = np.diff(t)[:, None]
-        c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
-        # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have
-        # fewer digits, which matters as much as an axis moves meanwhile
-        off, late = _RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
-        noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
-        bend = 6 * (c - (qd[1:] + qd[:-1]) / 2) / h  # from the middle's acceleration to that at either end
-        lower, upper = axes.plant.limits.acceleration_at(q)
-        # the mean acceleration between two speeds is judged by itself, too, and rounding does less to it
-        speeds = (np.abs(change) * late + 8 * eps * top) / h
-        passed = top > axes.velocity * (1 + 1e-6)
-        for qdd, end in ((change + bend, slice(None, -1)), (change - bend, slice(1, None))):
-            passed |= np.maximum(qdd - upper[end] * (1 + 1e-6), -qdd - lower[end] * (1 + 1e-6)) > noise
-        most = np.where(change > 0, np.maximum(upper[1:], upper[:-1]), np.maximum(lower[1:], lower[:-1]))
-        passed |= np.abs(change) > most * (1 + 1e-6) + speeds
-        over[first : first + len(h)] = passed.any(axis=1)
-    return np.flatnonzero(over)
-
-
-def _end(problem: Problem, draft: Iterate) -> Array:
-    stop = problem.waypoints[-1]
-    return stop.q if stop.q is not None else draft.q[-1]
-
-
-def _motions(draft: Iterate) -> list[LegMotion]:
-    return [motion for motion in draft.legs if motion is not None]
 
 
 def _grid(legs: list[LegMotion], problem: Problem) -> str:
