@@ -156,6 +156,8 @@ class Settings:
 
     # rows of the written file
     row_step: float = 0.001  # s, the grid: what a machine that follows a stream takes. Not measured.
+    long_rest: float = 60.0  # s from which a rest has its first and its last row alone: readers of a file expect even
+    # rows. Measured: a wait of 59 s is 59,000 rows, 5 MB.
     longest_motion: float = 3600.0  # s on one motion in which something moves. Measured: 38 s of processor, 0.9 GB for
     # that long
     least_row_step: float = 1e-05  # s; no two rows are nearer, or differences of rounded rows say nothing. Not

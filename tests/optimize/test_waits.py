@@ -6,18 +6,21 @@ from functools import cache
 
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
+from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.plan import optimize
+from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.execution.rail_hold import without_unasked
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario, Settling
+from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.profiles import hold
 
 pytestmark = pytest.mark.usefixtures("coarse")
 
@@ -65,6 +68,17 @@ def test_a_day_is_two_rows_and_what_moves_besides(target: Target) -> None:
     assert wait.t_1 - wait.t_0 == pytest.approx(DAY, abs=1e-9)
     assert np.diff(plan.trajectory.t).max() > 0.99 * DAY
     assert len(plan.trajectory.t) < 10_000
+
+
+@pytest.mark.parametrize(("rest", "rows"), [(59.0, 59_001), (60.0, 2)])
+def test_a_rest_has_even_rows_up_to_a_minute_and_two_from_there_on(rest: float, rows: int) -> None:
+    axes, q = Axes.of(plant_with_rail()), np.r_[0.3, HOME]
+    trajectory, _ = output_rows(axes, [hold(rest, q)], q)
+    assert len(trajectory.t) == rows
+    np.testing.assert_allclose(np.diff(trajectory.t), rest / (rows - 1), rtol=1e-6)
+    assert trajectory.qd is not None
+    assert not trajectory.qd.any()
+    assert (trajectory.q == q).all()
 
 
 @cache

@@ -58,8 +58,8 @@ def joint(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Joint positions and speeds at a fixed rate, the exact end as last row: of trajectory.csv, by default
-    the stream plan, or of an iiwa's joints.csv.
+    """Joint positions and speeds at a fixed rate, also in rests, the exact end as last row: of trajectory.csv,
+    by default the stream plan, whose rests of a minute or more are two rows; or of an iiwa's joints.csv.
 
     \b
     Example:

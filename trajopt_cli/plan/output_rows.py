@@ -1,7 +1,7 @@
 """From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between.
 
-What moves for longer than a minute has a wider grid, whole milliseconds and 20 of them at most. Where nothing moves
-from one of them to the next there is no grid: the cubic between two rows at rest stays where it is.
+What moves for longer than a minute has a wider grid, whole milliseconds and 20 of them at most. A rest of a minute or
+more has no grid: the cubic between its first row and its last stays where it is.
 """
 
 from __future__ import annotations
@@ -74,7 +74,8 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], b
     inside = np.array([t for t in more if start < t < end])
     marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks, settings.least_row_step)]]))
     every = settings.row_step * float(np.clip(np.ceil(leg.T / _LONG_MOTION), 1, _ROWS_WIDEST))
-    grid = _grid(start + leg.breaks(), ~leg.resting() | busy, every)
+    even = ~leg.resting() | busy | (np.diff(leg.breaks()) < settings.long_rest)
+    grid = _grid(start + leg.breaks(), even, every)
     return np.unique(
         np.concatenate([marks, grid[_apart(grid, marks, settings.least_row_step) & (grid > start) & (grid < end)]])
     )
@@ -87,9 +88,9 @@ def _apart(times: Array, marks: Array, least: float) -> BoolArray:
     return np.asarray(np.minimum(np.abs(times - before), np.abs(times - after)) >= least)
 
 
-def _grid(breaks: Array, moving: BoolArray, every: float) -> Array:
-    """The grid times from break to break (N+1,) while something moves (N,), so many ROW_EVERY apart."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]])))
+def _grid(breaks: Array, even: BoolArray, every: float) -> Array:
+    """The grid times from break to break (N+1,) where rows are even (N,), so many ROW_EVERY apart."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]])))
     ticks = [
         np.arange(np.ceil(breaks[a] / every - 1e-9), np.floor(breaks[b] / every + 1e-9) + 1)
         for a, b in zip(edges[::2], edges[1::2], strict=True)
