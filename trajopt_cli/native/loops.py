@@ -32,28 +32,30 @@ class Loop:
     dense."""
 
     def __init__(self, address: int, kinds: Sequence[str], library: object):
-        self._kinds, self._keeps = kinds, library
+        self._keeps = library
+        self._kinds: list[tuple[Any, int, bool]] = []  # of an array: what is in it, its dimensions, whether dense
         types: list[Any] = []
-        for kind in kinds:  # of an array: who keeps it twice, length, bytes of one, address, lengths and strides
-            types += (
-                [_SCALARS[kind]] if kind in _SCALARS else [ctypes.c_ssize_t] * (5 + 2 * int(kind.split(", ")[1][0]))
-            )
+        for kind in kinds:
+            of, dimensions, order = (*kind.removeprefix("array(").rstrip(")").split(", "), "0d", "")[:3]
+            n = int(dimensions[0])
+            self._kinds.append((np.dtype(of), n, order == "C"))
+            # an array is who keeps it twice, length, bytes of one, address, lengths and strides
+            types += [ctypes.c_ssize_t] * (5 + 2 * n) if n else [_SCALARS[kind]]
         self._call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *types)(address)
         self._out = np.zeros(2)  # for what it returns or raises, which is nothing
+        self._ends = self._out.ctypes.data, self._out.ctypes.data + 8
 
     def __call__(self, *given: NDArray[np.generic] | float) -> None:
         """Call it. Raises TypeError for an array of another kind."""
         flat: list[Any] = []
-        for one, kind in zip(given, self._kinds, strict=True):
+        for one, (of, dimensions, dense) in zip(given, self._kinds, strict=True):
             if not isinstance(one, np.ndarray):
                 flat.append(one)
                 continue
-            loose = f"array({one.dtype}, {one.ndim}d, A)"
-            if kind != loose and (kind != loose.replace("A", "C") or not one.flags.c_contiguous):
-                raise TypeError(f"{loose} for {kind}")
+            if one.dtype != of or one.ndim != dimensions or not dimensions or dense > one.flags.c_contiguous:
+                raise TypeError(f"{one.dtype}, {one.ndim}d for {of}, {dimensions}d")
             flat += (0, 0, one.size, one.itemsize, one.ctypes.data, *one.shape, *one.strides)
-        out = self._out.ctypes.data
-        self._call(out, out + 8, *flat)
+        self._call(*self._ends, *flat)
 
 
 @cache

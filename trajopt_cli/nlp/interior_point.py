@@ -11,19 +11,21 @@ factorised, so a row far from its limit costs a few products and nothing more: w
 over variables and equations, whose pattern is that of the stages along the program. It is quasi-definite, or made so by
 a multiple of the identity: the signs of D in its factors L D L' say when. A filter accepts steps; where none is
 accepted, steps follow that only mend rows. Sources: Wächter and Biegler 2006 (barrier, filter, inertia), Vanderbei 1995
-(quasi-definite systems), QDLDL (the factorization).
+(quasi-definite systems), QDLDL (the order and, written anew, the factorization).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import qdldl
+from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.native.loops import loops
 
 _EQUATION_EPS = 1e-09  # regularisation of equations that depend on each other.
 _REFINEMENTS = 1  # of each solution of a linear system. Measured on 25 moves of a pallet: 2 take 449 iterations, 1 447.
@@ -49,6 +51,8 @@ _ARMIJO = 1e-8  # share of the predicted decrease that a step must bring
 _WORST = 10.0  # times what rows are off at the start, or one, that they may be off later
 _FILTER = 1e-5  # share by which a step must be better than what the filter holds
 _ROUNDING = 1e-12  # of a merit's value
+_FAR = 1e10  # times the barrier's multipliers, or a part of them, that kept ones may be
+_LOOPS = "trajopt_cli.nlp.interior_point_loops"
 
 
 class NonlinearProgram(Protocol):
@@ -100,6 +104,7 @@ class _System:
 
     def __init__(self, jacobian_at: Places, hessian_at: Places, free: BoolArray, equal: BoolArray):
         self.n, self.m = int(free.sum()), int(equal.sum())
+        self._loops = loops(_LOOPS)
         column = np.where(free, np.cumsum(free) - 1, -1)
         (rows, cols), (h_rows, h_cols) = jacobian_at, hessian_at
         entries = np.lexsort((cols, rows))
@@ -107,149 +112,151 @@ class _System:
         rows, cols = rows[entries], column[cols[entries]]
         mine = equal[rows]
         equation, inequality = np.cumsum(equal) - 1, np.cumsum(~equal) - 1
-        self._in_equations, self._in_rows = entries[mine], entries[~mine]
-        size_rows = int((~equal).sum())
-        self.J_E = _Pattern(equation[rows[mine]], cols[mine], (self.m, self.n))
-        self.J_I = _Pattern(inequality[rows[~mine]], cols[~mine], (size_rows, self.n))
-        self._squares = _Squares(inequality[rows[~mine]], cols[~mine])
-        both = (column[h_rows] >= 0) & (column[h_cols] >= 0)
-        self._in_hessian = np.flatnonzero(both)
-        diagonal = np.arange(self.n + self.m)
+        self.J_E = _Rows(entries[mine], equation[rows[mine]], cols[mine], self.m)
+        self.J_I = _Rows(entries[~mine], inequality[rows[~mine]], cols[~mine], int((~equal).sum()))
+        self._places, of_products = self.J_I.products()
+        self._of_hessian = np.flatnonzero((column[h_rows] >= 0) & (column[h_cols] >= 0))
+        total = self.n + self.m
+        diagonal = np.arange(total)
         at = [
-            (column[h_rows[both]], column[h_cols[both]]),
-            self._squares.at,
+            (column[h_rows[self._of_hessian]], column[h_cols[self._of_hessian]]),
+            of_products,
             (cols[mine], self.n + equation[rows[mine]]),
             (diagonal, diagonal),
         ]
-        low = np.concatenate([np.minimum(a, b) for a, b in at])
-        high = np.concatenate([np.maximum(a, b) for a, b in at])
-        total = self.n + self.m
-        unique, bins, often = np.unique(high * total + low, return_inverse=True, return_counts=True)
-        counts = np.bincount(unique // total, minlength=total)
+        a, b = (np.concatenate(one) for one in zip(*at, strict=True))
+        places, bins = np.unique(np.maximum(a, b) * total + np.minimum(a, b), return_inverse=True)
+        a, b = places % total, places // total
+        L, self._order = self._ordered(a, b)
+        self._found_at = np.argsort(self._order)
+        a, b = self._found_at[a], self._found_at[b]
+        places = np.maximum(a, b) * total + np.minimum(a, b)
+        order = np.argsort(places)
+        places, bins = places[order], np.argsort(order)[bins]
+        self._begins, (self._rows,) = np.searchsorted(places, np.arange(total + 1) * total), _unsigned(places % total)
+        ends = np.cumsum([len(one) for one, _ in at])
+        self._at_hessian, self._at_products, self._at_equations, self._diagonal = _unsigned(*np.split(bins, ends[:-1]))
+        L_rows = L.tocsr()
+        self._L_at = [
+            one for half in (L, L_rows) for one in (half.indptr.astype(np.int64), half.indices.astype(np.uint64))
+        ]
+        self._L, self._D, self._y = np.empty(L.nnz), np.empty(total), np.zeros(total)
+        self._full = np.zeros(total, dtype=np.int64)
+
+    def _ordered(self, row: IndexArray, col: IndexArray) -> tuple[Any, IndexArray]:
+        """The pattern of L of the system with these places in its upper triangle, the diagonal among them; and the
+        order in which it takes rows so that L has few entries."""
         from scipy import sparse  # takes longer to load than a short program to search
 
-        self._K = sparse.csc_matrix(
-            (np.ones(len(unique)), unique % total, np.concatenate([[0], np.cumsum(counts)])), shape=(total, total)
-        )
-        self._K_T = self._K.T
-        self._diagonal = bins[len(bins) - total :]
-        ends, order = np.concatenate([[0], np.cumsum(often)]), np.argsort(bins, kind="stable")
-        self._sums = sparse.csr_array((np.ones(len(order)), order, ends), shape=(len(unique), len(order)))
-        self._solver: qdldl.Solver | None = None
+        total = self.n + self.m
+        data = np.where(row < col, 1.0, np.where(row < self.n, total, -total))
+        L, _, order = qdldl.Solver(sparse.csc_matrix((data, (row, col)), shape=(total, total)), upper=True).factors()
+        L.sort_indices()
+        return L, order
 
     def take(self, jacobian: Array) -> None:
         """The Jacobian's nonzeros."""
-        self.J_E.data, self.J_I.data = jacobian[self._in_equations], jacobian[self._in_rows]
+        for rows in (self.J_E, self.J_I):
+            rows.data = jacobian[rows.entries]
 
     def fill(self, hessian: Array, weights: Array, diagonal: Array) -> None:
         """The Hessian's nonzeros, weights of the rows that are no equations, what else stands on the diagonal (n,)."""
-        products = self._squares.of(self.J_I.data, weights)
-        values = [hessian[self._in_hessian], products, self.J_E.data, diagonal, np.full(self.m, -_EQUATION_EPS)]
-        self._filled = self._sums @ np.concatenate(values)
+        self._filled = np.zeros(len(self._rows))
+        self._filled[self._diagonal] = np.concatenate([diagonal, np.full(self.m, -_EQUATION_EPS)])
+        self._filled[self._at_equations] = self.J_E.data
+        self._loops["condense"](
+            hessian[self._of_hessian], self._at_hessian, self.J_I.data, self.J_I.begins, self._places,
+            self._at_products, weights, self._filled,
+        )  # fmt: skip
 
     def factorise(self, shift: float) -> bool:
         """With a multiple of the identity added for the variables; False where that is not convex enough."""
-        values = self._filled.copy()
-        values[self._diagonal[: self.n]] += shift
-        self._K.data = self._K_T.data = values
-        try:
-            if self._solver is None:
-                self._solver = qdldl.Solver(self._K, upper=True)
-            else:
-                self._solver.update(self._K, upper=True)
-        except (RuntimeError, ValueError):  # a pivot that is zero
-            return False
-        D = self._solver.factors()[1]
-        return bool(np.all(np.isfinite(D)) and int((D > 0).sum()) == self.n)
+        self._values = self._filled.copy()
+        self._values[self._diagonal[: self.n]] += shift
+        self._loops["factorise"](
+            self._values, self._begins, self._rows, *self._L_at, self._full, self._y, self._L, self._D
+        )
+        return bool(np.all(np.isfinite(self._D)) and int((self._D > 0).sum()) == self.n)
 
     def solve(self, of_x: Array, of_y: Array) -> tuple[Array, Array]:
         """dx and dy, the equations met exactly up to rounding."""
-        assert self._solver is not None
-        wanted = np.concatenate([of_x, of_y])
-        found = self._solver.solve(wanted)
+        wanted, factors = np.concatenate([of_x, of_y])[self._order], (*self._L_at[:2], self._L, self._D)
+        found = wanted.copy()
+        self._loops["substitute"](*factors, found)
         for _ in range(_REFINEMENTS):
-            rest = wanted - self._K @ found - self._K_T @ found + self._K.data[self._diagonal] * found
-            rest[self.n :] -= _EQUATION_EPS * found[self.n :]
-            found = found + self._solver.solve(rest)
+            rest = wanted - np.where(self._order < self.n, 0.0, _EQUATION_EPS) * found
+            self._loops["subtract_product"](self._values, self._begins, self._rows, found, rest)
+            self._loops["substitute"](*factors, rest)
+            found += rest
+        found = found[self._found_at]
         return found[: self.n], found[self.n :]
 
 
-class _Pattern:
-    """A sparse matrix of one pattern, its places row by row; data: its nonzeros."""
+class _Rows:
+    """Some rows of the Jacobian. entries: where theirs stand among its nonzeros, row by row; data: those."""
 
-    def __init__(self, rows: IndexArray, cols: IndexArray, shape: tuple[int, int]):
-        from scipy import sparse
+    def __init__(self, entries: IndexArray, rows: IndexArray, cols: IndexArray, count: int):
+        self.entries = entries
+        self.begins, (self._cols,) = np.searchsorted(rows, np.arange(count + 1)), _unsigned(cols)
+        self.data = np.zeros(len(cols))
+        self._loops = loops(_LOOPS)
 
-        begins = np.searchsorted(rows, np.arange(shape[0] + 1))
-        self._matrix = sparse.csr_array((np.zeros(len(rows)), cols, begins), shape=shape)
-        self._transposed = self._matrix.T
-
-    @property
-    def data(self) -> Array:
-        """Its nonzeros."""
-        return np.asarray(self._matrix.data)
-
-    @data.setter
-    def data(self, data: Array) -> None:
-        self._matrix.data = self._transposed.data = data
+    def products(self) -> tuple[IndexArray, Places]:
+        """Where those of each row begin among the products, and the columns of their two entries: of all rows behind
+        each other that touch the same variables but once."""
+        counts, every, cols = np.diff(self.begins), np.arange(len(self._cols)), self._cols.astype(np.intp)
+        row = np.repeat(np.arange(len(counts)), counts)
+        other = np.bincount(row, cols != cols[every - counts[row]], minlength=len(counts)) > 0
+        other |= counts != np.concatenate([[0], counts[:-1]])
+        other[:1] = True
+        places = np.concatenate([[0], np.cumsum(np.where(other, counts * (counts + 1) // 2, 0))[:-1]])
+        places = places[np.maximum.accumulate(np.where(other, np.arange(len(counts)), 0))]
+        of = every[other[row]]
+        later = self.begins[1:][row[of]] - of  # it and those behind it in its row
+        first = np.repeat(of, later)
+        second = first + np.arange(len(first)) - np.repeat(np.cumsum(later) - later, later)
+        return places, (cols[first], cols[second])
 
     def times(self, x: Array) -> Array:
         """Matrix times x."""
-        return np.asarray(self._matrix @ x)
+        out = np.empty(len(self.begins) - 1)
+        self._loops["times"](self.data, self.begins, self._cols, x, out)
+        return out
 
-    def transposed_times(self, y: Array) -> Array:
-        """Transpose times y."""
-        return np.asarray(self._transposed @ y)
+    def add_transposed(self, y: Array, out: Array) -> None:
+        """Add the transpose times y."""
+        self._loops["add_transposed"](self.data, self.begins, self._cols, y, out)
 
 
-class _Squares:
-    """J' W J of a sparse J (entries at rows, cols) and weights W of its rows. Rows that touch the same variables are
-    one dense product: a node has many of them.
+def _unsigned(*indices: IndexArray) -> tuple[NDArray[np.uint64], ...]:
+    return tuple(one.astype(np.uint64) for one in indices)
 
-    at: rows and columns of what `of` returns, upper triangles of those products, to be added up.
-    """
 
-    def __init__(self, rows: IndexArray, cols: IndexArray):
-        order = np.lexsort((cols, rows))
-        begins = np.flatnonzero(np.diff(rows[order], prepend=-1))
-        counts = np.diff(begins, append=len(rows))
-        self._stacks: list[tuple[IndexArray, IndexArray, IndexArray]] = []
-        at: list[tuple[IndexArray, IndexArray]] = [(cols[:0], cols[:0])]
-        for k in np.unique(counts).tolist():
-            entries = order[begins[counts == k][:, None] + np.arange(k)]
-            columns, group, sizes = np.unique(cols[entries], axis=0, return_inverse=True, return_counts=True)
-            entries = entries[np.argsort(group.ravel(), kind="stable")]
-            ends = np.cumsum(sizes)
-            i, j = np.triu_indices(k)
-            for size in np.unique(sizes).tolist():
-                these = sizes == size
-                stack = entries[(ends[these] - size)[:, None] + np.arange(size)]
-                self._stacks.append((stack, rows[stack[:, :, 0]], i * k + j))
-                at.append((columns[these][:, i].ravel(), columns[these][:, j].ravel()))
-        self.at = np.concatenate([a for a, _ in at]), np.concatenate([b for _, b in at])
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """v = (x, slacks), with cost f and rows g there; missed, slack: how far equations and slacks are off; violation,
+    off: their sum and greatest; logs: of v's gaps to its bounds, added up."""
 
-    def of(self, entries: Array, weights: Array) -> Array:
-        """The products' upper triangles."""
-        out = [entries[:0]]
-        for at, row, upper in self._stacks:
-            J = entries[at]
-            weighted = (J * weights[row][:, :, None]).transpose(0, 2, 1)
-            out.append((weighted @ J).reshape(len(J), -1)[:, upper].ravel())
-        return np.concatenate(out)
+    v: Array
+    f: float
+    g: Array
+    missed: Array
+    slack: Array
+    violation: float
+    off: float
+    logs: float
 
 
 @dataclass(frozen=True, eq=False)
 class _State:
-    """A point with its multipliers: v = (x, slacks), y of equations, w of the other rows, below and above of v's bounds
-    (zero where there is none). f, g: cost and rows there."""
+    """A point with its multipliers: y of equations, w of the other rows, below and above of v's bounds, zero where
+    there is none."""
 
-    v: Array
+    at: _Point
     y: Array
     w: Array
     below: Array
     above: Array
-    f: float
-    g: Array
 
 
 class InteriorPoint:
@@ -284,12 +291,14 @@ class _Solve:
     ):  # fmt: skip
         self.system, self.program, self.free, self.equal = system, program, free, equal
         self.mu, self.tolerance = mu, tolerance
-        self.n = system.n
+        self.n, self.loops = system.n, loops(_LOOPS)
         self.whole = bounds.lower.copy()  # all variables, the fixed ones with their values
+        self.equations, self.others = _unsigned(np.flatnonzero(equal), np.flatnonzero(~equal))
         self.target = bounds.g_lower[equal]
         self.low = np.concatenate([bounds.lower[free], bounds.g_lower[~equal]])
         self.high = np.concatenate([bounds.upper[free], bounds.g_upper[~equal]])
         self.bounded_below, self.bounded_above = np.isfinite(self.low), np.isfinite(self.high)
+        self.held = int(self.bounded_below.sum() + self.bounded_above.sum())
         self.filter: list[tuple[float, float]] = []
         self.shift = 0.0
 
@@ -311,7 +320,7 @@ class _Solve:
         warm = isinstance(start, NlpResult)
         push = _WARM_PUSH if warm else _FIRST_PUSH
         x = (start.x if isinstance(start, NlpResult) else start)[self.free]
-        slacks = np.zeros(int((~self.equal).sum()))
+        slacks = np.zeros(len(self.others))
         x = self._inside(np.concatenate([x, slacks]), push)[: self.n]
         g = self.program.constraints(self._x(x))
         v = self._inside(np.concatenate([x, g[~self.equal]]), push)
@@ -324,54 +333,51 @@ class _Solve:
             y, w = start.lam_g[self.equal], start.lam_g[~self.equal]
         else:
             w = (above - below)[self.n :]
-        return _State(v, y, w, below, above, self.program.cost(self._x(v)), g)
+        return _State(self._point(v, g), y, w, below, above)
 
-    def _misses(self, g: Array, v: Array) -> tuple[Array, Array]:
-        """How far equations and slacks are off."""
-        return g[self.equal] - self.target, g[~self.equal] - v[self.n :]
+    def _point(self, v: Array, g: Array) -> _Point:
+        missed, slack, out = np.empty(len(self.equations)), np.empty(len(self.others)), np.empty(3)
+        self.loops["measure"](v, self.low, self.high, g, self.equations, self.others, self.target, missed, slack, out)
+        return _Point(v, self.program.cost(self._x(v)), g, missed, slack, *out.tolist())
 
-    def _violation(self, g: Array, v: Array) -> float:
-        return float(sum(np.abs(one).sum() for one in self._misses(g, v)))
+    def _tried(self, v: Array) -> _Point | None:
+        """v with the values there, None where there are none."""
+        g = self.program.constraints(self._x(v))
+        return self._point(v, g) if np.all(np.isfinite(g)) else None
 
-    def _merit(self, f: float, v: Array) -> float:
-        gaps = np.concatenate([(v - self.low)[self.bounded_below], (self.high - v)[self.bounded_above]])
-        return f - self.mu * float(np.log(gaps).sum())
+    def _merit(self, at: _Point) -> float:
+        return at.f - self.mu * at.logs
 
-    def _error(self, now: _State, slope: Array) -> tuple[Callable[[float], float], float]:
-        """How far the optimality conditions of the barrier problem are from being met, scaled, by its parameter; and
-        how far the rows are off."""
-        off = max(float(np.abs(one).max(initial=0.0)) for one in self._misses(now.g, now.v))
-        with np.errstate(invalid="ignore"):
-            gaps = np.concatenate([(now.v - self.low)[self.bounded_below], (self.high - now.v)[self.bounded_above]])
-        held = np.concatenate([now.below[self.bounded_below], now.above[self.bounded_above]])
-        pressed = float(held.sum())
-        scale = max(100.0, pressed / max(len(held), 1)) / 100
-        spread = (pressed + np.abs(now.y).sum() + np.abs(now.w).sum()) / (len(held) + len(now.y) + len(now.w) + 1)
-        dual = float(np.abs(slope - now.below + now.above).max() / (max(100.0, spread) / 100))
-        products = gaps * held
-        low, high = float(products.min(initial=np.inf)), float(products.max(initial=-np.inf))
-        return lambda mu: max(dual, off, max(high - mu, mu - low, 0.0) / scale), off
+    def _error(self, now: _State, slope: Array) -> Callable[[float], float]:
+        """How far the optimality conditions of the barrier problem are from being met, scaled, by its parameter."""
+        out = np.empty(4)
+        self.loops["conditions"](slope, now.at.v, self.low, self.high, now.below, now.above, out)
+        off, pressed, low, high = out.tolist()
+        scale = max(100.0, pressed / max(self.held, 1)) / 100
+        spread = (pressed + np.abs(now.y).sum() + np.abs(now.w).sum()) / (self.held + len(now.y) + len(now.w) + 1)
+        dual = off / (max(100.0, float(spread)) / 100)
+        return lambda mu: max(dual, now.at.off, max(high - mu, mu - low, 0.0) / scale)
 
     # ------------------------------------------------------------------------------------------------------- steps
 
     def run(self, start: Array | NlpResult, most: int, stop: Callable[[], bool] | None) -> NlpResult:
         """See InteriorPoint.solve."""
         now = self._begin(start)
-        if not np.all(np.isfinite(now.g)):
+        if not np.all(np.isfinite(now.at.g)):
             return self._answer(now, False, "no number at the start", 0)
-        first = self._violation(now.g, now.v)
+        first = now.at.violation
         self.worst, self.near = _WORST * max(1.0, first), 1e-4 * max(1.0, first)
         feasible = _FEASIBLE_ROUGH if self.tolerance > _FEASIBLE_ROUGH else _FEASIBLE
         system, program = self.system, self.program
         almost: _State | None = None
         for iteration in range(most + 1):
-            x = self._x(now.v)
+            x = self._x(now.at.v)
             system.take(program.jacobian(x))
             gradient = program.gradient(x)[self.free]
-            slope = np.concatenate(
-                [gradient + system.J_E.transposed_times(now.y) + system.J_I.transposed_times(now.w), -now.w]
-            )
-            error, off = self._error(now, slope)
+            slope = np.concatenate([gradient, -now.w])
+            system.J_E.add_transposed(now.y, slope)
+            system.J_I.add_transposed(now.w, slope)
+            error, off = self._error(now, slope), now.at.off
             if error(0.0) <= self.tolerance and off <= feasible:
                 return self._answer(now, True, "solved", iteration)
             if error(0.0) <= _ALMOST and off <= _ALMOST_FEASIBLE:
@@ -392,89 +398,83 @@ class _Solve:
         return self._answer(now, False, "too many iterations" if iteration == most else "no step is better", iteration)
 
     def _step(self, now: _State, x: Array, gradient: Array, slope: Array) -> _State | None:
-        system, n = self.system, self.n
+        system, n, mu, at = self.system, self.n, self.mu, now.at
         lam = np.zeros(len(self.equal))
-        lam[self.equal], lam[~self.equal] = now.y, now.w
-        to_low, to_high = now.v - self.low, self.high - now.v
-        stiff = now.below / to_low + now.above / to_high
-        rest = slope - self.mu / to_low + self.mu / to_high
+        lam[self.equations], lam[self.others] = now.y, now.w
+        stiff, rest = np.empty(len(at.v)), np.empty(len(at.v))
+        self.loops["stiffen"](at.v, self.low, self.high, now.below, now.above, slope, mu, stiff, rest)
         system.fill(self.program.hessian(x, lam), stiff[n:], stiff[:n])
         if not self._convex():
             return None
 
         def direction(missed: Array, slack: Array) -> tuple[Array, Array, Array]:
             """dv, dy and dw for rows that are off by these."""
-            dx, dy = system.solve(-(rest[:n] + system.J_I.transposed_times(stiff[n:] * slack + rest[n:])), -missed)
+            of_x = rest[:n].copy()
+            system.J_I.add_transposed(stiff[n:] * slack + rest[n:], of_x)
+            dx, dy = system.solve(-of_x, -missed)
             ds = system.J_I.times(dx) + slack
             return np.concatenate([dx, ds]), dy, stiff[n:] * ds + rest[n:]
 
-        missed, slack = self._misses(now.g, now.v)
-        dv, dy, dw = direction(missed, slack)
-        d_below = self.mu / to_low - now.below - now.below / to_low * dv
-        d_above = self.mu / to_high - now.above + now.above / to_high * dv
-        tau = max(_LEAST_TAU, 1 - self.mu)
-        dual = min(_most(now.below, d_below, tau), _most(now.above, d_above, tau))
-        downhill = float(gradient @ dv[:n] + (self.mu / to_high - self.mu / to_low) @ dv)
-        theta, phi = self._violation(now.g, now.v), self._merit(now.f, now.v)
+        def steered(dv: Array) -> tuple[float, float, float]:
+            """The greatest shares of gaps and of multipliers that a step uses, how the barrier grows along it."""
+            out = np.empty(3)
+            self.loops["steer"](at.v, self.low, self.high, now.below, now.above, dv, mu, out)
+            return out[0], out[1], out[2]
 
-        def tried(dv: Array, length: float) -> tuple[Array, Array, float] | None:
-            """The point and its values there, None where there are none."""
-            v = now.v + length * dv
-            g = self.program.constraints(self._x(v))
-            return (v, g, self.program.cost(self._x(v))) if np.all(np.isfinite(g)) else None
-
-        length = self._longest(now.v, dv, tau)
+        dv, dy, dw = direction(at.missed, at.slack)
+        of_gap, of_multiplier, barrier = steered(dv)
+        tau = max(_LEAST_TAU, 1 - mu)
+        length, dual = _share(of_gap, tau), _share(of_multiplier, tau)
+        downhill = float(gradient @ dv[:n]) + barrier
+        taken = dv
         for k in range(_BACKTRACKS):
-            found = tried(dv, length)
+            found = self._tried(at.v + length * dv)
             if found is not None:
-                if self._better(found, theta, phi, downhill, length):
+                if self._better(found, at, downhill, length):
                     break
-                if k == 0 and self._violation(found[1], found[0]) >= theta:  # rows bend: once more with what is left
-                    again, equations = self._misses(found[1], found[0]), length * missed
-                    corrected = direction(equations + again[0], length * slack + again[1])
-                    further = tried(corrected[0], self._longest(now.v, corrected[0], tau))
-                    if further is not None and self._better(further, theta, phi, downhill, length):
+                if k == 0 and found.violation >= at.violation:  # rows bend: once more with what is left
+                    corrected = direction(length * at.missed + found.missed, length * at.slack + found.slack)
+                    further = self._tried(at.v + _share(steered(corrected[0])[0], tau) * corrected[0])
+                    if further is not None and self._better(further, at, downhill, length):
                         found, dy, dw = further, corrected[1], corrected[2]
                         break
             length /= 2
         else:
             return None
-        v, g, f = found
-        below = self._kept(now.below + dual * d_below, v - self.low)
-        above = self._kept(now.above + dual * d_above, self.high - v)
-        return _State(v, now.y + length * dy, now.w + length * dw, below, above, f, g)
+        below, above = now.below.copy(), now.above.copy()
+        self.loops["follow"](at.v, self.low, self.high, taken, found.v, mu, dual, _FAR, below, above)
+        return _State(found, now.y + length * dy, now.w + length * dw, below, above)
 
     def _mended(self, now: _State) -> _State | None:
         """A point nearer to where all rows are met, by steps that mind nothing but those and the bounds; None where
         there is none."""
-        theta, phi = self._violation(now.g, now.v), self._merit(now.f, now.v)
+        theta, phi, at = now.at.violation, self._merit(now.at), now.at
         self.filter.append(((1 - _FILTER) * theta, phi - _ARMIJO * theta))
-        nothing = np.zeros(len(self.program.hessian(self._x(now.v), np.zeros(len(self.equal)))))
-        v, g, left = now.v, now.g, theta
+        nothing = np.zeros(len(self.program.hessian(self._x(at.v), np.zeros(len(self.equal)))))
         for _ in range(_MENDINGS):
-            self.system.take(self.program.jacobian(self._x(v)))
-            scale = 1 / np.minimum(1.0, np.minimum(v - self.low, self.high - v)) ** 2
+            self.system.take(self.program.jacobian(self._x(at.v)))
+            scale = 1 / np.minimum(1.0, np.minimum(at.v - self.low, self.high - at.v)) ** 2
             self.system.fill(nothing, scale[self.n :], scale[: self.n])
             if not self.system.factorise(0.0):
                 return None
-            missed, slack = self._misses(g, v)
-            dx, _ = self.system.solve(-self.system.J_I.transposed_times(scale[self.n :] * slack), -missed)
-            dv = np.concatenate([dx, self.system.J_I.times(dx) + slack])
-            length = self._longest(v, dv, _LEAST_TAU)
+            of_x = np.zeros(self.n)
+            self.system.J_I.add_transposed(scale[self.n :] * at.slack, of_x)
+            dx, _ = self.system.solve(-of_x, -at.missed)
+            dv = np.concatenate([dx, self.system.J_I.times(dx) + at.slack])
+            length = _share(float(np.maximum(-dv / (at.v - self.low), dv / (self.high - at.v)).max()), _LEAST_TAU)
             for _ in range(_BACKTRACKS):
-                g_1 = self.program.constraints(self._x(v + length * dv))
-                if np.all(np.isfinite(g_1)) and self._violation(g_1, v + length * dv) <= (1 - 1e-4 * length) * left:
+                found = self._tried(at.v + length * dv)
+                if found is not None and found.violation <= (1 - 1e-4 * length) * at.violation:
                     break
                 length /= 2
             else:
                 return None
-            v, g = v + length * dv, g_1
-            left, f = self._violation(g, v), self.program.cost(self._x(v))
-            if left <= _MENDED * theta and self._passes_filter(left, self._merit(f, v)):
+            at = found
+            if at.violation <= _MENDED * theta and self._passes_filter(at.violation, self._merit(at)):
                 below, above = (
-                    self._kept(one, gap) for one, gap in ((now.below, v - self.low), (now.above, self.high - v))
+                    self._kept(one, gap) for one, gap in ((now.below, at.v - self.low), (now.above, self.high - at.v))
                 )
-                return _State(v, now.y, now.w, below, above, f, g)
+                return _State(at, now.y, now.w, below, above)
         return None
 
     def _convex(self) -> bool:
@@ -490,15 +490,9 @@ class _Solve:
             shift *= factor
         return False
 
-    def _longest(self, v: Array, dv: Array, tau: float) -> float:
-        return min(_most(v - self.low, dv, tau), _most(self.high - v, -dv, tau))
-
-    def _better(
-        self, found: tuple[Array, Array, float], theta: float, phi: float, downhill: float, length: float
-    ) -> bool:
+    def _better(self, found: _Point, at: _Point, downhill: float, length: float) -> bool:
         """Whether the filter takes a point; it is remembered there unless the merit fell as predicted."""
-        v, g, f = found
-        theta_1, phi_1 = self._violation(g, v), self._merit(f, v)
+        theta, phi, theta_1, phi_1 = at.violation, self._merit(at), found.violation, self._merit(found)
         if not self._passes_filter(theta_1, phi_1):
             return False
         if downhill < 0 and length * (-downhill) ** 2.3 > theta**1.1 and theta <= self.near:
@@ -514,17 +508,15 @@ class _Solve:
 
     def _kept(self, multiplier: Array, gap: Array) -> Array:
         """Multipliers no farther from the barrier's than a factor of 1e10."""
-        return np.where(np.isfinite(gap), np.clip(multiplier, self.mu / (1e10 * gap), 1e10 * self.mu / gap), 0.0)
+        return np.where(np.isfinite(gap), np.clip(multiplier, self.mu / (_FAR * gap), _FAR * self.mu / gap), 0.0)
 
     def _answer(self, now: _State, converged: bool, status: str, iterations: int) -> NlpResult:
         lam_g, lam_x = np.zeros(len(self.equal)), np.zeros(len(self.free))
         lam_g[self.equal], lam_g[~self.equal] = now.y, now.w
         lam_x[self.free] = (now.above - now.below)[: self.n]
-        off = max(float(np.abs(one).max(initial=0.0)) for one in self._misses(now.g, now.v))
-        return NlpResult(self._x(now.v).copy(), lam_g, lam_x, off, converged, status, iterations)
+        return NlpResult(self._x(now.at.v).copy(), lam_g, lam_x, now.at.off, converged, status, iterations)
 
 
-def _most(gap: Array, change: Array, tau: float) -> float:
-    """The longest step, at most one, that uses a share tau of every gap."""
-    steepest = float(np.fmax.reduce(-change / gap, initial=0.0))  # no number where there is no gap
-    return min(1.0, tau / steepest) if steepest > 0 else 1.0
+def _share(used: float, tau: float) -> float:
+    """The longest step, at most one, that uses a share tau of every gap, of which a whole one uses so much."""
+    return min(1.0, tau / used) if used > 0 else 1.0
