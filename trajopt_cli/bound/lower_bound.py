@@ -21,13 +21,12 @@ import numpy as np
 from trajopt_cli.bound.corner_time import corner_time
 from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, tool_time
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.native.loops import loops
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Stopped, checkpoint
 from trajopt_cli.robot.enclosure import Enclosure, Range
-from trajopt_cli.timing.double_integrator import least_time, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 
-_BOUND_LIKELY = 8  # cells behind each that are looked at first where only the least time is asked for.
 _BOUND_SPEEDS = 4  # velocity ranges from -V to V at the first level, doubled per level.
 _BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest.
 
@@ -241,22 +240,9 @@ def _at_first_level(cells: _Cells, level: int, keys: IndexArray, values: Array, 
 
 
 def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead: Array) -> Array:
-    """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it. What a few likely cells take
-    settles most of the others."""
-    out = np.full(len(a.key), np.inf)
-    if not len(ahead) or not len(out):
-        return out
-    gap = _gap(axes, run, a, b, slice(None)) + ahead
-    if run.branch:
-        gap[a.key[:, :1] != b.key[:, 0]] = np.inf
-    few = min(_BOUND_LIKELY, gap.shape[1])
-    ib = np.argpartition(gap, few - 1, axis=1)[:, :few].ravel()
-    ia = np.repeat(np.arange(len(out)), few)
-    ia, ib = (x[np.isfinite(gap[ia, ib])] for x in (ia, ib))
-    T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, np.zeros(len(out)), np.zeros(len(ahead)), np.inf)
-    np.minimum.at(out, ia, T + ahead[ib])
-    T = _edge(axes, problem, run, a, b, -out, ahead, 1e-12)
-    return np.minimum(out, np.min(T + ahead, axis=1))
+    """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it."""
+    T = _edge(axes, problem, run, a, b, np.zeros(len(a.key)), ahead, None)
+    return np.min(T + ahead, axis=1, initial=np.inf)
 
 
 def _costs(
@@ -436,62 +422,20 @@ def _over_alive(ranges: Range, alive: BoolArray) -> Range:
 
 
 def _edge(
-    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float
+    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float | None
 ) -> Array:
-    """(n_a, n_b) least time of a run between cells; infinite where no motion fits or none can matter."""
-    out = np.full((len(a.key), len(b.key)), np.inf)
-    rows = max(1, (6 * axes.settings.batch) // len(b.key))
+    """(n_a, n_b) least time of a run between cells; infinite where no motion fits or none can matter: where it exceeds
+    the incumbent or, without one, what another cell b takes with what is ahead."""
+    out, columns, r = np.empty((len(a.key), len(b.key))), _columns(axes), axes.layout.r
+    turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
+    order = np.array([*range(r), *(r + j for j in _BOUND_ORDER if not (j == 0 and turns))])
+    kind = int(run.fixed), int(run.still), int(run.straight), int(run.branch), int(incumbent is None)
+    fill = loops("trajopt_cli.bound.bound_loops")["fill_times"]
+    rows = max(1, (6 * axes.settings.batch) // max(1, len(b.key)))
     for start in range(0, len(a.key), rows):
         checkpoint()
         part = slice(start, start + rows)
-        least = np.maximum(_gap(axes, run, a, b, part), run.floor)
-        live = so_far[part, None] + least + ahead <= incumbent
-        if run.branch:
-            live &= a.key[part, :1] == b.key[:, 0]
-        ia, ib = np.nonzero(live)
-        ia += start
-        T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, so_far, ahead, incumbent)
-        out[ia, ib] = T
+        ends = a.q.lo[:, part], a.q.hi[:, part], a.v.lo[:, part], a.v.hi[:, part], b.q.lo, b.q.hi, b.v.lo, b.v.hi
+        signs, most = (a.key[part, 0], b.key[:, 0]), np.inf if incumbent is None else incumbent
+        fill(out[part], *ends, *signs, so_far[part], ahead, order, run.V, run.A, r, run.floor, *kind, most)
     return out
-
-
-def _gap(axes: Axes, run: _Run, a: _Cells, b: _Cells, part: slice) -> Array:
-    """What the rail's way (n_a, n_b) between cells takes at least, at its top speed all along."""
-    T = np.zeros((len(a.key[part]), len(b.key)))
-    for j in range(axes.layout.r):
-        apart = np.maximum(b.q.lo[j] - a.q.hi[j, part, None], a.q.lo[j, part, None] - b.q.hi[j])
-        np.maximum(T, apart / run.V[j], out=T)
-    return T
-
-
-def _pairs(
-    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ia: IndexArray, ib: IndexArray, so_far: Array,
-    ahead: Array, incumbent: float,
-) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
-    columns, r = _columns(axes), axes.layout.r
-    V, A = run.V, run.A
-    T = np.full(len(ia), run.floor)
-    turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
-    order = [*range(r), *(r + j for j in _BOUND_ORDER if not (j == 0 and turns))]
-    top_v = np.full(len(ia), np.inf)
-    top_a = np.full(len(ia), np.inf)
-    for j in order:
-        low, high = b.q.lo[j, ib] - a.q.hi[j, ia], b.q.hi[j, ib] - a.q.lo[j, ia]
-        if run.still:
-            least = np.maximum(np.maximum(low, -high), 0.0)
-            if run.straight:
-                least = np.maximum(least, 1e-12)
-                top_v, top_a = np.minimum(top_v, V[j] / least), np.minimum(top_a, A[j] / least)
-                time = trapezoid_time(1.0, top_v, top_a)
-            else:
-                time = trapezoid_time(least, V[j], A[j])
-        else:
-            rates = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
-            time = least_time(T, low, high, rates, V[j], A[j])
-        if run.fixed:
-            live = time <= run.floor + 1e-9
-        else:
-            T = np.maximum(T, time)
-            live = so_far[ia] + T + ahead[ib] <= incumbent
-        ia, ib, T, top_v, top_a = ia[live], ib[live], T[live], top_v[live], top_a[live]
-    return T, ia, ib

@@ -170,25 +170,3 @@ def _cruise_speed(D: float, v0: float, v1: float, T: float, A: float, low: float
             if a - 1e-9 * (1 + abs(a)) <= c <= b + 1e-9 * (1 + abs(b)):
                 return float(min(max(c, a), b))
     raise ValueError("cruise_profile: no cruise speed found")
-
-
-def least_time(T: Array, low: Array, high: Array, rates: tuple[Array, ...], V: float, A: float) -> Array:
-    """The least times >= T (k,) in which an axis can travel between low and high, from the first range of velocity to
-    the second: rates (lo, hi, lo, hi). Where it gets as far as low at last it is not beyond high, and reversely."""
-    a_lo, a_hi, c_lo, c_hi = rates
-    out = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
-    _leave(out, low, a_hi, c_hi, V, A)
-    _leave(out, -high, -a_lo, -c_lo, V, A)
-    return out
-
-
-def _leave(T: Array, D: Array, a: Array, c: Array, V: float, A: float) -> None:
-    """Put T (k,), in place, to the least time >= T in which some motion with end velocities below a and c, which may
-    be chosen, travels at least D: what it travels at most is convex and smooth in T."""
-    most = np.where(np.abs(c - a) > T * A, np.minimum(a, c) * T + A * T * T / 2, reach(T, a, c, V, A))
-    short = np.flatnonzero(most < D - 1e-9)
-    t, d, v, w = T[short], D[short], a[short], c[short]
-    m, M = np.minimum(v, w), np.maximum(v, w)
-    early = (np.sqrt(np.maximum(m * m + 2 * A * d, 0)) - m) / A
-    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > d), early, _late(d, v + w, v, w, V, A))
-    T[short] = np.maximum(t, end - 1e-9)
