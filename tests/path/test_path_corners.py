@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
+from trajopt_cli.motion import CirPathMode
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner, CornerSymbols
 from trajopt_cli.path.line import Line
@@ -26,13 +27,14 @@ PARTS = ((1.0, 1.0), (0.6, 1.0), (1.0, 0.3))
 parts = st.sampled_from(PARTS)
 
 
-def onward(rng: np.random.Generator, kind: str, X_0: Array) -> Line | Arc:
+def onward(rng: np.random.Generator, kind: str, X_0: Array, mode: CirPathMode = CirPathMode.OBJECT_FRAME) -> Line | Arc:
     """A segment from X_0 that turns by up to 1 rad."""
     R = X_0[:3, :3] @ Rotation.from_rotvec(rng.uniform(-0.57, 0.57, 3)).as_matrix()
     p = X_0[:3, 3] + rng.uniform(0.1, 0.4, 3) * rng.choice([-1, 1], 3)
     if kind == "line":
         return Line(X_0, pose(R, p))
-    return Arc.through(X_0, X_0[:3, 3] + rng.uniform(0.1, 0.4, 3) * rng.choice([-1, 1], 3), pose(R, p))
+    via = X_0[:3, 3] + rng.uniform(0.1, 0.4, 3) * rng.choice([-1, 1], 3)
+    return Arc.through(X_0, pose(X_0[:3, :3], via), pose(R, p), mode)
 
 
 def reversed_(segment: Line | Arc) -> Line | Arc:
@@ -56,22 +58,26 @@ def some_corner(rng: np.random.Generator, pair: tuple[str, str], bent: tuple[flo
     return Corner.of_zone(before, after, largest * bent[0], largest * bent[1])
 
 
-@pytest.mark.parametrize("turning", [True, False])
-def test_the_expression_of_a_corner_says_what_its_numbers_say(turning: bool) -> None:
+@pytest.mark.parametrize("one", KINDS)
+@pytest.mark.parametrize("other", KINDS)
+@pytest.mark.parametrize("mode", [CirPathMode.OBJECT_FRAME, CirPathMode.PATH_FRAME])
+def test_the_expression_of_a_corner_says_what_its_numbers_say(one: str, other: str, mode: CirPathMode) -> None:
     rng = np.random.default_rng(3)
-    for _ in range(6):
-        corner = some_corner(rng, ("line", "line"), (1.0, 1.0))
-        if not turning:
-            lines = corner.before, corner.after
-            R = lines[0].pose(np.zeros(1))[0, :3, :3]
-            points = [line.pose(np.array([0.0, 1.0]))[:, :3, 3] for line in lines]
-            still = [Line(pose(R, p), pose(R, q)) for p, q in points]
-            corner = Corner(*still, corner.fraction_before, corner.fraction_after)
+    for _ in range(2):
+        before = onward(rng, one, random_pose(rng), mode)
+        after = onward(rng, other, before.X_1, mode)
+        corner = Corner.of_zone(before, after, *[0.4 * min(before.length, after.length)] * 2)
         assert corner.whole
-        assert corner.symbols == CornerSymbols(turning)
         check_expression(corner, rng)
-    assert not some_corner(rng, ("line", "line"), (0.6, 1.0)).whole  # a curve of three parts
-    assert not some_corner(rng, ("arc", "line"), (1.0, 1.0)).whole
+    assert not some_corner(rng, (one, other), (0.6, 1.0)).whole  # a curve of three parts
+
+
+def test_a_corner_without_turns_has_none_in_its_expression() -> None:
+    X = random_pose(np.random.default_rng(4))
+    here, there, on = (pose(X[:3, :3], p) for p in np.eye(3))
+    corner = Corner.of_zone(Line(here, there), Line(there, on), 0.2, 0.2)
+    assert corner.symbols == CornerSymbols(())
+    check_expression(corner, np.random.default_rng(5))
 
 
 @given(seeds, parts)

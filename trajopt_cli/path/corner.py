@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotations_by
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.path.line import Line, lines_along
 from trajopt_cli.path.segment import POINT, Batch, Segment, check_fractions
@@ -171,33 +172,43 @@ class Corner(Segment):
         A[inside, 3:] = change / self.orientation**2
         return A
 
-    @property
-    def whole(self) -> bool:
-        """Whether one expression is all of it: both zones are one, or nothing turns, and what turns about it does so at
-        a constant rate about axes of the tool."""
-        turns = [isinstance(one, Line) or (one.evenly_turned and one.angle < _NO_TURN) for one in self._both]
-        return self.breaks.size == 0 and all(turns)
+    @cached_property
+    def numbers(self) -> Array:
+        """Both ends with their rates, and its turns."""
+        return np.concatenate([super().numbers, self._curve[1], self._curve[3], *self._turns_in_order])
 
     @property
-    def _both(self) -> tuple[Segment, Segment]:
-        return self.before, self.after
+    def whole(self) -> bool:
+        """Whether one expression is all of it: both zones are one, between lines or arcs that turn evenly."""
+        return self.breaks.size == 0 and all(
+            isinstance(one, Line | Arc) and one.evenly_turned for one in (self.before, self.after)
+        )
+
+    @cached_property
+    def _turns_in_order(self) -> list[Array]:
+        """Four rotation vectors (3,) in the tool's frame at the point: what turns in the zone before it with the frame
+        of an arc, and by itself; then the same behind it."""
+        out = []
+        for one, fraction in ((self.before, self.fraction_before), (self.after, self.fraction_after)):
+            spin, own = one.even_turns if isinstance(one, Line | Arc) else (np.zeros(3), np.zeros(3))
+            out += [fraction * (self._R_point.T @ spin), fraction * own]
+        return out
 
     @property
     def symbols(self) -> CornerSymbols:
-        """With turns or without."""
+        """With the turns that there are."""
         if not self.whole:
-            return super().symbols  # type: ignore[return-value]
-        return CornerSymbols(any(one.angle > _NO_TURN for one in self._both))
+            raise NotImplementedError("no expression is all of this corner")
+        return CornerSymbols(tuple(i for i, turn in enumerate(self._turns_in_order) if np.linalg.norm(turn) > _NO_TURN))
 
     def parameters(self, X_BA: Array, X_FT: Array) -> Array:
         """Parameters (size,) of the expression."""
         R_BA, (p_0, m_0, p_1, m_1) = X_BA[:3, :3], self._curve
-        X_P = X_BA @ self.after.pose(_START)[0]
         parts: dict[str, ArrayLike] = {
             "p_0": R_BA @ p_0 + X_BA[:3, 3], "m_0": R_BA @ m_0, "p_1": R_BA @ p_1 + X_BA[:3, 3], "m_1": R_BA @ m_1,
-            "R": X_P[:3, :3] @ X_FT[:3, :3].T, "offset": X_FT[:3, 3],
+            "R": R_BA @ self._R_point @ X_FT[:3, :3].T, "offset": X_FT[:3, 3],
         }  # fmt: skip
-        for i, turn in enumerate(self._turns[1:]):
+        for i, turn in enumerate(self._turns_in_order):
             angle = float(np.linalg.norm(turn))
             parts |= {f"axis_{i}": X_FT[:3, :3] @ (turn / angle if angle > 0 else _X), f"angle_{i}": angle}
         return CornerSymbols.layout.vector(parts)
@@ -223,16 +234,16 @@ class Corner(Segment):
 
 @dataclass(frozen=True)
 class CornerSymbols(Symbols):
-    """The flange in a corner whose zones are one, as an expression: R(s) = R exp(-(1 - s)^2 w_0) exp(s^2 w_1) with the
-    turns w inside the zone. turning: False leaves these out."""
+    """The flange in a corner whose zones are one, as an expression: R(s) = R exp(-(1 - s)^2 w_0) exp(-(1 - s)^2 w_1)
+    exp(s^2 w_2) exp(s^2 w_3) with the turns w inside the zone. turns: numbers of those that there are."""
 
-    turning: bool = True
+    turns: tuple[int, ...] = ()
     # p_i, m_i: both ends and the derivatives there; R: the flange's rotation at the point; axis_i, angle_i: the turns
-    # in the zone, before and behind the point, about axes of the flange; offset: the tool centre point in its frame
+    # in the zone about axes of the flange; offset: the tool centre point in its frame
     layout: ClassVar[Layout] = Layout(
         {
-            **dict.fromkeys(("p_0", "m_0", "p_1", "m_1", "axis_0", "axis_1", "offset"), (3,)),
-            **dict.fromkeys(("angle_0", "angle_1"), ()),
+            **dict.fromkeys(("p_0", "m_0", "p_1", "m_1", "offset", "axis_0", "axis_1", "axis_2", "axis_3"), (3,)),
+            **dict.fromkeys(("angle_0", "angle_1", "angle_2", "angle_3"), ()),
             "R": (3, 3),
         }
     )
@@ -241,9 +252,8 @@ class CornerSymbols(Symbols):
         """The flange in the arm's base frame at s of the corner with parameters p (size,)."""
         part = self.layout.split(p)
         R = part["R"]
-        if self.turning:
-            R = R @ rotated(part["axis_0"], -part["angle_0"] * (1 - s) ** 2)
-            R = R @ rotated(part["axis_1"], part["angle_1"] * s**2)
+        for i in self.turns:
+            R = R @ rotated(part[f"axis_{i}"], part[f"angle_{i}"] * (-((1 - s) ** 2) if i < 2 else s**2))
         return Flange(self._along(part, s)[0] - R @ part["offset"], R)
 
     def curve(self, p: ca.SX, s: ca.SX) -> Curve:
@@ -253,9 +263,10 @@ class CornerSymbols(Symbols):
         part = self.layout.split(p)
         _, tangent, bend = self._along(part, s)
         turn = ca.SX.zeros(3)
-        if self.turning:
-            back = rotated(part["axis_1"], -part["angle_1"] * s**2)
-            turn = 2 * (1 - s) * part["angle_0"] * (back @ part["axis_0"]) + 2 * s * part["angle_1"] * part["axis_1"]
+        for i in self.turns:
+            axis, angle = part[f"axis_{i}"], part[f"angle_{i}"]
+            back = rotated(axis, -angle * (-((1 - s) ** 2) if i < 2 else s**2))
+            turn = back @ turn + 2 * ((1 - s) if i < 2 else s) * angle * axis
         return Curve(tangent, bend, turn)
 
     def _along(self, part: dict[str, ca.SX], s: ca.SX | float) -> tuple[ca.SX, ca.SX, ca.SX]:

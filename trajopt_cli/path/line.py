@@ -78,6 +78,12 @@ class Line(Segment):
         """Lines at once."""
         return lines_along
 
+    @property
+    def even_turns(self) -> tuple[Array, Array]:
+        """What turns evenly on it: nothing about an axis of the poses' frame, and its turn (3,) in the tool's own."""
+        axis, angle = self._axis_angle
+        return np.zeros(3), angle * axis
+
     def between(self, s_0: float, s_1: float) -> Line:
         """The part of it from s_0 to s_1, a line."""
         return Line(*self.pose(np.array([s_0, s_1])))

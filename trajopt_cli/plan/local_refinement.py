@@ -24,7 +24,7 @@ from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged,
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
-from trajopt_cli.plan.opened_corners import opened
+from trajopt_cli.plan.opened_corners import OpenedRuns, opened, with_even_zones
 from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -91,7 +91,7 @@ def refine(
     start = perf_counter()
     try:
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
-            runs = opened(axes, problem, merged) if through_corners else None
+            runs = _opened(axes, legal, problem, merged) if through_corners else None
             if runs is not None:
                 found = sweeps.run(runs.problem, runs.draft, report, partial(_tell_best, tell, duration(best)))
                 if duration(found) < duration(best) - axes.settings.least_gain:
@@ -141,6 +141,18 @@ def _tell_best(tell: Report, known: float, now: float) -> None:
 def _tell_whole(tell: Tell, rest: float, part: float) -> None:
     """Tell the cycle time [s] of a part and of the rest."""
     tell(rest + part)
+
+
+def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -> OpenedRuns | None:
+    """The problem with its runs opened and its motion; timed anew where zones of orientation are made smaller."""
+    even = with_even_zones(legal.problem)
+    if even is legal.problem:
+        return opened(axes, problem, merged)
+    with suppress(NotDriven):
+        draft = timed(axes, even, legal.chain)
+        if clear(axes, even, draft):
+            return opened(axes, *merge_via_points(axes, even, draft, legal.detours))
+    return None
 
 
 def _with_stops(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
@@ -402,7 +414,7 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
     if any(piece.passes(k) for k in range(len(piece.waypoints))):
         return False
     if any(point.passage is not None for point in piece.waypoints):
-        return True
+        return piece.plant.robot.has_rail or any(leg.kind is LegKind.JOINT for leg in piece.legs)
     if piece.coordinated and any(leg.kind is LegKind.JOINT for leg in piece.legs):
         return False
     if isinstance(piece.objective, LeastEffort):

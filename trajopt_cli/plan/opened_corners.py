@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -78,7 +79,7 @@ def opened(axes: Axes, problem: Problem, base: Iterate) -> OpenedRuns | None:
     """The problem with its runs with corners opened, and its motion at hand cut alike; None where no run can be.
 
     A run stays as it is, at rest and with the rail where the motion has it at its ends, where it leads over many short
-    lines, changes its tool in a corner, turns both ways in zones of two sizes, or waits for something.
+    lines, changes its tool in a corner, turns in zones of two sizes (see with_even_zones), or waits for something.
     """
     runs = [run for run in problem.runs if run[1] > run[0] + 1]
     open_ones = {run for run in runs if _can_open(problem, run)}
@@ -174,6 +175,19 @@ def _corner(problem: Problem, k: int) -> Corner:
         return Corner(before, after, zone.turning / before.angle, zone.turning / after.angle)
     turns = before.angle + after.angle > NO_WAY
     return Corner.of_zone(before, after, zone.radius, zone.turning if turns else zone.radius)
+
+
+def with_even_zones(problem: Problem) -> Problem:
+    """The problem with zones of orientation no larger than those of position where lines or arcs meet that turn: inside
+    the larger one the tool is then as long as it may on either of them, and one expression is all of a corner."""
+    points = list(problem.waypoints)
+    for k, (before, after) in enumerate(pairwise(problem.legs), start=1):
+        zone = points[k].fly_by
+        if zone is None or zone.joint or zone.in_place or before.segment is None or after.segment is None:
+            continue
+        if before.angle + after.angle > NO_WAY and zone.turning > zone.radius:
+            points[k] = replace(points[k], fly_by=zone._replace(turning=zone.radius))
+    return problem if points == list(problem.waypoints) else replace(problem, waypoints=tuple(points))
 
 
 class _Run:
