@@ -6,6 +6,8 @@ travels without its order in the name of the function that takes it.
 
 from __future__ import annotations
 
+from math import sqrt
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -81,7 +83,17 @@ def rotations_by(turns: Array) -> Array:
 
 def axis_angle(R: ArrayLike) -> tuple[Array, float]:
     """Unit axis (3,) and angle in [0, pi] of one rotation matrix (3, 3); x for the identity."""
-    w, *v = wxyz_from_rotation(R)
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.asarray(R, dtype=np.float64).tolist()
+    trace = xx + yy + zz  # wxyz_from_rotation, number by number: a long program has a hundred thousand
+    squares = [1 + trace, *(1 - trace + 2 * own for own in (xx, yy, zz))]
+    q = (
+        (squares[0], zy - yz, xz - zx, yx - xy),
+        (zy - yz, squares[1], yx + xy, xz + zx),
+        (xz - zx, yx + xy, squares[2], zy + yz),
+        (yx - xy, xz + zx, zy + yz, squares[3]),
+    )[squares.index(max(squares))]
+    norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) * (-1 if q[0] < 0 else 1)
+    w, *v = (part / norm for part in q)
     sine = float(np.linalg.norm(v))
     if sine < 1e-15:
         return np.array([1.0, 0.0, 0.0]), 0.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -35,6 +36,11 @@ def corners_of(program: Program, plant: Plant, dropped: Collection[int] = ()) ->
     Where a rail begins or ends to be held, a fly-by is a stop: the rail would move in the corner. Where jerk is limited
     all of them are.
     """
+    return _corners(program, plant, frozenset(dropped))
+
+
+@lru_cache(maxsize=4)  # every question about a program asks for them
+def _corners(program: Program, plant: Plant, dropped: frozenset[int]) -> Corners:
     kept = [index for index in range(len(program.motions)) if index not in dropped]
     driven = replace(program, motions=tuple(program.motions[index] for index in kept))
     if all(motion.zone.stop for motion in driven.motions if isinstance(motion, Move)):

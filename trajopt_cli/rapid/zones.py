@@ -181,7 +181,7 @@ def changes_frame(move: Motion, after: Motion) -> bool:
     if move.X_WO is None or after.X_WO is None:
         return not alike
     displaced = move.settings.displaced or after.settings.displaced
-    return not (alike and displaced) and not np.allclose(move.X_WO, after.X_WO, rtol=0, atol=NO_WAY)
+    return not (alike and displaced) and bool(np.abs(move.X_WO - after.X_WO).max() > NO_WAY)
 
 
 def _fly_by(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
