@@ -6,8 +6,9 @@ plans them. Each row has the cycle time of each target, how much later it is tha
 on the way or that a rung below has, and what fell back, by kind:
 
 wait, timed: a chain was not driven, as a wait or a line has less time than it takes; singular, range: as it passes a
-singularity, or leaves what the search looked at; rows: a motion's rows pass a limit; below: the plan is that of the
-rung below; slow: the plan that stops everywhere; windows: some did not converge; NO PLAN, ILLEGAL: nothing legal.
+singularity, or leaves what the search looked at; rows: a motion's rows pass a limit, and are mended; first: the plan is
+the first legal motion; below: the plan is that of the rung below; slow: the plan that stops everywhere; windows: some
+did not converge; NO PLAN, ILLEGAL: nothing legal.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import read_job
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven
 from trajopt_cli.pipeline.planning import Clock, may_change, plan_all
-from trajopt_cli.plan import repair, solve
+from trajopt_cli.plan import repair
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.objective import LEAST_TIME
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
@@ -148,6 +149,7 @@ def run(seed: int, timeout: float, keep: Path | None) -> dict[str, Any]:
         fell["ILLEGAL"] += not answer.report.legal
         for note in plan.notes:
             fell["below"] += note.startswith("the plan is the")
+            fell["first"] += "is the first legal one" in note
             fell["slow"] += "stops at every point" in note
             fell["windows"] += "failed to converge" in note
         row[f"{name} notes"] = list(plan.notes)
@@ -160,7 +162,7 @@ def run(seed: int, timeout: float, keep: Path | None) -> dict[str, Any]:
 
 def watch(fell: Counter[str]) -> None:
     """Count what falls back from now on."""
-    timed, rows = repair.timed_clear, solve._rows
+    timed, rows = repair.timed_clear, repair.rows_of
 
     def timed_clear(axes: Any, problem: Any, *more: Any) -> Any:
         try:
@@ -173,10 +175,10 @@ def watch(fell: Counter[str]) -> None:
 
     def rows_of(*asked: Any) -> Any:
         found = rows(*asked)
-        fell["rows"] += found is None
+        fell["rows"] += len(found[2]) > 0
         return found
 
-    repair.timed_clear, solve._rows = timed_clear, rows_of  # type: ignore[assignment]
+    repair.timed_clear, repair.rows_of = timed_clear, rows_of  # type: ignore[assignment]
 
 
 def main() -> None:
