@@ -17,12 +17,11 @@ from trajopt_cli.motion import Program
 from trajopt_cli.nlp.block_cache import Maps
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.path.line import Line, LineSymbols
-from trajopt_cli.path_timing.smooth import rest_time
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.timing.point_to_point import point_to_point
+from trajopt_cli.timing.point_to_point import point_to_point, rest_time
 from trajopt_cli.trajectories.axes import Axes
 
 pytestmark = pytest.mark.usefixtures("coarse", "few_places")

@@ -15,6 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
+from trajopt_cli.graph_search.rail_in_waits import farthest
 from trajopt_cli.graph_search.shared_states import Ties, best_tied, shared
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -295,14 +296,15 @@ def _mirrored_leg(problem: Problem, first: int, k: int) -> int | None:
     return j if caps == its and passed == its_passed and (a, b) == (d, c) else None
 
 
-def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
-    """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
+def _dwell_time(axes: Axes, problem: Problem, leg: Leg, d: Array, arm: Array, a: _Layer, b: _Layer) -> Array:
+    """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit. d, arm: as in farthest."""
     V, A = axes.velocity_on(leg), axes.acceleration
     same = a.label[:, None] == b.label[None]
     if not leg.rail_moves:
         same &= a.rail[:, None] == b.rail[None]
     out = np.full(same.shape, np.inf)
     before, behind = np.nonzero(same)
+    far = farthest(axes, leg, d, arm) if leg.rail_moves and leg.duration is not None and axes.layout.has_rail else None
     rows = max(1, (3 * axes.settings.batch) // axes.n)
     for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
         checkpoint()
@@ -318,6 +320,9 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         else:
             up, down = reach(T, v_a, v_b, V, A) >= D - 1e-12, reach(T, -v_a, -v_b, V, A) >= -D - 1e-12
             fits = np.all(up & down & (np.abs(v_b - v_a) <= A * T + 1e-12), axis=-1)
+        if far is not None:
+            ways = np.sort(np.stack([a.rail[ia], b.rail[ib]]), axis=0)
+            fits &= (far[a.label[ia], ways[0]] >= ways[1]) | v_a.any(axis=-1) | v_b.any(axis=-1)
         out[ia, ib] = np.where(fits, T, np.inf)
     return out
 
@@ -349,7 +354,8 @@ def _edges(
                 bands[k] = _line_times(axes, problem, table, k - first, k, a, b, far)
             edges.append(_line_edge(axes, leg, bands[k], a, b))
         else:
-            T = _dwell_time(axes, problem, leg, a, b)
+            arm = table.waypoints[k - problem.stations[where[k]][0]]
+            T = _dwell_time(axes, problem, leg, table.d, arm, a, b)
             held = problem.freedom.rail is RailFreedom.STATION
             edges.append(Dense(np.where(a.rail[:, None] == b.rail[None], T, np.inf) if held else T))
         made = edges[-1]

@@ -16,10 +16,10 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.path.segment import along_all, over_work
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
-from trajopt_cli.path_timing.smooth import rest_time
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
+from trajopt_cli.timing.point_to_point import rest_time
 from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes
 

@@ -29,18 +29,6 @@ Shares = tuple[float, float, float]
 _ATTEMPTS = 40  # hairs by which a profile is made softer until its switches stand apart
 
 
-def rest_time(D: Array, V: Array, A: Array, J: Array) -> Array:
-    """Least times from rest to rest over D >= 0 under speed, acceleration and jerk limits; all broadcast."""
-    D, V, A, J = np.broadcast_arrays(D, V, A, J)
-    ramp = np.where(V * J > A * A, V / A + A / J, 2 * np.sqrt(V / J))  # from rest to the top speed
-    sharp = 4 * np.cbrt(D / (2 * J))
-    speed = (np.sqrt((A / J) ** 2 + 4 * D / A) - A / J) * A / 2
-    with np.errstate(divide="ignore", invalid="ignore"):
-        full = np.where(D > 0, 2 * D / speed, 0.0)
-    slower = np.where(D <= 2 * A**3 / J**2, sharp, full)
-    return np.asarray(np.where(V * ramp <= D, D / V + ramp, slower))
-
-
 def smooth(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -> PathLeg | JointNodes | None:
     """The motion of leg k between axes q[k], q[k + 1] at rest, as fast as was found; None where the arm cannot follow
     or leaves its ranges. A programmed time is not considered."""

@@ -14,6 +14,18 @@ _BESIDE = 1 - 1e-12
 _SAME = 1e-13  # of a duration: two that differ by less are one
 
 
+def rest_time(D: Array, V: Array, A: Array, J: Array) -> Array:
+    """Least times from rest to rest over D >= 0 under speed, acceleration and jerk limits; all broadcast."""
+    D, V, A, J = np.broadcast_arrays(D, V, A, J)
+    ramp = np.where(V * J > A * A, V / A + A / J, 2 * np.sqrt(V / J))  # from rest to the top speed
+    sharp = 4 * np.cbrt(D / (2 * J))
+    speed = (np.sqrt((A / J) ** 2 + 4 * D / A) - A / J) * A / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        full = np.where(D > 0, 2 * D / speed, 0.0)
+    slower = np.where(D <= 2 * A**3 / J**2, sharp, full)
+    return np.asarray(np.where(V * ramp <= D, D / V + ramp, slower))
+
+
 @dataclass(frozen=True, eq=False)
 class PointToPoint:
     """k axes from point to point, each in m phases of constant jerk (of constant acceleration where jerk is free).
