@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import multiprocessing
 import sys
+from contextlib import ExitStack, nullcontext
 from pathlib import Path
+from time import sleep
 
 import numpy as np
 import pytest
 
-from trajopt_cli.native.loops import Loop, loops_kept
+from trajopt_cli.native.loops import Loop, _key, loops_kept, prepared
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store
+from trajopt_cli.workers import Worker
 
 SMALL = "native.small_loops"
 
@@ -94,10 +97,37 @@ def test_code_is_made_anew_for_another_computer_numba_or_text(tmp_path: Path, mo
     for count in range(1, 5):
         for _ in range(2):
             loops_kept("changed_loops", store)
-            assert len([*store.folder.iterdir()]) == count
+            assert len([*store.folder.glob("*.block")]) == count
         if count == 1:
             monkeypatch.setattr("trajopt_cli.native.loops.version", lambda _: "0.0")
         elif count == 2:
             monkeypatch.setattr(type(machine()), "identity", "another computer")
         else:
             text.write_text(text.read_text() + "\n")
+
+
+def test_who_asks_for_what_another_process_compiles_waits_for_it(
+    made: tuple[Store, Loop], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The other process has no numba, and ends well: it takes what is there when its turn comes. Where nothing can be
+    kept it has nothing to do."""
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setitem(sys.modules, "numba", None)
+    monkeypatch.delitem(sys.modules, SMALL, raising=False)
+    assert isinstance(prepared([SMALL], made[0]), nullcontext)
+    store, kept = Store(tmp_path / "store"), made[0].read(_key(SMALL))
+    assert kept is not None
+    with ExitStack() as mine, ExitStack() as theirs:
+        mine.enter_context(store.making(_key(SMALL)))
+        other = theirs.enter_context(prepared([SMALL], store))
+        assert isinstance(other, Worker)
+        sleep(0.1)
+        assert not other.done
+        store.write(_key(SMALL), kept)
+        mine.close()
+        assert other.answer() is None
+    with prepared([SMALL], Store(tmp_path / "file" / "store")) as other:
+        assert isinstance(other, Worker)
+        assert other.answer() is None
+    with pytest.raises(ImportError):
+        loops_kept(SMALL, Store(tmp_path / "empty"))

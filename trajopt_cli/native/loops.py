@@ -11,6 +11,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store, users_store
+from trajopt_cli.workers import Worker
 
 _SCALARS = {"int64": ctypes.c_int64, "float64": ctypes.c_double}
 
@@ -64,20 +66,47 @@ def loops(name: str) -> Mapping[str, Loop]:
     return loops_kept(name, users_store())
 
 
+def prepared(names: Sequence[str], store: Store | None = None) -> AbstractContextManager[object]:
+    """As long as it lasts, a process beside this one compiles modules that are not in the user's cache. Who asks for
+    one of them meanwhile waits until it is there."""
+    store = store or users_store()
+    if all(store.read(_key(name)) for name in names):
+        return nullcontext()
+
+    def work(_: object) -> None:
+        for name in names:
+            _kept(name, store, alone=False)
+
+    return Worker(work, lambda _: None)
+
+
 def loops_kept(name: str, store: Store) -> Mapping[str, Loop]:
-    """The same, kept in a store."""
-    spec = find_spec(name)
-    assert spec is not None
-    assert spec.origin is not None
-    digest = hashlib.sha256(Path(spec.origin).read_bytes() + Path(__file__).read_bytes()).hexdigest()
-    key = f"{name} {digest} {machine().identity} numba {version('numba')}"
-    if (kept := store.read(key)) is None:
-        kept = _compiled(name)
-        store.write(key, kept)
+    """As loops, kept in a store."""
+    kept = _kept(name, store)
     symbols = kept["symbols"].tolist()
     library = machine().linked(kept["code"].tobytes(), symbols)
     made = zip(kept["names"].tolist(), symbols, kept["kinds"].tolist(), strict=True)
     return {one: Loop(library[symbol], kinds.split("; "), library) for one, symbol, kinds in made}
+
+
+def _key(name: str) -> str:
+    spec = find_spec(name)
+    assert spec is not None
+    assert spec.origin is not None
+    digest = hashlib.sha256(Path(spec.origin).read_bytes() + Path(__file__).read_bytes()).hexdigest()
+    return f"{name} {digest} {machine().identity} numba {version('numba')}"
+
+
+def _kept(name: str, store: Store, alone: bool = True) -> dict[str, NDArray[np.generic]]:
+    """What is kept of a module, compiled once by all processes. alone: also where it cannot be kept for others."""
+    key = _key(name)
+    if (kept := store.read(key)) is None:
+        with store.making(key) as told:
+            kept = store.read(key)
+            if kept is None and (told or alone):
+                kept = _compiled(name)
+                store.write(key, kept)
+    return kept or {}
 
 
 def _compiled(name: str) -> dict[str, NDArray[np.generic]]:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import os
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from errno import EACCES, ENOENT
@@ -53,10 +53,7 @@ class Store:
         np.savez(packed, **arrays)  # type: ignore[arg-type]
         body = packed.getvalue()
         try:
-            if not self.folder.is_absolute():
-                raise FileNotFoundError(ENOENT, "the user has no home folder")
-            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            self._check_own()
+            self._begin()
             self._make_room(len(body))
             with NamedTemporaryFile(dir=self.folder, suffix=_PART, delete=False) as aside:
                 fcntl.flock(aside, fcntl.LOCK_EX)  # as long as this process lives
@@ -66,8 +63,28 @@ class Store:
         except OSError as error:
             self.trouble = f"{self.folder}: {error.strerror}"
 
+    @contextmanager
+    def making(self, key: str) -> Iterator[bool]:
+        """As long as another process makes what belongs under a key, wait for it; whether that can be told here."""
+        with ExitStack() as held:
+            try:
+                self._begin()
+                lock = held.enter_context(open(self.folder / ".lock", "ab"))
+            except OSError:
+                yield False
+                return
+            fcntl.lockf(lock, fcntl.LOCK_EX, 1, int(self._file(key).name[:7], 16))
+            yield True
+
     def _file(self, key: str) -> Path:
         return self.folder / (hashlib.sha256(key.encode()).hexdigest()[:32] + _SUFFIX)
+
+    def _begin(self) -> None:
+        """Make the folder. Raise OSError where that, or using it, is not possible."""
+        if not self.folder.is_absolute():
+            raise FileNotFoundError(ENOENT, "the user has no home folder")
+        self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        self._check_own()
 
     def _check_own(self) -> None:
         """Raise OSError unless the folder is this user's, and nobody else may write to it."""

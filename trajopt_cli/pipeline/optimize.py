@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import partial
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
 
 _ROBOT = f"{INPUT}robot/"
 _ROUNDING = 1e-6  # s
+_LOOPS = [f"trajopt_cli.{name}_loops" for name in ("timing.topp", "nlp.interior_point", "bound.bound")]
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
 
@@ -113,6 +115,7 @@ def optimize_job(
     """
     from trajopt_cli.exporters.rapid_diff import unified_diff
     from trajopt_cli.judge.clearance import check_start
+    from trajopt_cli.native.loops import prepared
     from trajopt_cli.nlp.block_cache import evaluation_notices
     from trajopt_cli.plan.uncertainty import uncertainty
 
@@ -133,9 +136,9 @@ def optimize_job(
     chosen = target or Target.STREAM
     asked = {one: objective if one is chosen else for_the_other(objective) for one in Target}
     kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
-    answers, written, estimate = plan_all(
-        job, listen, clock, changes, patience, jobs or cores(), asked, kept, kept_written
-    )
+    jobs = jobs or cores()
+    with prepared(_LOOPS) if jobs > 1 else nullcontext():
+        answers, written, estimate = plan_all(job, listen, clock, changes, patience, jobs, asked, kept, kept_written)
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
