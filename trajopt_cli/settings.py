@@ -216,6 +216,12 @@ class Settings:
         return 10 * self.long_line
 
     @property
+    def worth(self) -> float:
+        """Share of such a span by which other chains may be estimated to take longer to be timed as well, and by which
+        they may take longer after a few rounds of refinement. Measured with benchmarks/bench_chains.py."""
+        return (self.near_best - 1) / 4
+
+    @property
     def path_samples(self) -> int:
         """Places on a joint move whose distances add up to the tool's way."""
         return self.line_samples // 2

@@ -15,6 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.graph_search.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, rail_grid, reversed_leg, station_table
+from trajopt_cli.graph_search.near_paths import near_paths
 from trajopt_cli.graph_search.rail_in_waits import farthest
 from trajopt_cli.graph_search.shared_states import Ties, best_tied, shared
 from trajopt_cli.problem.decision_scope import RailFreedom
@@ -24,7 +25,7 @@ from trajopt_cli.timing.double_integrator import alone, mean_ramp, reach, shorte
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
 from trajopt_cli.trajectories.limits import limits_of
-from trajopt_cli.trajectories.route import IkBranch, Route
+from trajopt_cli.trajectories.route import IkBranch, OtherPart, Route
 
 _WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long.
 _SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time.
@@ -33,6 +34,8 @@ _LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for t
 _AVOID_ROUNDS = 60  # times that the best chain is looked at and, where it is not clear, searched again.
 _AVOID_WORSE = 1.3  # times the best chain's cost beyond which pairs are not looked at beforehand.
 _PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint.
+_OTHER_PARTS = 10  # per window of the search that are told of. Measured with benchmarks/bench_chains.py.
+_ELSEWHERE = 1.5  # times the coarse grid's spacing from which on a rail position is another one.
 _SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search looks at.
 
 _LEAST = 1e-12  # s, s2: of a leg that goes nowhere
@@ -478,7 +481,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
             if end < final
             else final
         )
-        chain = _search(axes, _window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
+        chain = _search(axes, window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
         if chain is None:
             return None
         parts.append(_head(chain, sure - begin))
@@ -496,15 +499,17 @@ def _seam(axes: Axes, problem: Problem, avoid: EdgeChecks | None) -> tuple[Array
     return None if chain is None else (chain.q[n - first], chain.labels[n - first])
 
 
-def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem:
-    """The problem from one waypoint to another, both the last ones of their stations; it begins at axes q (n,)."""
+def window(problem: Problem, first: int, last: int, q: Array | None, q_end: Array | None = None) -> Problem:
+    """The problem from one waypoint to another, where stations end or the last one begins; it begins at axes q (n,) and
+    ends at q_end, where these are given."""
     if first == 0 and last == len(problem.waypoints) - 1:
         return problem
     waypoints = list(problem.waypoints[first : last + 1])
-    if q is not None:
-        rail = float(problem.plant.layout.place(q))
-        waypoints[0] = replace(waypoints[0], q=q, rail=(rail, rail), rest=True)
-    stations = [(max(a, first) - first, b - first) for a, b in problem.stations if first <= b <= last]
+    for at, held in ((0, q), (-1, q_end)):
+        if held is not None:
+            rail = float(problem.plant.layout.place(held))
+            waypoints[at] = replace(waypoints[at], q=held, rail=(rail, rail), rest=True)
+    stations = [(max(a, first) - first, min(b, last) - first) for a, b in problem.stations if first <= b and a <= last]
     legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
     ties = tuple(tuple(k - first for k in group) for group in problem.ties if first <= group[0] and group[-1] <= last)
     return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
@@ -513,7 +518,8 @@ def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem
 def _head(chain: Route, n: int) -> Route:
     """The first n legs of a chain."""
     times = chain.times[:n]
-    return Route(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)))
+    others = tuple(one for one in chain.others if one.last <= n)
+    return Route(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)), others)
 
 
 def _joined(chains: Sequence[Route]) -> Route:
@@ -524,7 +530,9 @@ def _joined(chains: Sequence[Route]) -> Route:
     q, w = (np.concatenate([getattr(first, x), *(getattr(one, x)[1:] for one in others)]) for x in ("q", "w"))
     times = np.concatenate([one.times for one in chains])
     labels = first.labels + tuple(label for one in others for label in one.labels[1:])
-    return Route(q, w, labels, times, float(np.sum(times)))
+    begins = np.cumsum([0, *(len(one.times) for one in chains)]).tolist()
+    parts = [replace(part, first=part.first + k) for k, one in zip(begins, chains, strict=False) for part in one.others]
+    return Route(q, w, labels, times, float(np.sum(times)), tuple(sorted(parts, key=lambda part: part.more)))
 
 
 def _tables(axes: Axes, problem: Problem, grids: Sequence[Array], avoid: EdgeChecks | None = None) -> list[IkTable]:
@@ -591,10 +599,14 @@ def _search(
             avoid.ended = next((problem.legs[k - 1].motion for k in ends), None)
         return None
     coarse = _route(problem, tables, where, layers, edges, path, cost)
-    if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
-        return coarse
-    limit = cost + (settings.near_best - 1) * min(cost, settings.near_span)
+    limit, worth = (cost + share * min(cost, settings.near_span) for share in (settings.near_best - 1, settings.worth))
     through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, limit), strict=True)]
+    others = list[Route]()
+    if avoid is None and not problem.ties:
+        near = near_paths([layer.place for layer in layers], edges, forward, through, path, worth)
+        others = [coarse, *(_route(problem, tables, where, layers, edges, states, T) for T, states in near)]
+    if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
+        return replace(coarse, others=_other_parts(axes, problem, coarse, others))
     del edges
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
@@ -622,7 +634,31 @@ def _search(
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers, avoid, far)
     cost, path, _ = _best_clear(axes, problem, fine_tables, where, layers, edges, avoid)
-    return _route(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+    if not np.isfinite(cost):
+        return coarse
+    found = _route(problem, fine_tables, where, layers, edges, path, cost)
+    return replace(found, others=_other_parts(axes, problem, found, others))
+
+
+def _other_parts(axes: Axes, problem: Problem, best: Route, others: Sequence[Route]) -> tuple[OtherPart, ...]:
+    """The stations side by side in which other chains, the best of them first, are on another branch than the best
+    chain, in another turn, or at another place of the rail."""
+    layout, found = axes.layout, dict[bytes, OtherPart]()
+    apart = _ELSEWHERE * axes.settings.coarse_spacing
+    for other in others:
+        away = np.array([a.cfx != b.cfx for a, b in zip(best.labels, other.labels, strict=True)])
+        away |= np.abs(best.q - other.q)[:, layout.arm].max(axis=1) > np.pi
+        if layout.has_rail:
+            away |= np.abs(layout.place(best.q) - layout.place(other.q)) > apart
+        groups = list[list[int]]()
+        for i in (i for i, (first, last) in enumerate(problem.stations) if away[first : last + 1].any()):
+            groups = [*groups[:-1], [*groups[-1], i]] if groups and groups[-1][-1] == i - 1 else [*groups, [i]]
+        for group in groups:
+            first, last = problem.stations[group[0]][0], problem.stations[group[-1]][1]
+            at = slice(first, last + 1)
+            name = first.to_bytes(8, "big") + np.round(other.q[at], 9).tobytes()
+            found.setdefault(name, OtherPart(first, other.q[at], other.labels[at], other.cost - others[0].cost))
+    return tuple(found.values())[:_OTHER_PARTS]
 
 
 def _windows(

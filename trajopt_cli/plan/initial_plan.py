@@ -22,6 +22,7 @@ from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.plan.collision_diagnosis import blocked_place, collision_answer
 from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated
+from trajopt_cli.plan.other_chains import with_better_parts
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import timed_in_time
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
@@ -310,7 +311,7 @@ def initial_plan_of(
                         tried = _with_rail_refined(narrow, coupled, chain, known)
                     add(seconds, "search", perf_counter() - start)
                 start = perf_counter()
-                for one in tried:
+                for one in _and_other_chain(narrow, coupled, chain, tried, known, patience):
                     try:
                         one, draft = timed_in_time(axes, problem, one, runs, narrow, known)
                     except Stopped:
@@ -409,6 +410,20 @@ def _with_rail_refined(axes: Axes, problem: Problem, chain: Route, known: Times)
             refine_corner_rail(axes, problem, one) for one in (*out, refine_rail(axes, stopped(problem), chain, known))
         ]
     return out
+
+
+def _and_other_chain(
+    axes: Axes, problem: Problem, chain: Route, tried: Sequence[Route], known: Times, patience: Patience
+) -> Iterator[Route]:
+    """Refined chains, and once these are driven the first of them with other parts that the search found, if they take
+    less time. known: as in leg_times."""
+    yield from tried
+    better: Route | None = None
+    with suppress(Stopped):
+        better = None if patience.over else with_better_parts(axes, problem, chain, tried[0], known)
+    if better is not None:
+        passing = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
+        yield refine_corner_rail(axes, problem, better) if passing else better
 
 
 def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:

@@ -16,11 +16,29 @@ class IkBranch:
 
 
 @dataclass(frozen=True, eq=False)
+class OtherPart:
+    """What a chain may have instead from waypoint first on: axes q (m, n) and labels at whole stations. more [s]: by
+    how much longer it is estimated to take."""
+
+    first: int
+    q: Array
+    labels: tuple[IkBranch, ...]
+    more: float
+
+    @property
+    def last(self) -> int:
+        """The last of its waypoints."""
+        return self.first + len(self.q) - 1
+
+
+@dataclass(frozen=True, eq=False)
 class Route:
-    """The best chain: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs."""
+    """The best chain: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs.
+    others: what may turn out to be faster, the most promising first."""
 
     q: Array
     w: Array
     labels: tuple[IkBranch, ...]
     times: Array
     cost: float
+    others: tuple[OtherPart, ...] = ()
