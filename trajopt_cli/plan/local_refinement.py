@@ -99,7 +99,7 @@ def refine(
                     best = closed if clear(axes, problem, closed) else best
             with_stops = _with_stops(axes, legal.problem, legal.chain)
             bases = (merge_via_points(axes, *one, legal.detours) for one in with_stops)
-            if best is not merged and not report.failed:
+            if report.stopped or (best is not merged and not report.failed):
                 bases = []
         elif axes.layout.has_rail and problem.freedom.through_stops:
             chain = search(axes, problem)

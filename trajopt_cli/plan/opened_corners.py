@@ -25,6 +25,7 @@ from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, PathLeg, Piece, Pieces, integrate
 
 _WAY = 1e-3  # m or rad: how long the way of a passage is; it stands for a direction.
+_MANY = 3  # short lines in a row are a contour, which is left to path timing: a program of its corners is large.
 _TOUCH = 1e-6  # share of a line between two zones that touch.
 _MOMENT = 1e-10  # s: a shorter part of a motion is rounding.
 _HALVINGS = 60  # of a time at which a share of a way is done.
@@ -144,7 +145,8 @@ def _fixed(problem: Problem, base: Iterate, k: int, point: Waypoint) -> Waypoint
 def _can_open(problem: Problem, run: tuple[int, int]) -> bool:
     first, last = run
     legs = problem.legs[first:last]
-    if any(short(problem, k) for k in range(first, last)):
+    in_a_row = "".join("s" if short(problem, k) else " " for k in range(first, last))
+    if "s" * _MANY in in_a_row:
         return False
     if any(leg.kind is LegKind.DWELL or leg.units or leg.least > 0 or leg.duration is not None for leg in legs):
         return False
