@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -367,16 +368,15 @@ class MeshRefinement:
         iterate = self._with_grids(iterate, margins)
         margins = [m.refined() if m and grows else m for m, grows in zip(margins, finer, strict=True)]
         iterate = replace(iterate, legs=tuple(_halved(*one) for one in zip(iterate.legs, finer, strict=True)))
-        try:
-            start = self._slowed(iterate, margins)
-            mu = settings.barrier_rough if n == settings.first_grid else settings.barrier_refined
-            iterate, *warm = self._solve(
-                start, margins, mu, settings.tolerance if 2 * n >= last else settings.rough_tolerance
-            )
-        except NotConverged:
-            # the coarser grid's answer is a motion too; cleaned, it is only a little slower
-            return replace(stage, ended=True)
-        return Stage(iterate, margins, warm)
+        start = self._slowed(iterate, margins)
+        mu = settings.barrier_rough if n == settings.first_grid else settings.barrier_refined
+        tolerance = settings.tolerance if 2 * n >= last else settings.rough_tolerance
+        for barrier in (mu, settings.barrier_cold):
+            with suppress(NotConverged):
+                iterate, *warm = self._solve(start, margins, barrier, tolerance)
+                return Stage(iterate, margins, warm)
+        # the coarser grid's answer is a motion too; cleaned, it is only a little slower
+        return replace(stage, ended=True)
 
     def again(self, iterate: Iterate, before: Transcription, answer: NlpResult) -> Iterate:
         """From the clean iterate of a program that differs in numbers only, with that program and its answer, to the
