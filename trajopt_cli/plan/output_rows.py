@@ -51,7 +51,11 @@ def output_rows(
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     grids = busy or [False] * len(legs)
-    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more, grids[i], axes.settings)[:-1] for i, leg in enumerate(legs)]
+    ordered = np.sort(np.array(more, dtype=np.float64))
+    inside = np.split(ordered, np.searchsorted(ordered, bounds))[1:-1]
+    times = [
+        _leg_rows(leg, bounds[i], bounds[i + 1], inside[i], grids[i], axes.settings)[:-1] for i, leg in enumerate(legs)
+    ]
     t = np.concatenate([*times, bounds[-1:]])
     q, qd = np.empty((len(t), axes.n)), np.empty((len(t), axes.n))
     q[-1], qd[-1] = end, 0.0
@@ -62,8 +66,9 @@ def output_rows(
     return Trajectory(axes.robot.axis_names, t, q, qd), bounds
 
 
-def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool, settings: Settings) -> Array:
-    """Row times of one leg: its breaks, those of more and every grid time that keep their distance from them."""
+def _leg_rows(leg: LegMotion, start: float, end: float, more: Array, busy: bool, settings: Settings) -> Array:
+    """Row times of one leg: its breaks, those of more and every grid time that keep their distance from them. more
+    (m,): within the leg."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
     keep = np.concatenate([[True], np.diff(breaks) > _SAME_TIME])
@@ -71,8 +76,7 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], b
     breaks = breaks[keep]
     if len(breaks) > 2 and breaks[-1] - breaks[-2] <= _SAME_TIME:
         breaks = np.delete(breaks, -2)
-    inside = np.array([t for t in more if start < t < end])
-    marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks, settings.least_row_step)]]))
+    marks = np.unique(np.concatenate([breaks, more[_apart(more, breaks, settings.least_row_step)]]))
     every = settings.row_step * float(np.clip(np.ceil(leg.T / _LONG_MOTION), 1, _ROWS_WIDEST))
     even = ~leg.resting() | busy | (np.diff(leg.breaks()) < settings.long_rest)
     grid = _grid(start + leg.breaks(), even, every)
