@@ -62,19 +62,23 @@ def _gates(problem: Problem, first: int, last: int) -> tuple[list[Gate], list[li
     tool's velocity can turn in a small share of the time that the chord takes."""
     ends = [(first, first), (last, last - 1)]
     start, end = (Gate(k, leg, problem.waypoints[k].X_WF, np.zeros(6), np.zeros(3)) for k, leg in ends)
-    gates, ways = [start], [list[TcpPart]()]
+    gates, ways, chords = [start], [list[TcpPart]()], [0.0]  # the last: what each way's chords take [s]
     for part in [*course(problem, first, last), end]:
         if isinstance(part, TcpPart):
             ways[-1].append(part)
+            chords[-1] += part.length / part.speed
             continue
-        before, chord = gates[-1], sum(one.length / one.speed for one in ways[-1])
+        before = gates[-1]
         turned = float(np.linalg.norm(part.velocity - before.velocity)) / problem.legs[before.leg].a_tcp
-        if part.k == before.k and turned < _TURNED * chord:
+        if part.k == before.k and turned < _TURNED * chords[-1]:
             gates.pop()
-            ways[-2:] = [ways[-2] + ways[-1]]
+            behind, chord = ways.pop(), chords.pop()
+            ways[-1] += behind
+            chords[-1] += chord
         else:
             gates.append(part)
             ways.append([])
+            chords.append(0.0)
     return gates, ways[:-1]
 
 

@@ -153,14 +153,13 @@ class _Refinement:
     def ahead(self, chain: _Chain) -> tuple[list[_Cells], list[Array]]:
         """The cells of the first level, and the least time from each to the end."""
         cells = self._cells(chain, 0, 0, [None] * len(chain.places))
-        ahead = [np.zeros(len(cells[-1].key))]
+        ahead, ends = [np.zeros(len(cells[-1].key))], {i: j for i, j in chain.direct}
         for k in reversed(range(len(chain.hops))):
             ahead.append(_least(self.axes, self.problem, chain.hops[k], cells[k], cells[k + 1], ahead[-1]))
-            for (i, j), run in chain.direct.items() if len(chain.direct) else ():
-                if i == k:
-                    beyond = ahead[len(chain.hops) - j]
-                    straight = _least(self.axes, self.problem, run, cells[k], cells[j], beyond)
-                    ahead[-1] = np.maximum(ahead[-1], straight)
+            if (j := ends.get(k)) is not None:
+                beyond, run = ahead[len(chain.hops) - j], chain.direct[k, j]
+                straight = _least(self.axes, self.problem, run, cells[k], cells[j], beyond)
+                ahead[-1] = np.maximum(ahead[-1], straight)
         return cells, ahead[::-1]
 
     def of(
