@@ -135,3 +135,30 @@ def test_a_grid_on_which_one_solve_fails_is_solved_otherwise() -> None:
     )
     assert len(failed) == 1
     assert grids.path == found.legs[1].N
+
+
+def test_a_stop_passed_in_motion_keeps_to_the_range_that_the_legs_beside_it_are_left() -> None:
+    """An axis that comes away from its end in motion was beyond it before. Red where only nodes inside the leg are
+    tightened: then no round of it changes anything, and the whole motion is given up."""
+    plant = plant_with_rail()
+    axes = Axes.of(plant)
+    body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v300, fine, tool0;\nMoveL p_in, v300, fine, tool0;"
+    problem = problem_of(rapid(body), plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    cfx = tuple(label.cfx for label in chain.labels)
+    iterate = first_iterate(axes, problem, chain.q, chain.w, cfx, chain.times)
+    refiner = MeshRefinement(axes, Formulation(axes), problem, Patience())
+    margins = refiner.margins(iterate)
+    k = next(k for k in range(1, len(problem.legs)) if not problem.rests(k) and margins[k - 1] is not None)
+    half = np.array([0.9, 0.95, 0.9, 0.95, 0.9, 0.95, 0.9])
+    margins[k - 1].position[-1], margins[k].position[0] = half, 0.93
+    program = refiner.transcription(iterate, margins)
+    bounds = program.nlp.bounds()
+    middle, room = (axes.upper + axes.lower) / 2, np.minimum(half, 0.93) * (axes.upper - axes.lower) / 2
+    at = program.waypoint_q[k]
+    np.testing.assert_allclose(bounds.upper[at], middle + room, atol=1e-12)
+    np.testing.assert_allclose(bounds.lower[at], middle - room, atol=1e-12)
+    last = program.waypoint_q[len(problem.legs)]
+    assert problem.rests(len(problem.legs))
+    np.testing.assert_array_equal(bounds.upper[last[1:]], axes.upper[1:])

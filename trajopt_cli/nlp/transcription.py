@@ -154,7 +154,7 @@ class Transcription:
             self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
             return
         if passage is not None and passage.way is None:
-            self.waypoint_q.append(nlp.variables(q, axes.lower, axes.upper))
+            self.waypoint_q.append(nlp.variables(q, *self._waypoint_range(k, stop.rail)))
             self.waypoint_qd.append(nlp.variables(qd, -axes.velocity, axes.velocity))
             where: Parts = {
                 "tcp": passage.X_FT[:3, 3],
@@ -166,8 +166,8 @@ class Transcription:
                 self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
             return
         low, high = self._waypoint_range(k, stop.rail)
-        d = nlp.variables(np.clip(q[rail], low, high), low, high)
-        joints = nlp.variables(q[arm], axes.lower[arm], axes.upper[arm])
+        d = nlp.variables(np.clip(q[rail], low[rail], high[rail]), low[rail], high[rail])
+        joints = nlp.variables(q[arm], low[arm], high[arm])
         rest = self.problem.rests(k)
         V = np.zeros(axes.n) if rest else axes.velocity
         guess = np.zeros(axes.n) if rest else qd
@@ -206,15 +206,24 @@ class Transcription:
         room = fraction * (high - low) / 2
         return (low + high) / 2 - room, (low + high) / 2 + room
 
-    def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array | float, Array | float]:
-        """The rail's range at waypoint k: what the program allows and what the legs beside it leave."""
+    def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array, Array]:
+        """The axes' ranges (n,) at waypoint k: what the program allows the rail, and what the legs beside it leave: an
+        axis that is at its end with velocity has passed it before, or will. At rest it has not."""
         before, after = self.margins[k - 1] if k else None, self.margins[k] if k < len(self.margins) else None
         rail = self.axes.layout.rail
-        shares = [m.position[node, rail] for m, node in ((before, -1), (after, 0)) if m is not None]
-        if allowed[0] == allowed[1] or not shares:
-            return allowed
-        low, high = self._rail_range(np.min(shares, axis=0))
-        return np.maximum(allowed[0], low), np.minimum(allowed[1], high)
+        share = np.ones(self.axes.n)
+        for margins, node in ((before, -1), (after, 0)):
+            share = share if margins is None else np.minimum(share, margins.position[node])
+        if self.problem.rests(k):
+            share[self.axes.layout.arm] = 1.0
+        middle, room = (self.axes.lower + self.axes.upper) / 2, share * (self.axes.upper - self.axes.lower) / 2
+        low = np.where(share < 1, middle - room, self.axes.lower)
+        high = np.where(share < 1, middle + room, self.axes.upper)
+        if allowed[0] == allowed[1]:
+            low[rail], high[rail] = allowed
+        else:
+            low[rail], high[rail] = np.maximum(allowed[0], low[rail]), np.minimum(allowed[1], high[rail])
+        return low, high
 
     # ---- ties
     def _ties(self) -> None:
