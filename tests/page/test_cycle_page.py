@@ -15,6 +15,7 @@ from report.drawn_plans import PAUSE, TOOL, drawn, summarized
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, TextFile
+from trajopt_cli.page import samples
 from trajopt_cli.page.cell import program_section
 from trajopt_cli.page.changes import changes_section
 from trajopt_cli.page.compared import compared_page
@@ -166,7 +167,7 @@ def test_plans_of_a_program_that_cannot_be_driven_as_written_stand_beside_each_o
     assert 'id="saving"' not in page
 
 
-def test_rows_that_bend_are_kept_and_rows_on_a_line_are_not() -> None:
+def test_rows_that_bend_are_kept_and_rows_on_a_line_are_not(monkeypatch: pytest.MonkeyPatch) -> None:
     limits = RAIL.plant.limits
     t = np.arange(0.0, 1.0, 1e-3)
     turn = 2 * np.pi * np.linspace(5, 60, 7)
@@ -181,6 +182,10 @@ def test_rows_that_bend_are_kept_and_rows_on_a_line_are_not() -> None:
     assert len(sample_times(calm, limits, np.array([]))) == pytest.approx(250, abs=2)
     marked = sample_times(calm, limits, np.array([0.457]))
     assert 0.457 in np.round(marked, 9)
+    monkeypatch.setattr(samples, "MOST_ROWS", len(kept) // 3)  # of a long cycle curves show at last
+    fewer = sample_times(rows, limits, np.array([0.457]))
+    assert len(kept) / 30 < len(fewer) <= len(kept) // 3
+    assert {0.0, 0.457, float(t[-1])} <= {*np.round(fewer, 9).tolist()}
 
 
 def test_where_the_speed_should_be_kept_and_is_not_is_marked_and_told() -> None:

@@ -11,6 +11,7 @@ from trajopt_cli.trajectory import Trajectory, hermite
 
 GAP = 4e-3  # s between rows, at most, in cycles of up to a minute
 ROWS = 15_000  # kept at least GAP apart; longer cycles have longer gaps where nothing bends
+MOST_ROWS = 100_000  # about, whatever bends: of two cycles 25 MB of page; 300 moves of a pallet have 80,000
 _HAIR = 2.5e-4  # of a limit, at each of the levels below: half a pixel of a chart is 3e-3
 _LEVELS = 6
 _CHUNK = 100_000  # rows looked at at once: those of an hour have no room in memory several times over
@@ -21,19 +22,21 @@ def sample_times(trajectory: Trajectory, limits: JointLimits, marks: Array, coar
 
     The first and the last row are kept, those at marks (times [s], in any order), and every row from which a line
     between its neighbours would be off by more than a hair, in position, speed or acceleration against the limits.
-    coarse: how many times wider gap and hair may be.
+    coarse: how many times wider gap and hair may be; wider still where more than MOST_ROWS would be kept.
     """
     t = trajectory.t
-    jumps = np.zeros(len(t), dtype=bool)
-    keep = np.zeros(len(t), dtype=bool)
-    keep[np.clip(np.searchsorted(t, marks - 1e-9), 0, len(t) - 1)] = True
-    gap = coarse * max(GAP, trajectory.duration / ROWS)
-    for start in range(0, len(t), _CHUNK):
-        part = slice(start, min(start + _CHUNK, len(t)))
-        inner, jumping = _kept(trajectory, limits, part, keep[part], gap, coarse * _HAIR)
-        keep[part], jumps[part] = inner, jumping
-    jumps &= keep
-    return np.sort(np.concatenate([t[keep], before(t[jumps])]))
+    always = np.zeros(len(t), dtype=bool)
+    always[np.clip(np.searchsorted(t, marks - 1e-9), 0, len(t) - 1)] = True
+    while True:
+        jumps, keep = np.zeros(len(t), dtype=bool), always.copy()
+        gap = coarse * max(GAP, trajectory.duration / ROWS)
+        for start in range(0, len(t), _CHUNK):
+            part = slice(start, min(start + _CHUNK, len(t)))
+            keep[part], jumps[part] = _kept(trajectory, limits, part, always[part], gap, coarse * _HAIR)
+        jumps &= keep
+        if keep.sum() + jumps.sum() <= MOST_ROWS or coarse * _HAIR >= 1:
+            return np.sort(np.concatenate([t[keep], before(t[jumps])]))
+        coarse *= 4
 
 
 def _kept(
