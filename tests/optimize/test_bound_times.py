@@ -59,3 +59,14 @@ def test_between_all_cells_of_points_it_is_what_all_axes_take():
         least = np.min(np.where(alike, every + ahead, np.inf), axis=1)
         np.testing.assert_array_equal((out + ahead).min(axis=1), least)
         assert np.isinf(out[alike]).any()
+
+
+def test_least_sums_are_those_of_columns_and_rows():
+    T = np.where(RNG.random((7, 5)) < 0.3, np.inf, RNG.random((7, 5)))
+    T[:, 3] = np.inf
+    before, ahead, reached, left = RNG.random(7), RNG.random(5), np.zeros(5), np.zeros(7)
+    compiled = loops("trajopt_cli.bound.bound_loops")
+    compiled["fill_reached"](T, before, reached)
+    compiled["fill_left"](T, ahead, left)
+    np.testing.assert_array_equal(reached, np.min(before[:, None] + T, axis=0))
+    np.testing.assert_array_equal(left, np.min(T + ahead, axis=1))

@@ -96,3 +96,21 @@ def fill_times(
                     incumbent = min(incumbent, T + ahead[j])
         if least:
             incumbent = np.inf
+
+
+@njit(["void(float64[:,:], float64[:], float64[:])"], error_model="numpy")
+def fill_reached(T, so_far, out):
+    """out (n_b,): the least of so_far (n_a,) and T (n_a, n_b) together."""
+    out[:] = np.inf
+    for i in range(len(so_far)):
+        for j in range(len(out)):
+            out[j] = min(out[j], so_far[i] + T[i, j])
+
+
+@njit(["void(float64[:,:], float64[:], float64[:])"], error_model="numpy")
+def fill_left(T, ahead, out):
+    """out (n_a,): the least of T (n_a, n_b) and ahead (n_b,) together."""
+    out[:] = np.inf
+    for i in range(len(out)):
+        for j in range(len(ahead)):
+            out[i] = min(out[i], T[i, j] + ahead[j])

@@ -241,7 +241,7 @@ def _at_first_level(cells: _Cells, level: int, keys: IndexArray, values: Array, 
 def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead: Array) -> Array:
     """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it."""
     T = _edge(axes, problem, run, a, b, np.zeros(len(a.key)), ahead, None)
-    return np.min(T + ahead, axis=1, initial=np.inf)
+    return _least_sums("fill_left", T, ahead, len(T))
 
 
 def _costs(
@@ -255,19 +255,27 @@ def _costs(
     for k, run in enumerate(chain.hops):
         T = _edge(axes, problem, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
         edges.append(T)
-        forward.append(np.min(forward[-1][:, None] + T, axis=0))
+        forward.append(_least_sums("fill_reached", T, forward[-1], len(T.T)))
         if (i := starts.get(k + 1)) is not None:
             run = chain.direct[i, k + 1]
             T = _edge(axes, problem, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
             direct[i] = k + 1, T
-            forward[-1] = np.maximum(forward[-1], np.min(forward[i][:, None] + T, axis=0))
+            forward[-1] = np.maximum(forward[-1], _least_sums("fill_reached", T, forward[i], len(T.T)))
     backward = [beyond]
     for k in reversed(range(len(edges))):
-        backward.append(np.min(edges[k] + backward[-1][None], axis=1))
+        backward.append(_least_sums("fill_left", edges[k], backward[-1], len(edges[k])))
         if k in direct:
             j, T = direct[k]
-            backward[-1] = np.maximum(backward[-1], np.min(T + backward[len(edges) - j][None], axis=1))
+            beyond = _least_sums("fill_left", T, backward[len(edges) - j], len(T))
+            backward[-1] = np.maximum(backward[-1], beyond)
     return forward, backward[::-1]
+
+
+def _least_sums(name: str, T: Array, other: Array, n: int) -> Array:
+    """Of times (n_a, n_b) and what is spent before each row, or comes behind each column: see bound_loops."""
+    out = np.empty(n)
+    loops("trajopt_cli.bound.bound_loops")[name](T, other, out)
+    return out
 
 
 def _chain(axes: Axes, problem: Problem, least: Sequence[float]) -> _Chain:

@@ -45,7 +45,8 @@ if TYPE_CHECKING:
 
 _ROBOT = f"{INPUT}robot/"
 _ROUNDING = 1e-6  # s
-_LOOPS = [f"trajopt_cli.{name}_loops" for name in ("timing.topp", "nlp.interior_point", "bound.bound")]
+_COMPILED = "timing.topp", "trajectories.hermite", "nlp.interior_point", "bound.bound"  # in the order of their use
+_LOOPS = [f"trajopt_cli.{name}_loops" for name in _COMPILED]
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
 

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.native.loops import loops
 from trajopt_cli.path.segment import Segment, along_all, over_work
 from trajopt_cli.trajectories.axes import Axes
 
@@ -28,16 +29,11 @@ def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -
     At a node the acceleration is the one of the interval on its right or left. The cubic Hermite
     between nodes is the exact integral up to the solver's residual, without its jumps.
     """
-    aside = tau + (1e-12 if right else -1e-12)  # a time that is a node up to rounding belongs to the side asked for
-    i = np.clip(np.searchsorted(grid, aside, side="right") - 1, 0, len(grid) - 2)
-    tail = [1] * (x.ndim - 1)
-    h = (grid[i + 1] - grid[i]).reshape(-1, *tail)
-    u = (tau - grid[i]).reshape(-1, *tail) / h
-    v0, v1 = v[i] * h, v[i + 1] * h
-    way = x[i + 1] - x[i]
-    c2, c3 = 3 * way - 2 * v0 - v1, v0 + v1 - 2 * way
-    position = x[i] + u * (v0 + u * (c2 + u * c3))
-    return position, (v0 + u * (2 * c2 + 3 * u * c3)) / h, (2 * c2 + 6 * u * c3) / (h * h)
+    aside = 1e-12 if right else -1e-12  # a time that is a node up to rounding belongs to the side asked for
+    nodes, out = len(grid), np.empty((3, len(tau), *x.shape[1:]))
+    fill = loops("trajopt_cli.trajectories.hermite_loops")["fill"]
+    fill(grid, x.reshape(nodes, -1), v.reshape(nodes, -1), tau, aside, out.reshape(3, len(tau), -1))
+    return out[0], out[1], out[2]
 
 
 def halved(grid: Array) -> Array:
