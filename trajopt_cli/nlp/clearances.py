@@ -81,6 +81,7 @@ class Clearances:
         self._beside = set[int]()  # legs that had tangents once: they keep their rows
         self._touched = set[int]()  # legs that came too near to something once
         self._through = set[int]()  # legs that went deep into something: they look farther
+        self._known: dict[tuple[int, LegMotion], tuple[Array, Array]] = {}  # every round asks about each motion twice
 
     def tangents(self, iterate: Iterate, margins: Sequence[Margins | None]) -> dict[int, Tangents]:
         """About an iterate by leg: of those on grids beside something that stands, or that came too near to anything.
@@ -154,6 +155,8 @@ class Clearances:
 
     def _distances(self, k: int, motion: LegMotion) -> tuple[Array, Array]:
         """The least distance beyond that wanted [m] at every break of leg k's motion (N+1,), and between them (N,)."""
+        if (known := self._known.get((k, motion))) is not None:
+            return known
         assert self._scene is not None
         settings = self._axes.settings
         t, first = sample_times(motion, settings.clearance_sample_step, _CLEAR_LOOKS + 1, settings.most_samples)
@@ -163,4 +166,5 @@ class Clearances:
         found[there] = self._scene.distances(q[there], self._problem.legs[k].motion)
         inner = found[:-1].copy()
         inner[first] = np.inf
-        return found[np.append(first, -1)], np.minimum.reduceat(inner, first)
+        self._known[k, motion] = found[np.append(first, -1)], np.minimum.reduceat(inner, first)
+        return self._known[k, motion]
