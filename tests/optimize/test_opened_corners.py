@@ -16,13 +16,14 @@ from trajopt_cli.nlp.mesh_refinement import MeshRefinement, on_grid
 from trajopt_cli.path_timing.path_parameterized_plan import duration
 from trajopt_cli.plan import optimize
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
-from trajopt_cli.plan.opened_corners import OpenedRuns, opened
+from trajopt_cli.plan.opened_corners import OpenedProblem, opened
 from trajopt_cli.plan.subproblems import Window
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.problem import LegKind
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
+from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import sampled
 
 BODY = """MoveJ p_in, v2500, z50, tool0;
@@ -40,7 +41,7 @@ def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @cache
-def runs() -> OpenedRuns:
+def runs() -> tuple[OpenedProblem, Iterate]:
     problem = problem_of(rapid(BODY), PLANT)
     with pytest.MonkeyPatch.context() as patch:
         coarse_search(patch)
@@ -53,7 +54,7 @@ def runs() -> OpenedRuns:
 
 def test_a_run_is_cut_where_its_zones_are_entered_and_left() -> None:
     """A joint move, a line from zone to zone, a corner, a line; a line up to the zone, a joint move."""
-    legs, points = runs().problem.legs, runs().problem.waypoints
+    legs, points = runs()[0].legs, runs()[0].waypoints
     kinds = [leg.kind for leg in legs]
     assert kinds == [LegKind.JOINT, LegKind.LINE, LegKind.LINE, LegKind.LINE, LegKind.LINE, LegKind.JOINT]
     # z50 is 30 mm on a line of 60 mm; so is z10 10 mm of 60 and 150
@@ -61,17 +62,17 @@ def test_a_run_is_cut_where_its_zones_are_entered_and_left() -> None:
     np.testing.assert_allclose(ways, [0.02, 0.14, 0.03], rtol=0, atol=1e-9)
     assert [leg.segment is not None and leg.segment.is_corner for leg in legs] == [False, False, True] + 3 * [False]
     assert [point.passage is not None for point in points] == [False, True, True, True, False, True, False]
-    assert runs().owners == ((0,), (1,), (1, 2), (2,), (3,), (4,))
+    assert runs()[0].owners == ((0,), (1,), (1, 2), (2,), (3,), (4,))
 
 
 def test_opened_and_closed_again_the_motion_is_what_it_was() -> None:
-    closed = runs().closed(AXES, runs().draft)
-    assert duration(runs().draft) == pytest.approx(duration(runs().base), rel=1e-12)
-    np.testing.assert_array_equal(closed.q, runs().base.q)
-    ends = [np.cumsum([0.0, *(motion.T for motion in one.legs if motion)]) for one in (runs().base, closed)]
+    closed = runs()[0].closed(AXES, runs()[1])
+    assert duration(runs()[1]) == pytest.approx(duration(runs()[0].base), rel=1e-12)
+    np.testing.assert_array_equal(closed.q, runs()[0].base.q)
+    ends = [np.cumsum([0.0, *(motion.T for motion in one.legs if motion)]) for one in (runs()[0].base, closed)]
     t = np.linspace(0, ends[0][-1], 401)
     both = []
-    for one, end in zip((runs().base, closed), ends, strict=True):
+    for one, end in zip((runs()[0].base, closed), ends, strict=True):
         legs = [motion for motion in one.legs if motion is not None]
         number = np.clip(np.searchsorted(end, t, side="right") - 1, 0, len(legs) - 1)
         times = [np.clip(t[number == k] - end[k], 0, legs[k].T) for k in range(len(legs))]
@@ -83,7 +84,7 @@ def test_opened_and_closed_again_the_motion_is_what_it_was() -> None:
 
 def test_a_window_between_passed_places_is_held_in_motion() -> None:
     """From the first zone's edge on the line to the second one's behind the corner."""
-    window = Window.of(runs().problem, runs().draft, (1, 3))
+    window = Window.of(runs()[0], runs()[1], (1, 3))
     assert np.abs(window.draft.qd[[0, -1]]).max(axis=1).min() > 0.05
     start = on_grid(AXES, window.problem, window.draft)
     found = MeshRefinement(AXES, Formulation(AXES), window.problem, Patience()).run(start)
@@ -106,7 +107,7 @@ def test_a_stream_through_corners_is_legal_and_faster_than_stops_and_than_rapid(
     assert isinstance(fine, Plan)
     report = verify(program, PLANT, stream.trajectory, target=Target.STREAM, advice=False)
     assert [f"{f.check} {f.subject} {f.value} > {f.limit}" for f in report.findings if not f.passed] == []
-    assert stream.duration < 0.95 * duration(runs().base)
+    assert stream.duration < 0.95 * duration(runs()[0].base)
     assert stream.duration < fine.duration
 
 

@@ -24,7 +24,7 @@ from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged,
 from trajopt_cli.path_timing.edge_times import least_time
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
-from trajopt_cli.plan.opened_corners import OpenedRuns, opened, with_even_zones
+from trajopt_cli.plan.opened_corners import OpenedProblem, opened, with_even_zones
 from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_black
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -55,7 +55,6 @@ def refine(
     tell: Report,
     seconds: dict[str, float],
     max_workers: Callable[[], int] = lambda: 1,
-    through_corners: bool = True,
 ) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """The initial plan made faster by the nonlinear program.
 
@@ -71,10 +70,10 @@ def refine(
         tell: hears of faster plans.
         seconds: time spent, by phase; what is spent here is added.
         max_workers: how many processes may work now.
-        through_corners: whether runs with corners may be opened.
 
     Returns:
-        The problem that is solved, its motion, and what a reader should know of it, one line each.
+        The problem that is solved, opened where its runs are; its motion, and what a reader should know of it, one line
+        each.
     """
     if not axes.robot.closed_form:
         why = (
@@ -91,12 +90,11 @@ def refine(
     start = perf_counter()
     try:
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
-            runs = _opened(axes, legal, problem, merged) if through_corners else None
-            if runs is not None:
-                found = sweeps.run(runs.problem, runs.draft, report, partial(_tell_best, tell, duration(best)))
-                if duration(found) < duration(best) - axes.settings.least_gain:
-                    closed = runs.closed(axes, found)
-                    best = closed if clear(axes, problem, closed) else best
+            if (runs := _opened(axes, legal, problem, merged)) is not None:
+                found = sweeps.run(*runs, report, partial(_tell_best, tell, duration(best)))
+                gained = duration(found) < duration(best) - axes.settings.least_gain
+                if gained and clear(axes, problem, runs[0].closed(axes, found)):
+                    solved, best = runs[0], found
             with_stops = _with_stops(axes, legal.problem, legal.chain)
             bases = (merge_via_points(axes, *one, legal.detours) for one in with_stops)
             if report.stopped or (best is not merged and not report.failed):
@@ -143,7 +141,7 @@ def _tell_whole(tell: Tell, rest: float, part: float) -> None:
     tell(rest + part)
 
 
-def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -> OpenedRuns | None:
+def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -> tuple[OpenedProblem, Iterate] | None:
     """The problem with its runs opened and its motion; timed anew where zones of orientation are made smaller."""
     even = with_even_zones(legal.problem)
     if even is legal.problem:
@@ -332,7 +330,8 @@ class WindowSweeps:
         try:
             starts: list[Iterate | Stage] = [near, coarse]
             if initial:
-                rough = [on_grid(self._axes, problem, own, self._grids.rough)] if few else []
+                passed = any(point.passage is not None for point in problem.waypoints)
+                rough = [on_grid(self._axes, problem, own, self._grids.rough)] if few and not passed else []
                 starts = [*self._first_answers(problem, [*searched, coarse, *rough], few, seconds), near]
             for start in starts:
                 if isinstance(start, Stage):

@@ -165,9 +165,10 @@ def least_effort_plan(
     patience: Patience,
     spent: dict[str, float],
     max_workers: Callable[[], int],
-) -> tuple[Iterate, tuple[str, ...]] | None:
-    """The gentlest motion found in the time that is asked for, and what a reader should know of it; None where that is
-    too short. legal: motions before any nonlinear program; fast: the fastest one and the problem it solves."""
+) -> tuple[Problem, Iterate, tuple[str, ...]] | None:
+    """The problem and the gentlest motion of it found in the time that is asked for, and what a reader should know of
+    it; None where that is too short. legal: motions before any nonlinear program; fast: the fastest one and the problem
+    it solves."""
     start, seconds = perf_counter(), asked.time(duration(fast))
     if seconds is None:
         return None
@@ -185,9 +186,12 @@ def least_effort_plan(
     if not solved.coordinated:
         bases.append((solved, slowed_to(axes, solved, fast, seconds)))
         bases = [(one, _swept(axes, sweeps, one, base, seconds, tally)) for one, base in bases]
-    drafts = [draft for _, draft in bases]
-    best = min(drafts, key=lambda draft: (duration(draft) < seconds * (1 - _SAME), efforts(axes, draft.legs).sum()))
-    return _with_rest_at_end(solved, best, asked.seconds)
+
+    def strain(base: tuple[Problem, Iterate]) -> tuple[bool, float]:
+        return duration(base[1]) < seconds * (1 - _SAME), float(efforts(axes, base[1].legs).sum())
+
+    problem, best = min(bases, key=strain)
+    return problem, *_with_rest_at_end(problem, best, asked.seconds)
 
 
 def _swept(

@@ -9,7 +9,7 @@ same legs, exactly; what was found for them is put together again as motions of 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 
 import numpy as np
@@ -31,23 +31,21 @@ _MOMENT = 1e-10  # s: a shorter part of a motion is rounding.
 _HALVINGS = 60  # of a time at which a share of a way is done.
 
 
-@dataclass(frozen=True, eq=False)
-class OpenedRuns:
-    """A problem whose runs are opened, its motion at hand, and the way back.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class OpenedProblem(Problem):
+    """A problem whose runs are opened, and the way back to the whole one and its motion at hand.
 
     owners: of each leg the leg of the whole problem it belongs to, or both beside a corner. stops: of each waypoint of
     the whole problem the opened one, None where it is passed.
     """
 
-    problem: Problem
-    draft: Iterate
     whole: Problem
     base: Iterate
     owners: tuple[tuple[int, ...], ...]
     stops: tuple[int | None, ...]
 
     def closed(self, axes: Axes, found: Iterate) -> Iterate:
-        """A motion of the opened problem as one of the whole one: half a corner belongs to either leg beside it."""
+        """A motion of this problem as one of the whole one: half a corner belongs to either leg beside it."""
         legs: list[list[Piece]] = [[] for _ in self.whole.legs]
         for owner, motion in zip(self.owners, found.legs, strict=True):
             if len(owner) == 1:
@@ -76,7 +74,7 @@ class _Cut:
     cfx: int
 
 
-def opened(axes: Axes, problem: Problem, base: Iterate) -> OpenedRuns | None:
+def opened(axes: Axes, problem: Problem, base: Iterate) -> tuple[OpenedProblem, Iterate] | None:
     """The problem with its runs with corners opened, and its motion at hand cut alike; None where no run can be.
 
     A run stays as it is, at rest and with the rail where the motion has it at its ends, where it leads over many short
@@ -125,15 +123,15 @@ def opened(axes: Axes, problem: Problem, base: Iterate) -> OpenedRuns | None:
         qd.append(base.qd[last])
         cfx.append(base.cfx[last])
     ties = (tuple(i for k in group if (i := stops[k]) is not None) for group in problem.ties)
-    whole = replace(
-        problem,
-        waypoints=tuple(points),
-        legs=tuple(legs),
-        stations=stations_of(legs, len(points)),
-        ties=tuple(group for group in ties if len(group) > 1),
-    )
-    draft = Iterate(np.array(q), np.array(qd), tuple(cfx), tuple(motions))
-    return OpenedRuns(whole, draft, problem, base, tuple(owners), tuple(stops))
+    kept = {one.name: getattr(problem, one.name) for one in fields(Problem)}
+    own = {
+        "waypoints": tuple(points),
+        "legs": tuple(legs),
+        "stations": stations_of(legs, len(points)),
+        "ties": tuple(group for group in ties if len(group) > 1),
+    }
+    back = {"whole": problem, "base": base, "owners": tuple(owners), "stops": tuple(stops)}
+    return OpenedProblem(**{**kept, **own, **back}), Iterate(np.array(q), np.array(qd), tuple(cfx), tuple(motions))
 
 
 def _fixed(problem: Problem, base: Iterate, k: int, point: Waypoint) -> Waypoint:

@@ -130,6 +130,8 @@ def _gentler(
     timed = any(leg.duration is not None for leg in window.problem.legs)
     if not timed and not isinstance(problem.objective, LeastEffort):
         return window.put(slowed(window.problem, window.draft, 1 + share), draft)
+    if any(window.problem.passes(k) for k in range(len(window.problem.waypoints))):
+        return None
     scene = collision_scene_of(window.problem)
     refiner = MeshRefinement(axes, Formulation(axes), window.problem, patience, Grids.of(problem), scene)
     try:

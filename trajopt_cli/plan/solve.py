@@ -28,6 +28,7 @@ from trajopt_cli.plan.initial_plan import (
 )
 from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import least_effort_plan
+from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.repair import with_legal_rows
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
@@ -118,8 +119,7 @@ def optimize(
         notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
-        fastest = not isinstance(objective, LeastEffort)  # a gentle motion is looked for in runs as they are
-        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers, fastest)
+        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
     elif axes.jerk is not None:
         draft = refine_laws(axes, legal, patience, seconds, max_workers)
     least, eased = duration(draft), None
@@ -131,11 +131,15 @@ def optimize(
         found = least_effort_plan(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
         if found is None:
             return _too_short(program, target, objective.seconds, least)
-        gentle, more = found
+        problem, gentle, more = found
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
     _check_lengths(program, problem, draft)
     mended = with_legal_rows(axes, problem, draft, patience)
+    if mended is not None and isinstance(problem, OpenedProblem):
+        notes, closed = (*notes, *mended.notes), problem.closed(axes, mended.draft)
+        problem = problem.whole
+        mended = with_legal_rows(axes, problem, closed, patience)
     if mended is None:
         problem, eased, notes = legal.problem, None, (_FIRST,)
         mended = with_legal_rows(axes, problem, legal.draft, patience)
