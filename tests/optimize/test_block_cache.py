@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import pytest
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store
 from trajopt_cli.nlp import block_cache as module
-from trajopt_cli.nlp.block_cache import Maps, Native, evaluation_notices, library
+from trajopt_cli.nlp.block_cache import Native, evaluation_notices, library
 
 
 @pytest.fixture
@@ -24,14 +23,6 @@ def fresh() -> Iterator[None]:
 def test_nothing_is_said_where_all_is_well(fresh: None) -> None:
     assert isinstance(library(), Native)
     assert [*evaluation_notices()] == []
-
-
-def test_without_llvmlite_casadi_evaluates_and_that_is_said(fresh: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "trajopt_cli.native.machine", None)
-    assert isinstance(library(), Maps)
-    assert [*evaluation_notices()] == [
-        "llvmlite is not installed: the nonlinear program is evaluated by CasADi, which takes longer"
-    ]
 
 
 def test_code_that_cannot_be_kept_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -41,7 +41,7 @@ class Library(Protocol):
 class Maps:
     """Blocks that CasADi evaluates, kept in memory."""
 
-    notice = "llvmlite is not installed: the nonlinear program is evaluated by CasADi, which takes longer"
+    notice = None
 
     def __init__(self) -> None:
         self._blocks: dict[str, Block] = {}
@@ -101,11 +101,9 @@ def _shape(kept: dict[str, NDArray[np.generic]]) -> Shape:
 
 @cache
 def library() -> Library:
-    """The one of this process: native code where llvmlite is installed."""
-    try:
-        from trajopt_cli.native.machine import machine
-    except ImportError:
-        return Maps()
+    """The one of this process."""
+    from trajopt_cli.native.machine import machine
+
     return Native(machine(), users_store())
 
 
