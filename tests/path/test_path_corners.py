@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import asinh, sqrt
+from dataclasses import replace
+from math import asinh, comb, sqrt
 
 import numpy as np
 import pytest
@@ -217,3 +218,38 @@ def test_what_is_no_corner_is_refused() -> None:
         Corner(before, after, 0.5, 0.0)
     with pytest.raises(ValueError, match=r"does not begin where the other ends: 100\.000000 mm apart"):
         Corner(before, Line(X[0], X[2]), 0.5, 0.5)
+
+
+@given(seeds, kinds, kinds, parts)
+@settings(max_examples=20)
+def test_a_smooth_corner_goes_over_with_second_derivatives_too(
+    seed: int, one: str, other: str, bent: tuple[float, float]
+) -> None:
+    """Also where the smaller of two zones begins and ends; its rates are the slopes of what they belong to."""
+    rng = np.random.default_rng(seed)
+    corner = replace(some_corner(rng, (one, other), bent), smooth=True)
+    check_slopes(corner, rng, 2e3)
+    near, marks = 1e-6, np.r_[0.0, corner.breaks, 1.0]
+    changes = [corner.twist_rate(np.clip(marks + side * near, 0, 1)) for side in (-1, 1)]
+    ends = [
+        (2 * fraction) ** 2 * segment.twist_rate(np.array([at]))
+        for segment, fraction, at in (
+            (corner.before, corner.fraction_before, 1 - corner.fraction_before),
+            (corner.after, corner.fraction_after, corner.fraction_after),
+        )
+    ]
+    sides = np.vstack([ends[0], changes[0][1:-1], ends[1]]), np.vstack([changes[1][:-1], changes[0][-1:]])
+    np.testing.assert_allclose(*sides, atol=1e-4)
+
+
+def test_between_lines_a_smooth_corner_is_the_quintic_on_both_ways() -> None:
+    """Control points on the ways, r - 2 r/5 and r - 4 r/5 from the point; so it is in the triangle."""
+    rng = np.random.default_rng(5)
+    corner = replace(some_corner(rng, ("line", "line"), (1.0, 1.0)), smooth=True)
+    P = corner.after.pose(np.zeros(1))[0, :3, 3]
+    ends = [corner.pose(np.array([s]))[0, :3, 3] for s in (0.0, 1.0)]
+    points = np.array(
+        [P + x * (end - P) for end, xs in zip(ends, ((1, 0.6, 0.2), (0.2, 0.6, 1)), strict=True) for x in xs]
+    )
+    weights = np.array([comb(5, i) * S**i * (1 - S) ** (5 - i) for i in range(6)]).T
+    np.testing.assert_allclose(corner.pose(S)[:, :3, 3], weights @ points, atol=1e-12)

@@ -10,11 +10,11 @@ import pytest
 from trajopt_cli.findings import Report
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move
-from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.study import comparison
 from trajopt_cli.study.case import Attempt
-from trajopt_cli.study.causes import causes, with_stops
+from trajopt_cli.study.causes import causes
 from trajopt_cli.study.comparison import Comparison, Tried, _after, compare
 from trajopt_cli.study.comparison_record import comparison_record
 

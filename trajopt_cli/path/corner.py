@@ -5,6 +5,9 @@ either; between two lines that is a parabola (quadratic Bézier: entry, point, e
 a zone of its own, as a cumulative quadratic Bézier of the two turns: the rest of the one comes to rest while the part
 of the other gathers speed. Run backwards a corner's positions are the same; its orientations are if both turns have one
 axis, else they differ by less than a sixteenth of the product of both turns [rad].
+
+Where jerk is limited a corner is smooth, without a curvature of its own at its ends: both segments are added up, the
+one coming to rest at the point and the other gathering speed, over 2 u^3 - u^4 instead of u^2.
 """
 
 from __future__ import annotations
@@ -40,6 +43,7 @@ class Corner(Segment):
 
     position, orientation: in which part of the corner, around its middle, the one and the other is bent; the larger is
     1, for the corner begins and ends where the larger zone does. Outside its part either runs on as on the segments.
+    smooth: second derivatives go on at the corner's ends, too.
     """
 
     is_corner: ClassVar[bool] = True
@@ -50,6 +54,7 @@ class Corner(Segment):
     fraction_after: float
     position: float = 1.0
     orientation: float = 1.0
+    smooth: bool = False
 
     def __post_init__(self) -> None:
         check_fractions(self.fraction_before, self.fraction_after, self.position, self.orientation)
@@ -63,7 +68,7 @@ class Corner(Segment):
             )
 
     @classmethod
-    def of_zone(cls, before: Segment, after: Segment, radius: float, turning: float) -> Corner:
+    def of_zone(cls, before: Segment, after: Segment, radius: float, turning: float, smooth: bool = False) -> Corner:
         """The corner of a zone whose edges are radius [m] from the point along both segments, and turning [m] for the
         orientation.
 
@@ -79,7 +84,9 @@ class Corner(Segment):
                 f"a zone of {largest * 1e3:.6g} mm reaches beyond the middle of a way of {shortest * 1e3:.6g} mm;"
                 f" at most {shortest / 2 * 1e3:.6g} mm"
             )
-        return cls(before, after, largest / before.length, largest / after.length, radius / largest, turning / largest)
+        return cls(
+            before, after, largest / before.length, largest / after.length, radius / largest, turning / largest, smooth
+        )
 
     # ---- the position's curve: both ends with their rates per unit of the part where it is bent
     @cached_property
@@ -139,7 +146,7 @@ class Corner(Segment):
         X = np.empty((len(s), 4, 4))
         X[first], X[~first] = self.before.pose(t_0), self.after.pose(t_1)
         inside, u = _part(s, self.position)
-        X[inside, :3, 3] = hermite(*self._curve, u[:, None])[0]
+        X[inside, :3, 3] = self._bent(u)[0]
         inside, u = _part(s, self.orientation)
         _, K, turn = self._turning(u)
         X[inside, :3, :3] = K @ turn.R
@@ -152,7 +159,7 @@ class Corner(Segment):
         V[first] = 2 * self.fraction_before * self.before.twist(t_0)
         V[~first] = 2 * self.fraction_after * self.after.twist(t_1)
         inside, u = _part(s, self.position)
-        V[inside, :3] = hermite(*self._curve, u[:, None])[1] / self.position
+        V[inside, :3] = self._bent(u)[1] / self.position
         inside, u = _part(s, self.orientation)
         rest, K, turn = self._turning(u)
         V[inside, 3:] = (rest.rate + _times(K, turn.rate)) / self.orientation
@@ -165,7 +172,7 @@ class Corner(Segment):
         A[first] = (2 * self.fraction_before) ** 2 * self.before.twist_rate(t_0)
         A[~first] = (2 * self.fraction_after) ** 2 * self.after.twist_rate(t_1)
         inside, u = _part(s, self.position)
-        A[inside, :3] = hermite(*self._curve, u[:, None])[2] / self.position**2
+        A[inside, :3] = self._bent(u)[2] / self.position**2
         inside, u = _part(s, self.orientation)
         rest, K, turn = self._turning(u)
         change = rest.change + np.cross(rest.rate, _times(K, turn.rate)) + _times(K, turn.change)
@@ -180,8 +187,10 @@ class Corner(Segment):
     @property
     def whole(self) -> bool:
         """Whether one expression is all of it: both zones are one, between lines or arcs that turn evenly."""
-        return self.breaks.size == 0 and all(
-            isinstance(one, Line | Arc) and one.evenly_turned for one in (self.before, self.after)
+        return (
+            self.breaks.size == 0
+            and not self.smooth
+            and all(isinstance(one, Line | Arc) and one.evenly_turned for one in (self.before, self.after))
         )
 
     @cached_property
@@ -216,20 +225,35 @@ class Corner(Segment):
     @property
     def batch(self) -> Batch:
         """Corners of lines at once."""
-        return _corners_along if isinstance(self.before, Line) and isinstance(self.after, Line) else super().batch
+        lines = isinstance(self.before, Line) and isinstance(self.after, Line) and not self.smooth
+        return _corners_along if lines else super().batch
 
     def _sides(self, s: Array) -> tuple[BoolArray, Array, Array]:
         """Which s belong to the first half, and what they would be on the two segments."""
         first = np.asarray(s < 0.5)
         return first, 1 - self.fraction_before * (1 - 2 * s[first]), self.fraction_after * (2 * s[~first] - 1)
 
+    def _bent(self, u: Array) -> tuple[Array, Array, Array]:
+        """At u (n,) of the part where it is bent: the position with both derivatives by u, each (n, 3)."""
+        if not self.smooth:
+            return hermite(*self._curve, u[:, None])
+        first, second = self._passed(self.position, u)
+        P = self.after.pose(_START)[0, :3, 3]
+        rate, change = first.rate + second.rate, first.change + second.change
+        return first.X[:, :3, 3] + second.X[:, :3, 3] - P, rate[:, :3], change[:, :3]
+
     def _turning(self, u: Array) -> tuple[_Turn, Array, _Turn]:
         """At u (n,) of the part where the orientation is bent: the first turn, which comes to rest at the point,
         what it makes of the second (n, 3, 3), and the second, which begins there at rest."""
-        f_0, f_1 = self.orientation * self.fraction_before, self.orientation * self.fraction_after
-        first = _turn(self.before, 1 - f_0 * (1 - u) ** 2, 2 * f_0 * (1 - u), -2 * f_0)
-        second = _turn(self.after, f_1 * u * u, 2 * f_1 * u, 2 * f_1)
+        first, second = (one.turn for one in self._passed(self.orientation, u))
         return first, np.asarray(first.R @ self._R_point.T), second
+
+    def _passed(self, part: float, u: Array) -> tuple[_Passed, _Passed]:
+        """Where both segments are at u (n,) of a part: the first comes to rest at the point, the second leaves it."""
+        f_0, f_1 = part * self.fraction_before, part * self.fraction_after
+        (h_0, dh_0, ddh_0), (h_1, dh_1, ddh_1) = (_gathered(x, self.smooth) for x in (1 - u, u))
+        first = _passed(self.before, 1 - f_0 * h_0, f_0 * dh_0, -f_0 * ddh_0)
+        return first, _passed(self.after, f_1 * h_1, f_1 * dh_1, f_1 * ddh_1)
 
 
 @dataclass(frozen=True)
@@ -281,10 +305,30 @@ class _Turn(NamedTuple):
     change: Array
 
 
-def _turn(segment: Segment, s: Array, ds: Array, dds: float) -> _Turn:
-    """A segment's orientation at s (n,) that go by at ds (n,) and dds."""
-    rate, change = segment.twist(s)[:, 3:], segment.twist_rate(s)[:, 3:]
-    return _Turn(segment.pose(s)[:, :3, :3], rate * ds[:, None], change * ds[:, None] ** 2 + rate * dds)
+class _Passed(NamedTuple):
+    """Poses (n, 4, 4) of a segment that goes by, twists and how these change (n, 6)."""
+
+    X: Array
+    rate: Array
+    change: Array
+
+    @property
+    def turn(self) -> _Turn:
+        """Of the orientation."""
+        return _Turn(self.X[:, :3, :3], self.rate[:, 3:], self.change[:, 3:])
+
+
+def _passed(segment: Segment, s: Array, ds: Array, dds: Array) -> _Passed:
+    """A segment at s (n,) that go by at ds and dds (n,)."""
+    rate, change = segment.twist(s), segment.twist_rate(s)
+    return _Passed(segment.pose(s), rate * ds[:, None], change * ds[:, None] ** 2 + rate * dds[:, None])
+
+
+def _gathered(u: Array, smooth: bool) -> tuple[Array, Array, Array]:
+    """What part of a zone's way is done at u (n,), from rest to a rate of 2 at u = 1, and both derivatives."""
+    if smooth:
+        return u**3 * (2 - u), u * u * (6 - 4 * u), 12 * u * (1 - u)
+    return u * u, 2 * u, np.full_like(u, 2.0)
 
 
 def _times(R: Array, x: Array) -> Array:

@@ -20,6 +20,17 @@ def hermite(x_0: Any, m_0: Any, x_1: Any, m_1: Any, u: Any) -> tuple[Any, Any, A
     return x_0 + u * (m_0 + u * (c2 + u * c3)), m_0 + u * (2 * c2 + 3 * u * c3), 2 * c2 + 6 * u * c3
 
 
+def quintic(x_0: Array, m_0: Array, b_0: Array, x_1: Array, m_1: Array, b_1: Array, u: Array) -> tuple[Array, ...]:
+    """The same of the quintic (k,) that has second derivatives b_0 and b_1 at its ends, too, at u (n, 1)."""
+    way, turn = x_1 - x_0 - m_0 - b_0 / 2, m_1 - m_0 - b_0
+    c3, c4, c5 = np.array([[10, -4, 0.5], [-15, 7, -1], [6, -3, 0.5]]) @ np.stack([way, turn, b_1 - b_0])
+    return (
+        x_0 + u * (m_0 + u * (b_0 / 2 + u * (c3 + u * (c4 + u * c5)))),
+        m_0 + u * (b_0 + u * (3 * c3 + u * (4 * c4 + 5 * u * c5))),
+        b_0 + u * (6 * c3 + u * (12 * c4 + 20 * u * c5)),
+    )
+
+
 def natural_spline(x: Array, y: Array, at: Array) -> Array:
     """Values (m,), at places within the knots, of the natural cubic spline through y (n,) at two knots x (n,) or more,
     ascending. Of numpy alone: scipy's takes longer to load than most programs to search."""

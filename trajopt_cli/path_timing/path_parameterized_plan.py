@@ -77,9 +77,12 @@ def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int
 def _fastest(
     axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
 ) -> list[dict[int, LegMotion] | NotDriven]:
-    """Each run's motions in one go or, where axes are free, in parts between stops if that is faster; or why it is not
-    driven."""
-    cuts = _stops(axes, problem, runs, q, cfx)
+    """Each run's motions in one go or, where axes are free or jerk is limited, in parts between stops if that is
+    faster; or why it is not driven."""
+    if axes.jerk is None:
+        cuts = _stops(axes, problem, runs, q, cfx)
+    else:
+        cuts = [[(k, k + 1) for k in range(*run)] for run in runs]
     asked = [*dict.fromkeys(part for run, parts in zip(runs, cuts, strict=True) for part in (run, *parts))]
     timed_runs = dict(zip(asked, _timed_runs(axes, problem, asked, q, cfx), strict=True))
     out: list[dict[int, LegMotion] | NotDriven] = []
@@ -178,8 +181,12 @@ def _timed_runs(
     for run, simple in zip(runs, _simple(axes, problem, runs, [q] * len(runs)), strict=True):
         if simple is not None:
             motions[run] = simple
-        elif axes.jerk is not None:
+        elif axes.jerk is not None and run[1] == run[0] + 1:
             motions[run] = smooth(axes, problem, run[0], q, cfx)
+        elif axes.jerk is not None:
+            from trajopt_cli.path_timing.smooth_runs import passed_smoothly  # its linear programs load slowly
+
+            out[run] = passed_smoothly(axes, problem, run, q, cfx) or NotDriven(run)
         else:
             left.append(run)
     nodes = [settings.stop_to_stop_nodes if last == first + 1 else settings.run_nodes for first, last in left]

@@ -37,23 +37,37 @@ _INSIDE = 1e-9  # fraction of a part by which a sample keeps from its ends, wher
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
 _ASIDE = 1e-3  # fraction of a part beside such a place, where derivatives are taken instead
 _FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "positioner_use")
+_RAIL = ("d", "slope", "bend", "third", "fourth")
 _APART = 1e-4  # rad, m: axes of two parts that are not one place
 
 
 @dataclass(frozen=True, eq=False)
 class Rail:
-    """The rail on a part, over its fraction u: d + u (slope + u bend); each (r,), or (m, r) on one part at each of m
-    fractions."""
+    """The rail on a part, over its fraction u: d + u (slope + u (bend + u (third + u fourth))); each (r,), or (m, r) on
+    one part at each of m fractions."""
 
     d: Array
     slope: Array
     bend: Array
+    third: Array
+    fourth: Array
+
+    @classmethod
+    def straight(cls, d: Array, slope: Array) -> Rail:
+        """In proportion to u."""
+        return cls(d, slope, *(np.zeros((3, *np.shape(d)))))
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is not in proportion to u."""
+        return bool(np.any([self.bend, self.third, self.fourth]))
 
     def at(self, u: Array) -> tuple[Array, Array, Array]:
         """Position and both derivatives by u, each (m, r), at fractions u (m,)."""
         u = u[:, None]
-        rate = self.slope + 2 * u * self.bend
-        return self.d + u * (self.slope + u * self.bend), rate, 2 * np.broadcast_to(self.bend, rate.shape)
+        rate = self.slope + u * (2 * self.bend + u * (3 * self.third + 4 * u * self.fourth))
+        change = 2 * np.broadcast_to(self.bend, rate.shape) + u * (6 * self.third + 12 * u * self.fourth)
+        return self.d + u * (self.slope + u * (self.bend + u * (self.third + u * self.fourth))), rate, change
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,7 +273,7 @@ class _RunParts:
         known: Known, ramps: bool,
     ):  # fmt: skip
         self._axes, self._problem, self._q, self._cfx, self._nodes, self._known = axes, problem, q, cfx, nodes, known
-        self._ramps = ramps
+        self._ramps, self._smooth = ramps, axes.jerk is not None
         self._first, self._last = run
         self._paths = {k: self._path(k) for k in range(*run)}
 
@@ -355,15 +369,18 @@ class _RunParts:
         d_0, span, h = self._d(k), self._d(k + 1) - self._d(k), b - a
         middle = (a + b) / 2
         if start and middle < start.rail_after:
-            zone, slope = start.rail_after, self._slope_in(k, k - 1)
-            # the parabola through both edges of the corner with the slopes on both sides
-            curve, t = (span - slope) / (4 * zone), a + zone
-            return Rail(d_0 + slope * a + curve * t**2, (slope + 2 * curve * t) * h, curve * h**2)
-        if end and middle > 1 - end.rail_before:
-            zone, slope, t = end.rail_before, self._slope_in(k, k + 1), a - 1 + end.rail_before
-            curve = (slope - span) / (4 * zone)
-            return Rail(d_0 + span * a + curve * t**2, (span + 2 * curve * t) * h, curve * h**2)
-        return Rail(d_0 + span * a, span * h, np.zeros_like(span))
+            zone, before, after, place = start.rail_after, self._slope_in(k, k - 1), span, a
+            d_P = d_0
+        elif end and middle > 1 - end.rail_before:
+            zone, before, after, place = end.rail_before, span, self._slope_in(k, k + 1), a - 1
+            d_P = d_0 + span
+        else:
+            return Rail.straight(d_0 + span * a, span * h)
+        # over both edges of the zone the one travel comes to rest at the point as the other gathers speed
+        x = 0.5 + place / (2 * zone), h / (2 * zone)
+        left, right = (_gathered(*ends, self._smooth) for ends in ((1 - x[0], -x[1]), x))
+        c = [zone * (after * gained - before * left_over) for left_over, gained in zip(left, right, strict=True)]
+        return Rail(d_P + c[0], *c[1:])
 
     def _d(self, k: int) -> Array:
         return np.asarray(self._q[k, self._axes.layout.rail])
@@ -385,8 +402,8 @@ class _RunParts:
 
         def make() -> Corner:
             if zone.in_place:
-                return Corner(before, after, *(zone.turning / side for side in sides))
-            return Corner.of_zone(before, after, zone.radius, zone.turning)
+                return Corner(before, after, zone.turning / sides[0], zone.turning / sides[1], smooth=self._smooth)
+            return Corner.of_zone(before, after, zone.radius, zone.turning, self._smooth)
 
         corner: Corner = self._once(k, self._q[:0], make)
         rail_before, rail_after = (zone.external / side for side in sides)
@@ -409,10 +426,12 @@ class _RunParts:
                 fractions.append(radius / self._measure(leg))
         for _ in range(_SHRINKS):
             states = [self._state(k - 1, 1 - fractions[0]), self._state(k, fractions[1])]
-            if any(np.isnan(q).any() for q, _ in states):
+            if any(np.isnan(q).any() for q, _, _ in states):
                 return None
-            (q_0, rate_0), (q_1, rate_1) = states
-            corner = JointCorner(q_0, 2 * fractions[0] * rate_0, q_1, 2 * fractions[1] * rate_1)
+            (q_0, rate_0, bend_0), (q_1, rate_1, bend_1) = states
+            f_0, f_1 = (2 * fraction for fraction in fractions)
+            bends = np.stack([f_0**2 * bend_0, f_1**2 * bend_1]) if self._smooth else None
+            corner = JointCorner(q_0, f_0 * rate_0, q_1, f_1 * rate_1, bends)
             halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, settings.sphere_samples))), 2)
             first, last = (
                 float(np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max())
@@ -426,18 +445,27 @@ class _RunParts:
             fractions = [fraction * _SHRINK for fraction in fractions]
         return None
 
-    def _state(self, k: int, fraction: float) -> tuple[Array, Array]:
-        """Axes (n,) at a fraction of leg k, and their derivative by it."""
+    def _state(self, k: int, fraction: float) -> tuple[Array, Array, Array]:
+        """Axes (n,) at a fraction of leg k, and their derivatives by it."""
         path, t = self._paths[k], np.array([fraction])
         if isinstance(path, JointSegment):
-            return path.axes(t)[0], path.rate(t)[0]
-        rail = Rail(self._d(k), self._d(k + 1) - self._d(k), np.zeros_like(self._d(k)))
+            return path.axes(t)[0], path.rate(t)[0], path.rate_change(t)[0]
+        rail = Rail.straight(self._d(k), self._d(k + 1) - self._d(k))
         part = PathPart(k, path, 0.0, 1.0, 1.0, t, rail, self._branch(k))
         near = self._q[k] + fraction * (self._q[k + 1] - self._q[k])
         along = _on_paths(self._axes, self._problem, [part], [t])
         turns = 2 * np.pi * np.round((near - along.q[0]) / (2 * np.pi))
         turns[self._axes.layout.rail] = 0.0
-        return along.q[0] + turns, along.dq[0]
+        return along.q[0] + turns, along.dq[0], along.ddq[0]
+
+
+def _gathered(x: float, dx: float, smooth: bool) -> list[float]:
+    """As in path/corner.py, what part of a zone's way is done at x + u dx, as coefficients (5,) of powers of u."""
+    if not smooth:
+        return [x * x, 2 * x * dx, dx * dx, 0.0, 0.0]
+    return [
+        x**3 * (2 - x), x * x * (6 - 4 * x) * dx, 6 * x * (1 - x) * dx**2, (2 - 4 * x) * dx**3, -(dx**4),
+    ]  # fmt: skip
 
 
 def spaced(N: int, closer: float) -> Array:
@@ -526,7 +554,7 @@ def _along_distinct(axes: Axes, problem: Problem, parts: Sequence[PathPart]) -> 
 
 def _name(part: PathPart) -> tuple[object, ...]:
     """Equal for parts of one problem along which is the same by their fractions."""
-    rail = () if part.rail is None else (*part.rail.d, *part.rail.slope, *part.rail.bend)
+    rail = () if part.rail is None else (x for name in _RAIL for x in getattr(part.rail, name))
     return part.leg, id(part.segment), part.s_0, part.s_1, part.cfx, part.u.tobytes(), *rail
 
 
@@ -584,7 +612,7 @@ def _with_tool(
     counts = [len(u) for u in fractions]
     edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
     cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
-    rail = Rail(*(np.array([getattr(part.rail, name) for part in parts])[of] for name in ("d", "slope", "bend")))
+    rail = Rail(*(np.array([getattr(part.rail, name) for part in parts])[of] for name in _RAIL))
     size = (s_1 - s_0)[:, None]
     segments: list[Any] = [part.segment for part in parts]
 

@@ -90,7 +90,7 @@ def refine(
     start = perf_counter()
     try:
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
-            if (runs := _opened(axes, legal, problem, merged)) is not None:
+            if axes.jerk is None and (runs := _opened(axes, legal, problem, merged)) is not None:
                 found = sweeps.run(*runs, report, partial(_tell_best, tell, duration(best)))
                 gained = duration(found) < duration(best) - axes.settings.least_gain
                 if gained and clear(axes, problem, runs[0].closed(axes, found)):

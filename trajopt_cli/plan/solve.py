@@ -31,6 +31,7 @@ from trajopt_cli.plan.min_effort import least_effort_plan
 from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.repair import with_legal_rows
+from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
 from trajopt_cli.problem.editable import Changes
@@ -103,14 +104,31 @@ def optimize(
     patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
     max_workers: how many processes may work, asked when there is work for several; the plan is the same for
     any number.
+    Where jerk is limited the program with every fly-by a stop is planned as well.
     Raises NoCleanPlan when the solver fails from every start.
     """
-    patience = patience or Patience()
+    patience, memory = patience or Patience(), memory or PlanCache()
     tell = never_worse(progress or (lambda _: None))
+    with_limits = plant, target, freedom, changes, patience, tell, max_workers, objective
+    found = _planned_as_given(program, memory, bounded, *with_limits)
+    jerk, fastest = plant.limits.binding_jerk is not None, not isinstance(objective, LeastEffort)
+    if jerk and fastest and isinstance(found, Plan) and corners_of(program, plant).passed:
+        with suppress(NoCleanPlan, Stopped):  # short ways that end in large zones may take longer than stops
+            other = _planned_as_given(with_stops(program), PlanCache(), False, *with_limits)
+            if isinstance(other, Plan) and other.duration < found.duration:
+                bound = found.lower_bound
+                return replace(other, lower_bound=None if bound is None else min(bound, other.duration))
+    return found
+
+
+def _planned_as_given(
+    program: Program, memory: PlanCache, bounded: bool, plant: Plant, target: Target, freedom: Freedom,
+    changes: Changes | None, patience: Patience, tell: Report, max_workers: Callable[[], int], objective: Objective,
+) -> Plan | Infeasible:  # fmt: skip
+    """As optimize, of one program; where jerk is limited a program without its corners may be driven in less time."""
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
     question = PlanRequest(program, plant, target, freedom, changes)
-    memory = memory or PlanCache()
     legal = find_initial_plan(axes, question, memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal

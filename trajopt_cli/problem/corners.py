@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.motion import FlyBy, Move, MoveExtJ, Program
+from trajopt_cli.motion import FlyBy, Move, MoveExtJ, Program, Zone
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
@@ -33,8 +33,7 @@ class Corners:
 def corners_of(program: Program, plant: Plant, dropped: Collection[int] = ()) -> Corners:
     """The fly-bys of a program, driven without the motions that are dropped.
 
-    Where a rail begins or ends to be held, a fly-by is a stop: the rail would move in the corner. Where jerk is limited
-    all of them are.
+    Where a rail begins or ends to be held, a fly-by is a stop: the rail would move in the corner.
     """
     return _corners(program, plant, frozenset(dropped))
 
@@ -55,10 +54,14 @@ def _corners(program: Program, plant: Plant, dropped: frozenset[int]) -> Corners
         if plant.robot.has_rail and index in passed and held[index] != held[after]:
             del passed[index]
             stopped[index] = f"a rail hold {'ends' if held[index] else 'begins'} there"
-    if plant.limits.binding_jerk is not None:  # a corner's curvature begins at once
-        stopped |= dict.fromkeys(passed, "no corner of these can be passed with limited jerk")
-        passed = {}
     return Corners(passed, dict(sorted(stopped.items())))
+
+
+def with_stops(program: Program) -> Program:
+    """The program with every fly-by a stop."""
+    fine = Zone("fine", True)
+    motions = (replace(motion, zone=fine) if isinstance(motion, Move) else motion for motion in program.motions)
+    return replace(program, motions=tuple(motions))
 
 
 def passed_in(program: Program, plant: Plant, plan: Plan) -> frozenset[int]:

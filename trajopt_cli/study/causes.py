@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from trajopt_cli.motion import Move, Program, Zone
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -52,13 +51,6 @@ def causes(plant: Plant, optional: bool, corners: bool = False) -> tuple[Cause, 
         kept = [replace(written, name=f"{written.name}, fly-bys as stops", stops=True), replace(written, name=CORNERS)]
         kept += others
     return tuple(kept)
-
-
-def with_stops(program: Program) -> Program:
-    """The program with every fly-by a stop."""
-    fine = Zone("fine", True)
-    motions = (replace(motion, zone=fine) if isinstance(motion, Move) else motion for motion in program.motions)
-    return replace(program, motions=tuple(motions))
 
 
 def asked(freedom: Freedom, plant: Plant, optional: bool) -> Freedom:

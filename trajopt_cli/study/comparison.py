@@ -13,7 +13,7 @@ from trajopt_cli.job import Job
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.motion import PoseMove, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, judge, may_change
-from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.editable import Loops
@@ -23,7 +23,7 @@ from trajopt_cli.problem.stop_condition import Patience, Stopped, checkpoint
 from trajopt_cli.runs.summary import Settled, settled
 from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule, Solve
-from trajopt_cli.study.causes import asked, causes, with_stops
+from trajopt_cli.study.causes import asked, causes
 from trajopt_cli.study.table import BASELINES, Baseline, solved
 from trajopt_cli.workers import in_turns
 
