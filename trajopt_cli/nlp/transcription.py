@@ -153,8 +153,10 @@ class Transcription:
             self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
             self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
             return
+        share = self._share_left(k)
+        low, high = self._waypoint_range(share, stop.rail)
         if passage is not None and passage.way is None:
-            self.waypoint_q.append(nlp.variables(q, *self._waypoint_range(k, stop.rail)))
+            self.waypoint_q.append(nlp.variables(q, low, high))
             self.waypoint_qd.append(nlp.variables(qd, -axes.velocity, axes.velocity))
             where: Parts = {
                 "tcp": passage.X_FT[:3, 3],
@@ -163,9 +165,8 @@ class Transcription:
             }
             self._hold(self.formulation.near_point(), {"q": self.waypoint_q[k]}, where)
             if axes.couplings:
-                self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
+                self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": share})
             return
-        low, high = self._waypoint_range(k, stop.rail)
         d = nlp.variables(np.clip(q[rail], low[rail], high[rail]), low[rail], high[rail])
         joints = nlp.variables(q[arm], low[arm], high[arm])
         rest = self.problem.rests(k)
@@ -197,7 +198,7 @@ class Transcription:
                 z |= {"b": self.waypoint_qdd[k][rail], "qdd": self.waypoint_qdd[k][arm]}
             self._hold(self.formulation.waypoint(), z, p)
         if axes.couplings:
-            self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
+            self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": share})
 
     def _rail_range(self, fraction: Array) -> tuple[Array, Array]:
         """The rail's range (..., r) at nodes that may use a fraction (..., r) of its half, about its middle: a rail
@@ -206,19 +207,22 @@ class Transcription:
         room = fraction * (high - low) / 2
         return (low + high) / 2 - room, (low + high) / 2 + room
 
-    def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array, Array]:
-        """The axes' ranges (n,) at waypoint k: what the program allows the rail, and what the legs beside it leave: an
-        axis that is at its end with velocity has passed it before, or will. At rest it has not."""
+    def _share_left(self, k: int) -> Array:
+        """The share (n,) of half its range that the legs beside waypoint k leave each axis there: one that is at its
+        end with velocity has passed it before, or will. At rest an arm has not."""
         before, after = self.margins[k - 1] if k else None, self.margins[k] if k < len(self.margins) else None
-        rail = self.axes.layout.rail
         share = np.ones(self.axes.n)
         for margins, node in ((before, -1), (after, 0)):
             share = share if margins is None else np.minimum(share, margins.position[node])
         if self.problem.rests(k):
             share[self.axes.layout.arm] = 1.0
-        middle, room = (self.axes.lower + self.axes.upper) / 2, share * (self.axes.upper - self.axes.lower) / 2
-        low = np.where(share < 1, middle - room, self.axes.lower)
-        high = np.where(share < 1, middle + room, self.axes.upper)
+        return share
+
+    def _waypoint_range(self, share: Array, allowed: tuple[float, float]) -> tuple[Array, Array]:
+        """The axes' ranges (n,) where a share of their halves is left, and the program allows the rail so much."""
+        axes, rail = self.axes, self.axes.layout.rail
+        middle, room = (axes.lower + axes.upper) / 2, share * (axes.upper - axes.lower) / 2
+        low, high = np.where(share < 1, middle - room, axes.lower), np.where(share < 1, middle + room, axes.upper)
         if allowed[0] == allowed[1]:
             low[rail], high[rail] = allowed
         else:
