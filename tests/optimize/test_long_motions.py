@@ -15,15 +15,19 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.leg_trajectories import JointNodes
 
 
-@pytest.mark.parametrize(("T", "apart"), [(6.0, 1e-3), (600.0, 1e-2), (3600.0, 2e-2)])
-def test_rows_of_a_long_motion_stand_farther_apart(T: float, apart: float) -> None:
+@pytest.mark.parametrize(
+    ("T", "apart", "count"),
+    [(6.0, 1e-3, 1), (600.0, 1e-2, 1), (3600.0, 2e-2, 1), (6.0, 1e-3, 99), (6.0, 2e-3, 101), (6.0, 5e-3, 450)],
+)
+def test_rows_of_long_motions_and_cycles_stand_farther_apart(T: float, apart: float, count: int) -> None:
+    """A cycle of 10 minutes and less has the grid of its motions, of 10.1 twice as far, of 45 five times."""
     grid = np.array([0.0, 0.25, 0.75, 1.0])
     q, v, a = ([0.0, 0.05, 0.25, 0.3], [0.0, 0.4, 0.4, 0.0], [1.6, 0.0, -1.6])
     way = JointNodes(T, grid, *(np.repeat(np.array(x)[:, None], 7, axis=1) for x in (q, v, a)))
-    rows, _ = output_rows(Axes.of(plant_with_rail()), [way], np.full(7, 0.3))
+    rows, _ = output_rows(Axes.of(plant_with_rail()), [way] * count, np.full(7, 0.3))
     gaps = np.diff(rows.t)
     assert gaps.max() <= apart * (1 + 1e-6)
-    assert len(rows.t) <= T / apart + 4
+    assert len(rows.t) <= count * (T / apart + 4)
     assert {0.0, 0.25 * T, 0.75 * T, T} <= set(rows.t.tolist())
 
 
