@@ -110,6 +110,24 @@ def test_a_bend_alone_holds_the_rate_and_a_jump_is_seen_from_both_sides() -> Non
     np.testing.assert_allclose(laws.rates[0], wanted, rtol=1e-9)
 
 
+@pytest.mark.parametrize("side", [0, 1])
+def test_a_bend_on_one_side_of_an_interval_holds_the_rate_at_that_place_alone(side: int) -> None:
+    """|4 x| <= 1 where one interval begins, or where it ends, and ramps of 1 beside; at an end no more can be asked."""
+    s = np.linspace(0, 1, 11)
+    for k in (5, 0 if side == 0 else 9):
+        bend = np.where(np.arange(10) == k, 4.0, 0.0)[None, :, None] * np.array([1.0, 0.0])
+        slope = np.array([0.0, 1.0]) * np.ones_like(bend)
+        rows = [(slope, 0 * bend), (slope, 0 * bend)]
+        rows[side] = slope, bend
+        free = np.full((1, 11), np.inf)
+        rates = fastest_laws(s, free, *rows, np.inf, np.inf).rates[0]
+        np.testing.assert_allclose(rates, np.sqrt(0.25 + 2 * np.abs(s - s[k + side])), rtol=1e-8)
+        if k != 5:
+            asked = [(rate, np.inf)[:: 1 - 2 * side] for rate in (0.5, 0.5 * (1 + 1e-7))]
+            found = [fastest_laws(s, free, *rows, *ends) for ends in asked]
+            assert [np.isfinite(one.durations[0]) for one in found] == [True, False]
+
+
 def test_a_slope_that_is_rounding_is_none() -> None:
     """A path that turns: its slope is 1e-18 at the turn, where the bend alone holds the rate to 1."""
     s = np.linspace(-1, 1, 21)

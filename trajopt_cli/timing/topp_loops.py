@@ -12,9 +12,10 @@ _UNBOUND = 1e12  # (ds/dt)^2 that stands for none
 _FAINT = 1e-9  # share of its limit below which a row's part of one point is a constant: dividing by it is rounding
 _CANCELLED = 1e-14  # of a row's other part, below which a part is what rounding leaves of a difference
 _ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
+_PART = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _rows(p, r, g, s, begins, ends, b, i):
     """|p x_{i+1} + r x_i + g| <= 1 on interval i: those where it begins, then those where it ends."""
     h, half = 2 * (s[b, i + 1] - s[b, i]), len(p) // 2
@@ -27,47 +28,35 @@ def _rows(p, r, g, s, begins, ends, b, i):
         g[half + k] = ends[2][b, i, k]
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _room(of, g):
-    """What rest g leaves of 1 to a growing x, with its factor in a row; none where g leaves nothing."""
-    return max(1 - np.sign(of) * g, 0.0)
+    """What rest g leaves of 1 to a growing x, with its factor in a row that is not 0; none where g leaves nothing."""
+    return max(1 - g if of > 0 else 1 + g, 0.0)
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _lines(c, d, m, of, other, g):
     """What rows |other y + of x + g| <= 1 leave for x: x <= c + m y and -x <= d - m y; inf and 0 where x is not in the
     row."""
     for k in range(len(of)):
-        part, held = 1 / abs(of[k]), abs(of[k]) > _CANCELLED * abs(other[k])
-        c[k] = _room(of[k], g[k]) * part if held else np.inf
-        d[k] = _room(of[k], -g[k]) * part if held else np.inf
-        m[k] = -other[k] * np.sign(of[k]) * part if held else 0.0
+        c[k], d[k], m[k] = np.inf, np.inf, 0.0
+        if abs(of[k]) > _CANCELLED * abs(other[k]):
+            part = 1 / abs(of[k])
+            c[k], d[k], m[k] = _room(of[k], g[k]) * part, _room(of[k], -g[k]) * part, -other[k] / of[k]
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _lowest(c, m, y):
     """The line that is least at y."""
-    least = np.inf
+    least, at = np.inf, 0
     for k in range(len(c)):
         value = c[k] + m[k] * y
-        least = value if value < least else least
-    for k in range(len(c)):
-        if c[k] + m[k] * y == least:
-            return k
-    return 0
+        if value < least:
+            least, at = value, k
+    return at
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-def _least(c, m, y):
-    """What the lines leave at y."""
-    least = np.inf
-    for k in range(len(c)):
-        value = c[k] + m[k] * y
-        least = value if value < least else least
-    return least
-
-
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _reach(c, d, m, far):
     """The greatest y, at most far, for which rows leave some x. c: intercepts from above; d: of -x at -y.
 
@@ -83,7 +72,7 @@ def _reach(c, d, m, far):
     return y
 
 
-@njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@njit(**_PART)
 def _peak(c, m, far):
     """Where, for y from -far to far, x is greatest; and this x. far is within _reach.
 
@@ -100,12 +89,12 @@ def _peak(c, m, far):
             y = (c[right] - c[left]) / (m[left] - m[right])
             k = _lowest(c, m, y)
             x = c[k] + m[k] * y
-            if k in (left, right) or m[k] == 0:
-                break
-            if m[k] > 0:
+            if m[k] > 0 and k != left:
                 left = k
-            else:
+            elif m[k] < 0 and k != right:
                 right = k
+            else:
+                break
     return y, x
 
 
@@ -124,7 +113,7 @@ def fill_rates(s, top, slopes_0, bends_0, rests_0, slopes_1, bends_1, rests_1, x
     n = len(bound)
     for b in range(len(top)):
         for i in range(n):
-            bound[i] = min(top[b, i] ** 2, _UNBOUND)
+            bound[i] = min(top[b, i] * top[b, i], _UNBOUND)
         failed = x_1[b] > bound[-1] * (1 + _ROUNDING) and x_1[b] < np.inf
         high[-1] = min(x_1[b], bound[-1])
         low[-1] = high[-1] if x_1[b] < np.inf else 0.0
@@ -145,9 +134,13 @@ def fill_rates(s, top, slopes_0, bends_0, rests_0, slopes_1, bends_1, rests_1, x
             high[i + 1] = min(high[i + 1], y)
             failed |= low[i + 1] > high[i + 1] * (1 + _ROUNDING)
             low[i + 1] = min(low[i + 1], high[i + 1])
-            high[i], low[i] = min(x, bound[i], _least(c, m, min(max(at, low[i + 1]), high[i + 1]))), 0.0
+            y = min(max(at, low[i + 1]), high[i + 1])
+            k = _lowest(c, m, y)
+            high[i], low[i] = min(min(x, bound[i]), c[k] + m[k] * y), 0.0
             if low[i + 1] > 0:  # rest can be reached from rest: once the set holds 0 it holds it at all points before
-                low[i] = max(0.0, -_least(c, m, min(max(at, -high[i + 1]), -low[i + 1])))
+                y = min(max(at, -high[i + 1]), -low[i + 1])
+                k = _lowest(c, m, y)
+                low[i] = max(-c[k] - m[k] * y, 0.0)
                 failed |= low[i] > high[i] * (1 + _ROUNDING)
             high[i] = max(high[i], 0.0)
         failed |= low[0] > high[0] * (1 + _ROUNDING)
@@ -160,6 +153,6 @@ def fill_rates(s, top, slopes_0, bends_0, rests_0, slopes_1, bends_1, rests_1, x
             for k in range(len(p)):
                 of, held = abs(p[k]), abs(p[k]) > _CANCELLED * abs(r[k])
                 if held and of * there[i] >= _FAINT and abs(r[k]) * here[i] >= _FAINT:
-                    y = min(y, (_room(p[k], g[k]) - np.sign(p[k]) * r[k] * x) / of)
+                    y = min(y, (_room(p[k], g[k]) - (r[k] if p[k] > 0 else -r[k]) * x) / of)
             x = max(y, low[i + 1])
             rates[b, i + 1] = np.nan if failed else sqrt(x)
