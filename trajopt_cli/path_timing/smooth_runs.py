@@ -74,14 +74,8 @@ class SplineLaw:
         u = t - j * self.h
         x, v = (a + 4 * b + c) / 6, (c - a) / (2 * self.h)
         bend, jerk = (a - 2 * b + c) / self.h**2, (d - 3 * c + 3 * b - a) / self.h**3
-        return np.stack(
-            [
-                x + u * (v + u * (bend / 2 + u * jerk / 6)),
-                v + u * (bend + u * jerk / 2),
-                bend + u * jerk,
-                jerk,
-            ]
-        )
+        x, v = x + u * (v + u * (bend / 2 + u * jerk / 6)), v + u * (bend + u * jerk / 2)
+        return np.stack([x, v, bend + u * jerk, jerk])
 
 
 def passed_smoothly(
