@@ -130,12 +130,16 @@ def _gentler(
     timed = any(leg.duration is not None for leg in window.problem.legs)
     if not timed and not isinstance(problem.objective, LeastEffort):
         return window.put(slowed(window.problem, window.draft, 1 + share), draft)
+    beside, first = problem.plant.settings.window_overlap // 2, span[0]
+    near = max(first, legs[0] - beside), min(span[1], legs[-1] + 1 + beside)
+    if near != span:  # the ends are held in motion
+        window, first = Window.of(problem, draft, near), near[0]
     if any(window.problem.passes(k) for k in range(len(window.problem.waypoints))):
         return None
     scene = collision_scene_of(window.problem)
     refiner = MeshRefinement(axes, Formulation(axes), window.problem, patience, Grids.of(problem), scene)
     try:
-        found = refiner.tightened(window.draft, [k - span[0] for k in legs], 1 - 2 * share)
+        found = refiner.tightened(window.draft, [k - first for k in legs], 1 - 2 * share)
     except (NotConverged, Stopped):
         return None
     return window.put(found, draft) if clear(axes, window.problem, found) else None
