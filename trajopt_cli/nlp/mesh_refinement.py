@@ -421,6 +421,8 @@ class MeshRefinement:
     def _exchange(self, iterate: Iterate, margins: list[Margins | None], warm: Sequence[Any]) -> Iterate:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         settings = self.axes.settings
+        passed = any(point.passage is not None for point in self.problem.waypoints)
+        nearly = settings.barrier_again if passed else settings.barrier_warm
         for _ in range(settings.rounds):
             worst, changed, opened = 0.0, False, self._open_grids(iterate, margins, self.grids)
             iterate = self._with_grids(iterate, margins)
@@ -441,7 +443,7 @@ class MeshRefinement:
                 iterate, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_refined)
             else:
                 try:
-                    iterate, *warm = self._solve(iterate, margins, settings.barrier_warm, warm=warm)
+                    iterate, *warm = self._solve(iterate, margins, nearly, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
                     iterate, *warm = self._solve(self._slowed(iterate, margins), margins, settings.barrier_cold)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {settings.rounds} rounds of tightening")
