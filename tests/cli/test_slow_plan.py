@@ -61,7 +61,7 @@ FAILURES: dict[str, tuple[str, Callable[..., object]]] = {
     "the search finds no chain": ("trajopt_cli.plan.initial_plan.search", _none),
     "no law drives a run": ("trajopt_cli.plan.detour_planner.timed", _not_driven),
     "windows fail": ("trajopt_cli.plan.solve.refine", _no_clean_plan),
-    "rows are not legal": ("trajopt_cli.plan.solve._rows", None),  # but those of the slow plan
+    "rows are not legal": ("trajopt_cli.plan.solve.with_legal_rows", None),  # but those of the slow plan
     "the whole optimiser says that there is no way": ("trajopt_cli.plan.optimize", _disconnected),
     "the whole optimiser fails": ("trajopt_cli.plan.optimize", _no_clean_plan),
 }  # type: ignore[dict-item]
@@ -84,10 +84,10 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
         Path("small.yaml").write_text(RAILED)
     place, failing = FAILURES[name]
     if name == "rows are not legal":
-        right, plainly = solve._rows, []
+        right, plainly = solve.with_legal_rows, []
 
-        def failing(axes, draft, end):  # type: ignore[no-untyped-def]
-            return right(axes, draft, end) if plainly else None
+        def failing(*arguments):  # type: ignore[no-untyped-def]
+            return right(*arguments) if plainly else None
 
         motion = fallback_plan.fallback_motion
 

@@ -16,7 +16,7 @@ from trajopt_cli.limits import JointLimits
 from trajopt_cli.nlp.block_cache import Maps, library
 from trajopt_cli.plan.initial_plan import InitialPlan, initial_plan_of
 from trajopt_cli.plan.local_refinement import refine
-from trajopt_cli.plan.solve import _rows
+from trajopt_cli.plan.output_rows import rows_of
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
@@ -108,9 +108,9 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
     draft = found.draft
     if not problem.coordinated:
         _, draft, _ = refine(axes, found, Patience(), lambda _: None, seconds)
-    rows = _rows(axes, problem, draft)
-    assert rows is not None
-    return rows[0]
+    trajectory, _, over = rows_of(axes, problem, draft)
+    assert not len(over)
+    return trajectory
 
 
 @pytest.mark.parametrize("target", Target)

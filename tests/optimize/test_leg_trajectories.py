@@ -331,11 +331,9 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     (rest,) = at_rest
     inside = (grid > bounds[rest]) & (grid < bounds[rest + 1])
     assert inside.sum() > 10
-    assert not np.any((t > bounds[rest]) & (t < bounds[rest + 1]))
-    free &= ~inside
     assert np.min(np.abs(grid[free][:, None] - t), axis=1).max() < 1e-12
     assert np.sum(free) > 500
-    assert np.all(np.diff(t)[t[:-1] != bounds[rest]] <= DEFAULT.row_step + DEFAULT.least_row_step)
+    assert np.all(np.diff(t) <= DEFAULT.row_step + DEFAULT.least_row_step)  # in the rest as well
     np.testing.assert_array_equal(trajectory.q[-1], home)
     assert not np.any(trajectory.qd[-1])
 

@@ -3,7 +3,7 @@
 Where the zone of a line or an arc begins or ends, the flange of every legal motion goes through one pose, forwards at
 some speed (a gate). A state there is a pair of signs of shoulder and elbow and a range of that speed. From state to
 state no motion is faster than the tool's parts between (parts_time), nor than any coordinate by itself, its ends free
-in their ranges (least_time), whose speed and acceleration have limits all the way:
+in their ranges (bound_loops.raise_times), whose speed and acceleration have limits all the way:
 - on one line or arc, the way gone by; its acceleration is a component of the tool's;
 - else the tool's place along its chord, and across it in the plane in which its velocity turns: a component of a
   vector is no longer than the vector, whatever way the tool takes in zones and on joint moves;
