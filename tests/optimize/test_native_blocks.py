@@ -38,7 +38,8 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
-    "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes", "passed_waypoint", "rate_link", "near_point",
+    "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes", "passed_waypoint",
+    "rate_link", "near_point",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
