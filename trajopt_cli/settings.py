@@ -70,8 +70,8 @@ class Settings:
     # incumbent: a legal motion before any nonlinear program
     run_nodes: int = 96  # intervals of a leg in a run with corners, of one shorter than LONG_LINE as many fewer.
     # Measured on 300 points of z5 at v1000: 7.1927 s with a quarter of the nodes that 7.1923 s took.
-    pair_nodes: int = 32  # intervals of a leg that is timed to compare rail positions. Measured on ten random programs
-    # (benchmarks/bench_chains.py): 20 gave RAPID plans 0.02 % slower on average, 0.1 % at most, in 0.9 of the time.
+    pair_nodes: int = 20  # intervals of a leg that is timed to compare rail positions. Measured on ten random programs
+    # (benchmarks/bench_chains.py): 32 gave RAPID plans 0.02 % faster on average, 0.1 % at most, in 1.1 times the time.
     refine_step: float = 0.03  # m, the first step: the search's grid. Not measured.
     refine_last: float = 0.0002  # m, the last. Measured: 4e-4 gave one of 30 random programs 0.06 % more time.
     polished_legs: int = 2500  # legs of runs with corners that are timed in all while the rail is shifted at their
@@ -138,14 +138,6 @@ class Settings:
     # jerk limits
     start_jerk: float = 1.0 - 0.001  # share of a jerk limit that a grid starts with: rows near each other tell jerk to
     # some 1e-4. Not measured.
-
-    smooth_run_nodes: int = 24  # intervals of a leg in a run with corners. Measured with smooth_steps.
-    smooth_steps: tuple[float, ...] = (0.07, 0.12)  # of splines that are tried, of the longest time in which an axis
-    # gathers its full acceleration. Measured on three runs of two lines and a joint move, z50: 0.12 took 4.494 s, 0.07
-    # 4.444, with 40 nodes 4.440; on two lines and a joint move without a rail 0.07 took 3.6 % more than 0.12.
-    smooth_rounds: int = 12  # of taking back what the spline passes. Not measured.
-    smooth_programs: int = 3  # linear programs in each. Not measured.
-    smooth_back_off: float = 0.7  # power of a ratio by which its place is made slower. Measured: 1.0 the same to 0.3 %.
 
     # effort: gentle motions
     effort_rounds: int = 2  # of giving time and finding laws. Not measured.
@@ -284,12 +276,6 @@ class Settings:
     def stop_to_stop_nodes(self) -> int:
         """Intervals of a leg between two stops."""
         return 3 * self.run_nodes
-
-    @property
-    def run_pair_nodes(self) -> int:
-        """Intervals of a leg in a whole run that is timed to compare rail positions. Measured on the program arcs: 32
-        gave 9.6326 s for 9.6327 s in 1.6 times the time."""
-        return 5 * self.corner_nodes
 
     @property
     def short_nodes(self) -> int:

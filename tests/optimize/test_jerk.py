@@ -231,7 +231,7 @@ def test_a_smooth_law_of_one_axis_is_nearly_ruckigs() -> None:
         data = f"CONST jointtarget j_turn:=[[{turn},0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]];"
         problem, axes = problem_of(rapid(body, data=data), plant), Axes.of(plant)
         q = np.array([HOME, HOME + np.radians([turn, 0, 0, 0, 0, 0])])
-        path = sample_path(axes, problem, (0, 1), q, [0, 0], axes.settings.smooth_run_nodes)
+        path = sample_path(axes, problem, (0, 1), q, [0, 0], 24)
         assert path is not None
         law = _Run(axes, problem, path).law()
         assert law is not None

@@ -161,7 +161,7 @@ def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array],
     left = {name: one for name, one in distinct.items() if times[name] == np.inf}
     some, every = [run for run, _ in left.values()], [own for _, own in left.values()]
     paths = dict(
-        zip(left, sample_paths(axes, problem, some, every, cfx, [settings.run_pair_nodes] * len(left)), strict=True)
+        zip(left, sample_paths(axes, problem, some, every, cfx, [settings.pair_nodes] * len(left)), strict=True)
     )
     can = {name: path for name, path in paths.items() if path is not None}
     times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
