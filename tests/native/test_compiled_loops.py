@@ -8,6 +8,7 @@ from contextlib import ExitStack, nullcontext
 from pathlib import Path
 from time import sleep
 
+import numba
 import numpy as np
 import pytest
 
@@ -81,6 +82,22 @@ def test_what_is_kept_needs_no_numba_and_many_may_ask_at_once(
     for one in others:
         one.join()
     assert [one.exitcode for one in others] == [0, 0]
+
+
+def test_what_the_environment_asks_of_numba_changes_nothing_that_is_kept(
+    made: tuple[Store, Loop], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """NUMBA_DISABLE_JIT=1 leaves Python functions, of which nothing was kept, for runs without it, too."""
+    for name in ("DISABLE_JIT", "BOUNDSCHECK"):
+        monkeypatch.setattr(numba.config, name, 1)
+    monkeypatch.delitem(sys.modules, SMALL)
+    store = Store(tmp_path)
+    right(loops_kept(SMALL, store)["fill"])
+    kept, usual = (one.read(_key(SMALL)) for one in (store, made[0]))
+    assert kept is not None
+    assert usual is not None
+    assert len(kept["code"]) == len(usual["code"])  # names of symbols count what the process compiled before
+    assert (numba.config.DISABLE_JIT, numba.config.BOUNDSCHECK) == (1, 1)
 
 
 def test_where_nothing_can_be_kept_it_is_compiled_and_called(made: tuple[Store, Loop], tmp_path: Path) -> None:

@@ -111,10 +111,16 @@ def _kept(name: str, store: Store, alone: bool = True) -> dict[str, NDArray[np.g
 
 def _compiled(name: str) -> dict[str, NDArray[np.generic]]:
     """Object code of a module's functions, with their names, symbols and the kinds of their arguments."""
+    from numba import config
+
     texts, symbols, kinds = list[str](), list[str](), list[str]()
-    public = {
-        key: one for key, one in vars(import_module(name)).items() if hasattr(one, "signatures") and key[0] != "_"
-    }
+    asked = config.DISABLE_JIT, config.BOUNDSCHECK  # by the user's environment, for programs of his own
+    config.DISABLE_JIT, config.BOUNDSCHECK = 0, None
+    try:
+        found = vars(import_module(name))
+    finally:
+        config.DISABLE_JIT, config.BOUNDSCHECK = asked
+    public = {key: one for key, one in found.items() if hasattr(one, "signatures") and key[0] != "_"}
     for function in public.values():
         (signature,) = function.signatures
         texts.append(function.inspect_llvm(signature))
