@@ -36,7 +36,8 @@ import numpy as np
 from bench_corners import KINDS as CORNER_KINDS
 from bench_corners import Writer
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # timing.toppra_law
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # tcp_motion, timing.toppra_law
+from tcp_motion import inverse_acceleration, inverse_velocity
 from timing.toppra_law import fastest_law
 
 from trajopt_cli.geometry import Array, inverse_pose
@@ -51,7 +52,6 @@ from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
-from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.rows import Piece, hold, rows_of
 from trajopt_cli.study.rows import apart as apart_enough
 from trajopt_cli.timing.point_to_point import point_to_point

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
+from tcp_motion import forward_acceleration, inverse_velocity
 
 from trajopt_cli.findings import Report
 from trajopt_cli.geometry import Array, axis_angle, pose, rotation_about
@@ -36,7 +37,6 @@ from trajopt_cli.motion import (
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
-from trajopt_cli.robot.kinematics import forward_acceleration, inverse_velocity
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.trajectory import Trajectory
 

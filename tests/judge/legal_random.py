@@ -24,11 +24,11 @@ from legal_motion import (
     rail_share,
     wait,
 )
+from tcp_motion import forward_acceleration
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Motion
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 
 

@@ -29,6 +29,7 @@ from legal_motion import (
     program,
     trapezoid,
 )
+from tcp_motion import inverse_velocity
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.motion import DEFAULT_SETTINGS, CirPathMode, Motion, MoveAbsJ, MoveC, Speed, Zone
@@ -38,7 +39,6 @@ from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.kinematics import inverse_velocity
 
 Z0 = Zone("z0", False, 0.3e-3, 0.3e-3, 0.3e-3)
 Z1 = Zone("z1", False, 1e-3, 1e-3, 1e-3)

@@ -33,6 +33,7 @@ from legal_runs import (
     with_rail,
 )
 from spoil_book import OVER, Judged, spoiled
+from tcp_motion import inverse_velocity
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge import tolerances as tol
@@ -40,7 +41,6 @@ from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.robot.kinematics import inverse_velocity
 
 R, TURN = Z10.radius, Z10.path_ori
 

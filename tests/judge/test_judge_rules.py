@@ -39,6 +39,7 @@ from legal_motion import judged as verify
 from scipy.interpolate import CubicHermiteSpline
 from spoil_book import OVER, limited
 from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
+from tcp_motion import inverse_velocity
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
@@ -51,7 +52,6 @@ from trajopt_cli.judge.tolerances import DURATION, HELD
 from trajopt_cli.judge.waypoint_matching import Closeness, Event, events_of
 from trajopt_cli.motion import FlyBy, Hold, Motion
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.robot.kinematics import inverse_velocity
 from trajopt_cli.trajectory import Trajectory
 
 

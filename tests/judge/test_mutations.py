@@ -35,6 +35,7 @@ from legal_motion import (
     trapezoid,
     wait,
 )
+from tcp_motion import inverse_velocity
 
 from trajopt_cli import geometry
 from trajopt_cli.findings import Finding
@@ -46,7 +47,6 @@ from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.kinematics import inverse_velocity
 from trajopt_cli.trajectory import Trajectory
 
 RAIL = 0.6

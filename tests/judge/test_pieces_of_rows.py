@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from legal_motion import plant_with_rail
+from tcp_motion import forward_acceleration
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import samples as module
 from trajopt_cli.judge.findings import Columns, Series, Worst, axis_unit, digits, finding, worse
 from trajopt_cli.judge.samples import Along, Blocks, Boxes, Pieces, look, windows
-from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 
 PLANT = plant_with_rail()

@@ -12,6 +12,7 @@ from by_hand import seen
 from legal_motion import Case, bench_case, faster, joint_move, plant_with_rail, program, rapid_case
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation, Slerp
+from tcp_motion import forward_acceleration
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.judge import tolerances as tol
@@ -19,7 +20,6 @@ from trajopt_cli.judge.advice import TIGHT_MOVE, advise
 from trajopt_cli.judge.caps import check_caps
 from trajopt_cli.judge.geometry import Arc, Line, angle_between, off_segments, off_triangles, rotation_vectors
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.robot.kinematics import forward_acceleration
 
 
 def turns(rng: np.random.Generator, n: int) -> tuple[Array, Array]:

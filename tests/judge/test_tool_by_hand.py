@@ -12,6 +12,7 @@ import pytest
 from legal_motion import plant_with_rail
 from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial.transform import Rotation
+from tcp_motion import forward_acceleration
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.joint_csv import Resolution
@@ -19,7 +20,6 @@ from trajopt_cli.judge import caps
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge.samples import look
 from trajopt_cli.judge.tool_kinematics import ToolKinematics, angular_acceleration
-from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 
 PLANT = plant_with_rail()

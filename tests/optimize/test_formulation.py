@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from heavy_cells import heavy_on_rail
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
+from tcp_motion import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.nlp.block_cache import Maps
@@ -15,7 +16,6 @@ from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
-from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 from trajopt_cli.trajectories.axes import Axes

@@ -10,12 +10,12 @@ import pinocchio as pin
 import pytest
 from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, random_pose, some_arm, urdf_joints
 from small_cells import MOUNTS, mounted, plant_with_rail
+from tcp_motion import singularity
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.robot.arm import wrist_section
 from trajopt_cli.robot.enclosure import Enclosure, Range
 from trajopt_cli.robot.inverse import representatives
-from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.trajectories.axes import Axes

@@ -7,11 +7,11 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from arms import KNOWN, PARALLEL, pin_flange, random_pose, some_arm
+from tcp_motion import singularity
 
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.inverse import branch_margins, confdata, confdata_admits, inverse, representatives, solutions
-from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.parallel_arm import ParallelArm
 
 ARMS = [*KNOWN, *range(8), *PARALLEL, *(f"parallel {seed}" for seed in range(6))]

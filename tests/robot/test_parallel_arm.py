@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from arms import PARALLEL, Chain, pin_flange, random_parallel_chain, random_pose, universal_robot
 from scipy.spatial.transform import Rotation
+from tcp_motion import singularity
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.robot.inverse import inverse, solutions
-from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.parallel_arm import bent
 
 MANY = 1000

@@ -4,13 +4,13 @@ import casadi as ca
 import numpy as np
 import pytest
 from arms import MADE_UP, pin_flange, random_pose, some_arm, urdf_joints
+from tcp_motion import singularity
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, solutions
-from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.model import load_robot
 
 STEP = 1e-6  # rad of differences

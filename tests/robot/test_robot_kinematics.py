@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-
-from trajopt_cli.robot.kinematics import (
+from tcp_motion import (
     forward_acceleration,
     forward_velocity,
     inverse_acceleration,
     inverse_velocity,
     singularity,
 )
+
 from trajopt_cli.robot.model import load_robot
 
 
