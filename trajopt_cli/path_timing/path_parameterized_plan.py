@@ -14,7 +14,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path_timing.edge_times import as_programmed, leg_name_at, short
-from trajopt_cli.path_timing.path_timing import Unresolved, least_times, time_paths
+from trajopt_cli.path_timing.path_timing import Unresolved, least_times, time_path
 from trajopt_cli.path_timing.sampled_path import sample_paths
 from trajopt_cli.path_timing.smooth import smooth
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -191,13 +191,13 @@ def _timed_runs(
             left.append(run)
     nodes = [settings.stop_to_stop_nodes if last == first + 1 else settings.run_nodes for first, last in left]
     paths = dict(zip(left, sample_paths(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
-    can = {run: path for run, path in paths.items() if path is not None}
-    found = dict(zip(can, time_paths(axes, problem, [*can.values()]), strict=True))
-    for run in left:
-        pieces = found.get(run)
-        if isinstance(pieces, Unresolved):
-            out[run] = NotDriven(run, singular=pieces)
-        elif pieces is None:
+    for run, path in paths.items():
+        try:
+            pieces = None if path is None else time_path(axes, problem, path)
+        except Unresolved as singular:
+            out[run] = NotDriven(run, singular=singular)
+            continue
+        if pieces is None:
             out[run] = NotDriven(run)
         elif run[1] > run[0] + 1:
             out[run] = dict(pieces)

@@ -91,25 +91,19 @@ class PathMargins:
     def wait(self, problem: Problem, path: SampledPath, law: TimeLaw, over: BoolArray) -> BoolArray:
         """A lower rate for the intervals (N,) of legs beside a corner that would be over before their least time: over,
         and these too. A run that passes a limit, as over says, comes when it no longer does."""
-        edges = [0, *path.rests, len(path.part)]
         out = over.copy()
-        for first, last in pairwise(edges):
-            legs = [first, *(first + 1 + np.flatnonzero(np.diff(path.leg[first:last]))).tolist(), last]
-            for a, b in pairwise(legs if len(legs) > 2 and not over[first:last].any() else ()):
-                least, rates = problem.legs[path.leg[a]].least, law.rates[a : b + 1]
-                if least > 0.0 and 0.0 < (T := _time(path.sigma[a : b + 1], rates)) < least:
-                    left = least * _WAITED - T  # legs beside it get slower as well: not all of it at once
-                    aim, low, high = T + left * (1.0 if left < _NEARLY * T else _MOST_LEFT), 0.0, float(rates.max())
-                    for _ in range(_HALVINGS):
-                        middle = (low + high) / 2
-                        late = _time(path.sigma[a : b + 1], np.minimum(rates, middle)) > aim
-                        low, high = (middle, high) if late else (low, middle)
-                    self.rate[a:b], out[a:b] = low, True
+        legs = [0, *(1 + np.flatnonzero(np.diff(path.leg))).tolist(), len(path.part)]
+        for a, b in pairwise(legs if len(legs) > 2 and not over.any() else ()):
+            least, rates = problem.legs[path.leg[a]].least, law.rates[a : b + 1]
+            if least > 0.0 and 0.0 < (T := _time(path.sigma[a : b + 1], rates)) < least:
+                left = least * _WAITED - T  # legs beside it get slower as well: not all of it at once
+                aim, low, high = T + left * (1.0 if left < _NEARLY * T else _MOST_LEFT), 0.0, float(rates.max())
+                for _ in range(_HALVINGS):
+                    middle = (low + high) / 2
+                    late = _time(path.sigma[a : b + 1], np.minimum(rates, middle)) > aim
+                    low, high = (middle, high) if late else (low, middle)
+                self.rate[a:b], out[a:b] = low, True
         return out
-
-    def at(self, intervals: BoolArray) -> PathMargins:
-        """Those of some of the intervals."""
-        return PathMargins({name: one[intervals] for name, one in self.by_name.items()}, self.rate[intervals])
 
 
 def _time(sigma: Array, rates: Array) -> float:
@@ -186,12 +180,11 @@ def in_force(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargi
 def time_optimal_law(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargins) -> TimeLaw | None:
     """The fastest law of a run's path, from rest to rest; None where there is none."""
     law = _time_optimal(axes, problem, path, margins)
-    return law if _moves(law, slice(0, len(path.part))) else None
+    return law if np.all(law.rates[1:] + law.rates[:-1] > 0) else None  # one that takes no time is at rest
 
 
 Rows = tuple[Array, Array, Array]
 LawMaker = Callable[[Axes, Problem, SampledPath, PathMargins], TimeLaw | None]
-TimedRun = dict[int, Pieces] | Unresolved | None
 
 
 def time_path(
@@ -199,20 +192,28 @@ def time_path(
 ) -> dict[int, Pieces] | None:
     """The motions of a run's legs, fastest on its path or by another law, within every limit wherever it is
     sampled; None where the path itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
-    (found,) = _timed(axes, problem, [path], make_law)
-    if isinstance(found, Unresolved):
-        raise found
-    return found
-
-
-def time_paths(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> list[TimedRun]:
-    """The same of many runs, each as fast as its limits allow; Unresolved where it passes a singularity."""
-    settings = axes.settings
-    sizes = np.cumsum([len(path.part) for path in paths])
-    out: list[TimedRun] = []
-    for _, group in groupby(range(len(paths)), key=lambda i: int(sizes[i]) // (2 * settings.batch)):
-        out += _timed(axes, problem, [paths[i] for i in group], _time_optimal)
-    return out
+    resolved = _resolved(axes, problem, path)
+    if resolved is None:
+        return None
+    path, N = resolved, len(resolved.part)
+    margins, seen, before = PathMargins.full(axes, N), Ratios.none(axes, N), None
+    for _ in range(_PACE_ROUNDS):
+        checkpoint()
+        law = make_law(axes, problem, path, margins)
+        if law is None:
+            return None
+        new = _timed_anew(path, law, before)  # a round tightens nearby only: a leg timed as before is what it was
+        if new.any():
+            ratios = sampled_ratios(axes, problem, path, law, np.unique(path.part[new]).tolist())
+            seen.put(np.flatnonzero(new), ratios)
+        if seen.position.max() > _RANGE:
+            return None
+        over = margins.tighten(used_by(axes, problem, path, law), seen, axes.settings)
+        over |= margins.slow(seen, law, axes.settings)
+        if not margins.wait(problem, path, law, over).any():
+            return motions(axes, problem, path, law)
+        before = law.rates
+    return None
 
 
 def least_times(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> Array:
@@ -238,61 +239,6 @@ def _time_optimal(axes: Axes, problem: Problem, path: SampledPath, margins: Path
     return TimeLaw(path.sigma, fastest_laws(path.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
 
-def _timed(axes: Axes, problem: Problem, paths: Sequence[SampledPath], make_law: LawMaker) -> list[TimedRun]:
-    """Paths one after the other; of several make_law must bear that."""
-    out: list[TimedRun] = [None] * len(paths)
-    left: dict[int, SampledPath] = {}
-    for i, path in enumerate(_resolved_all(axes, problem, paths)):
-        if isinstance(path, SampledPath):
-            left[i] = path
-        else:
-            out[i] = path
-    if not left:
-        return out
-    every = together([*left.values()])
-    margins, seen, before = PathMargins.full(axes, len(every.part)), Ratios.none(axes, len(every.part)), None
-    for _ in range(_PACE_ROUNDS):
-        checkpoint()
-        law = make_law(axes, problem, every, margins)
-        if law is None:
-            break
-        edges = np.concatenate([[0], np.cumsum([len(path.part) for path in left.values()])]).tolist()
-        spans = dict(zip(left, map(slice, edges[:-1], edges[1:]), strict=True))
-        lost = {i for i, at in spans.items() if not _moves(law, at)}
-        stay = np.ones(len(every.part), dtype=bool)
-        for i in lost:
-            stay[spans[i]] = False
-        # a round tightens nearby only: a leg timed as before is what it was
-        new = stay & _timed_anew(every, law, before)
-        if new.any():
-            seen.put(
-                np.flatnonzero(new), sampled_ratios(axes, problem, every, law, np.unique(every.part[new]).tolist())
-            )
-        over = margins.tighten(used_by(axes, problem, every, law), seen, axes.settings)
-        over |= margins.slow(seen, law, axes.settings)
-        over = margins.wait(problem, every, law, over)
-        for i, at in spans.items():
-            outside = i in lost or seen.position[at].max() > _RANGE
-            if outside or not over[at].any():
-                own = law if len(spans) == 1 else TimeLaw(left[i].sigma, law.rates[at.start : at.stop + 1])
-                out[i] = None if outside else motions(axes, problem, left[i], own)
-                stay[at] = False
-                del left[i]
-        if not left:
-            break
-        before = law.rates
-        if not stay.all():
-            every, margins, seen = together([*left.values()]), margins.at(stay), seen.at(stay)
-            before = np.append(law.rates[:-1][stay], 0.0)
-    return out
-
-
-def _moves(law: TimeLaw, at: slice) -> bool:
-    """Whether the intervals of a run take a time: a law that has none is at rest."""
-    rates = law.rates[at.start : at.stop + 1]
-    return bool(np.all(rates[1:] + rates[:-1] > 0))
-
-
 def _timed_anew(path: SampledPath, law: TimeLaw, before: Array | None) -> BoolArray:
     """The intervals (N,) of legs that were timed otherwise before."""
     if before is None:
@@ -301,20 +247,6 @@ def _timed_anew(path: SampledPath, law: TimeLaw, before: Array | None) -> BoolAr
     starts = np.flatnonzero(np.diff(path.leg, prepend=-1))
     legs = np.logical_or.reduceat(other[:-1] | other[1:], starts)
     return np.repeat(legs, np.diff(starts, append=len(path.leg)))
-
-
-def _resolved_all(axes: Axes, problem: Problem, paths: Sequence[SampledPath]) -> list[SampledPath | Unresolved | None]:
-    """As _resolved, of many runs."""
-    every = together(paths)
-    wanted, _ = _too_coarse(axes, problem, every)
-    edges = np.cumsum([len(path.part) for path in paths])[:-1]
-    out: list[SampledPath | Unresolved | None] = []
-    for path, at in zip(paths, np.split(wanted, edges), strict=True):
-        try:
-            out.append(_resolved(axes, problem, path) if at.any() else path)
-        except Unresolved as singular:
-            out.append(singular)
-    return out
 
 
 def _resolved(axes: Axes, problem: Problem, path: SampledPath) -> SampledPath | None:
