@@ -53,7 +53,7 @@ def main() -> None:
             f"{name} inverse, 8 branches": lambda robot=robot, X=X, rail=rail: inverse(robot, X, rail),
             f"{name} forward": lambda robot=robot, q=q: robot.forward(q),
             f"{name} jacobian": lambda robot=robot, q=q: robot.jacobian(q),
-            f"{name} jacobian_rate": lambda robot=robot, q=q, qd=qd: robot.jacobian_rate(q, qd),
+            f"{name} bias": lambda robot=robot, q=q, qd=qd: robot.differential(q).bias(qd),
         }
         for label, call in rows.items():
             best, median = rate(call, n, options.seconds)

@@ -10,7 +10,7 @@ import pytest
 
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store
-from trajopt_cli.nlp.block import Block, express, make_block
+from trajopt_cli.nlp.block import Block, express
 from trajopt_cli.nlp.block_cache import Library, Maps, Native
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
 
@@ -19,7 +19,7 @@ INF = float("inf")
 
 def product_block() -> Block:
     """a b >= c."""
-    return make_block("product", 2, 1, lambda z, p: [(z[0] * z[1] - p[0], 0.0, INF)])
+    return express(2, 1, lambda z, p: [(z[0] * z[1] - p[0], 0.0, INF)]).block("product")
 
 
 def curvy_rows(z: ca.SX, p: ca.SX) -> list[tuple[ca.SX, float, float]]:
@@ -67,7 +67,7 @@ def test_damped_variables_have_their_parabola() -> None:
     nlp.minimise(int(x[1]))
     nlp.damp(x[:1], 0.1)
     nlp.damp(x[:1], 0.2)
-    nlp.add(make_block("line", 2, 0, linear_rows), x)
+    nlp.add(express(2, 0, linear_rows).block("line"), x)
     result = nlp.solve()
     np.testing.assert_allclose(result.x, [-5.0, -2.75], atol=1e-6)
 
@@ -191,7 +191,7 @@ def test_what_has_no_answer_is_not_called_converged() -> None:
 
 def test_many_copies_at_once_are_as_many_one_by_one() -> None:
     """And none at all is no copy."""
-    rng, curvy = np.random.default_rng(2), make_block("curvy", 3, 2, curvy_rows)
+    rng, curvy = np.random.default_rng(2), express(3, 2, curvy_rows).block("curvy")
     where, p = np.array([[0, 1, 2], [5, 2, 0], [6, 3, 2]]), rng.normal(size=(3, 2))
     once, singly = BlockNlp(), BlockNlp()
     for nlp in (once, singly):

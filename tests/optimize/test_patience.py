@@ -16,7 +16,7 @@ from small_cells import plant_with_rail, problem_of, rapid
 from unrefined import coarse_search, set_defaults
 
 from trajopt_cli.cli import run
-from trajopt_cli.nlp.block import make_block
+from trajopt_cli.nlp.block import express
 from trajopt_cli.nlp.mesh_refinement import MeshRefinement, Stage
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path_timing.path_parameterized_plan import duration
@@ -126,7 +126,7 @@ def test_a_solver_ends_when_it_is_told_to() -> None:
     nlp = BlockNlp()
     x = nlp.variables([3.0, 1.0], -10.0, 10.0)
     nlp.minimise(int(x[0]))
-    nlp.add(make_block("bowl", 2, 0, lambda z, _: [(z[0] - ca.exp(z[1]) - z[1] ** 2, 0.0, ca.inf)]), x)
+    nlp.add(express(2, 0, lambda z, _: [(z[0] - ca.exp(z[1]) - z[1] ** 2, 0.0, ca.inf)]).block("bowl"), x)
     assert nlp.solve().iterations > 4
     result = nlp.solve(stop=stop)
     assert not result.converged

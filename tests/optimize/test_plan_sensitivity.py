@@ -12,7 +12,7 @@ from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
-from trajopt_cli.nlp.block import make_block
+from trajopt_cli.nlp.block import express
 from trajopt_cli.nlp.mesh_refinement import LONG, MeshRefinement, NotConverged
 from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.plan import optimize
@@ -150,7 +150,7 @@ def test_multipliers_are_the_closed_forms_derivatives(angle: float, speed: bool)
 
 def test_the_lagrangian_tells_of_rows_bounds_and_fixed_variables() -> None:
     """min x + 2 y - 3 w with x + z >= p, y >= b, w <= c and z fixed: p - z + 2 b - 3 c."""
-    rows = make_block("row", 2, 1, lambda z, p: [(z[0] + z[1] - p[0], 0.0, np.inf)])
+    rows = express(2, 1, lambda z, p: [(z[0] + z[1] - p[0], 0.0, np.inf)]).block("row")
 
     def program(p: float, b: float, c: float, z: float) -> BlockNlp:
         nlp = BlockNlp()

@@ -73,7 +73,7 @@ def test_motions_are_differences_of_the_jacobian(arm, X_FT):
     (q,), (qd, qdd) = postures(arm, 1), np.random.default_rng(4).normal(size=(2, 6))
     rate = np.tensordot(qd, differences(lambda axes: arm.jacobian(axes, X_FT), q), axes=1)
     moves, J = arm.differential(q, X_FT), arm.jacobian(q, X_FT)
-    np.testing.assert_allclose(moves.jacobian_rate(qd), rate, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(moves.bias(qd), rate @ qd, rtol=0, atol=1e-7)
     np.testing.assert_allclose(moves.motion(qd, qdd), [J @ qd, J @ qdd + rate @ qd], rtol=0, atol=1e-6)
     X, V, A = judge(arm).flange_motion(q[None], qd[None], qdd[None])
     np.testing.assert_allclose([V[0], A[0]], arm.differential(q).motion(qd, qdd), rtol=0, atol=1e-10)

@@ -22,7 +22,6 @@ from trajopt_cli.trajectory import Trajectory
 
 _ROUGH = 3e-3  # of the way: what is left of a motion that is one ramp up and one down is less
 _MOVES = 30.0  # times the noise: a shorter way is none
-_ALONE = 1e-3  # of the leading axis' share: others rest
 _COORDINATED = 0.01  # of the way: how far axes may part from one common progress
 _FIRST_JITTER = 3e-4  # s
 _ENOUGH = 40  # motions of one leading axis that are looked at

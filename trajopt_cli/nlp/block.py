@@ -159,8 +159,3 @@ def express(n_variables: int, n_parameters: int, rows: Rows) -> Expressed:
 def _places(of: ca.SX) -> tuple[IndexArray, IndexArray]:
     rows, cols = of.sparsity().get_triplet()
     return np.array(rows, dtype=np.intp), np.array(cols, dtype=np.intp)
-
-
-def make_block(name: str, n_variables: int, n_parameters: int, rows: Rows) -> Block:
-    """A block from its rows, see express, that CasADi evaluates."""
-    return express(n_variables, n_parameters, rows).block(name)

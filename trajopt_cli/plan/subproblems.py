@@ -47,11 +47,6 @@ class Window:
         own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=(), objective=asked)
         return cls(first, last, own, mine)
 
-    @property
-    def duration(self) -> float:
-        """What the legs take at hand [s]."""
-        return duration(self.draft)
-
     def put(self, found: Iterate, draft: Iterate) -> Iterate:
         """The whole motion with the window's part as found."""
         return draft.put(range(self.first, self.last + 1), range(self.first, self.last), found)

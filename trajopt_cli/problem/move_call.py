@@ -67,11 +67,6 @@ def last_argument(motion: Motion, text: str) -> str:
     return text[last.start : last.end]
 
 
-def called(text: str, span: Span) -> str:
-    """The name of the instruction in a statement."""
-    return _parsed(text, span).name
-
-
 def _parsed(text: str, span: Span) -> ProcedureCall:
     call = parse_statement(text, span.file)
     assert isinstance(call, ProcedureCall)  # every motion's statement is one

@@ -60,14 +60,6 @@ class Differential:
             J[..., :3, 0] = self.rail
         return J
 
-    def jacobian_rate(self, qd: Array) -> Array:
-        """Time derivative (..., 6, k) of the Jacobian along axis speeds (..., k). The rail moves all points alike."""
-        omega, p_dot = self._turning(self._rates(qd))
-        a_dot = np.zeros_like(self.axes)
-        a_dot[:, 1:] = _cross(omega[:, :-1], self.axes[:, 1:])  # an axis turns with the link before its joint
-        ahead = np.cumsum(p_dot[:, ::-1], axis=1)[:, ::-1]  # of the TCP past each axis
-        return self._matrix(_cross(a_dot, self._levers()) + _cross(self.axes, ahead), a_dot)
-
     def velocity(self, qd: Array) -> Array:
         """The TCP's twist (..., 6) at axis speeds (..., k)."""
         omega, p_dot = self._turning(self._rates(qd))

@@ -278,10 +278,6 @@ class RobotModel:
         """
         return self.differential(q, X_FT).jacobian()
 
-    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
-        """Exact time derivative (..., 6, k) of jacobian along axis speeds qd (..., k)."""
-        return self.differential(q, X_FT).jacobian_rate(qd)
-
     def differential(self, q: Array, X_FT: Array | None = None) -> Differential:
         """How the TCP moves with the axes at q (..., k). X_FT (4, 4): the TCP in the flange frame, None: the flange."""
         q = np.asarray(q, dtype=np.float64)

@@ -180,10 +180,6 @@ class Context(ABC):
         error = self.error(node, "")
         return Undeclared(message, close, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
-    def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
-        """An InputError for a name that is not one of names."""
-        return self.error(node, self.meant(name, message, names))
-
     def meant(self, name: str, message: str, names: Iterable[str]) -> str:
         """The message, with the one of names that is spelled nearly like name."""
         close = self.close(name, names)

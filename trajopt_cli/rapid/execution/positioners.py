@@ -114,8 +114,3 @@ def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
                 point,
             )
     return units.driven(extax)
-
-
-def _stands(run: Context, unit: str, eax: int) -> float | None:
-    units = run.units
-    return run.position.extax[eax] if unit == units.rail else units.parked[unit][units.axes[unit].index(eax)]
