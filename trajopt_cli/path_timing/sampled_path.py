@@ -573,35 +573,32 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[PathPart], fractions:
     q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))
     v, w, bend = (np.empty((len(q), 3)) for _ in range(3))
     out = PathDerivatives(q, dq, ddq, v, w, bend, np.zeros((len(q), 2)))
-    tools = [problem.legs[part.leg].X_FT for part in parts]
-    for at, X_FT in _by_tool(tools, fractions):
+    for at, numbers in _by_tool(problem, parts, fractions):
+        X_FT = problem.legs[parts[numbers[0]].leg].X_FT
         motion = axes.differential(q[at], X_FT).motion(dq[at], ddq[at])
         out.v[at], out.w[at], out.bend[at] = motion[:, 0, :3], motion[:, 0, 3:], motion[:, 1, :3]
     return out
 
 
-def _by_tool(tools: Sequence[Array], fractions: Sequence[Array]) -> Iterator[tuple[IndexArray, Array]]:
-    """The rows of every tool X_FT among parts with fractions (m,) each, and the tool."""
-    names = [X_FT.tobytes() for X_FT in tools]
-    number = {name: i for i, name in enumerate(dict.fromkeys(names))}
-    of = np.repeat([number[name] for name in names], [len(u) for u in fractions])
-    for name, i in number.items():
-        yield np.flatnonzero(of == i), tools[names.index(name)]
+def _by_tool(
+    problem: Problem, parts: Sequence[PathPart], fractions: Sequence[Array]
+) -> Iterator[tuple[BoolArray, list[int]]]:
+    """Which rows are of a tool among parts with fractions (m,) each, and the numbers of these parts; tool by tool."""
+    names = [problem.legs[part.leg].X_FT.tobytes() for part in parts]
+    for name in dict.fromkeys(names):
+        alike = np.array([one == name for one in names])
+        yield np.repeat(alike, [len(u) for u in fractions]), np.flatnonzero(alike).tolist()
 
 
 def _on_paths(axes: Axes, problem: Problem, parts: Sequence[PathPart], fractions: Sequence[Array]) -> PathDerivatives:
     """Along parts that the tool decides, by their fractions (m,) of each, one part after the other; joints in whatever
     turn, NaN out of reach."""
-    tools = [problem.legs[part.leg].X_FT for part in parts]
-    names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in fractions]
-    out = _empty(axes.n, sum(counts))
-    for name in dict.fromkeys(names):
-        alike = np.array([one == name for one in names])
-        numbers = np.flatnonzero(alike).tolist()
+    out = _empty(axes.n, sum(map(len, fractions)))
+    for at, numbers in _by_tool(problem, parts, fractions):
         own = [parts[i] for i in numbers]
         positioner_use = np.array([problem.legs[one.leg].positioner_use for one in own])
-        found = _with_tool(axes, tools[numbers[0]], own, [fractions[i] for i in numbers], positioner_use)
-        out.put(np.repeat(alike, counts), found)
+        X_FT = problem.legs[own[0].leg].X_FT
+        out.put(at, _with_tool(axes, X_FT, own, [fractions[i] for i in numbers], positioner_use))
     return out
 
 

@@ -224,18 +224,14 @@ class _Run:
             elif leg.segment is None:
                 begins = zone.radius / _measure(after)
                 todo.append((leg, (k,), self._on(k + 1, begins, k + 1), (0.0, 1.0)))
-            elif after.segment is None:
-                end = 1.0 - zone.radius / _measure(leg)
-                if end > begins + _TOUCH:
-                    todo.append((self._own(k, begins, end), (k,), self._on(k, end, k + 1), (begins, end)))
-                begins = 0.0
             else:
-                corner = _corner(problem, k + 1)
-                end = 1.0 - corner.fraction_before
+                corner = None if after.segment is None else _corner(problem, k + 1)
+                end = 1.0 - (zone.radius / _measure(leg) if corner is None else corner.fraction_before)
                 if end > begins + _TOUCH:
                     todo.append((self._own(k, begins, end), (k,), self._on(k, end, k + 1), (begins, end)))
-                begins = corner.fraction_after
-                todo.append((_either(leg, after, corner), (k, k + 1), self._on(k + 1, begins, k + 1), (0.0, 1.0)))
+                begins = 0.0 if corner is None else corner.fraction_after
+                if corner is not None:
+                    todo.append((_either(leg, after, corner), (k, k + 1), self._on(k + 1, begins, k + 1), (0.0, 1.0)))
         now = 0.0
         for leg, owners, cut, part in todo:
             then = self._starts[self._last] if cut is None else self._time(cut)
