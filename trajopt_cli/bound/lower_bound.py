@@ -240,7 +240,7 @@ def _at_first_level(cells: _Cells, level: int, keys: IndexArray, values: Array, 
 
 def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead: Array) -> Array:
     """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it."""
-    T = _edge(axes, problem, run, a, b, np.zeros(len(a.key)), ahead, None)
+    T = _edge(axes, run, a, b, np.zeros(len(a.key)), ahead, None)
     return _least_sums("fill_left", T, ahead, len(T))
 
 
@@ -253,12 +253,12 @@ def _costs(
     forward = [spent]
     edges, direct = [], {}
     for k, run in enumerate(chain.hops):
-        T = _edge(axes, problem, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
+        T = _edge(axes, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
         edges.append(T)
         forward.append(_least_sums("fill_reached", T, forward[-1], len(T.T)))
         if (i := starts.get(k + 1)) is not None:
             run = chain.direct[i, k + 1]
-            T = _edge(axes, problem, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
+            T = _edge(axes, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
             direct[i] = k + 1, T
             forward[-1] = np.maximum(forward[-1], _least_sums("fill_reached", T, forward[i], len(T.T)))
     backward = [beyond]
@@ -428,9 +428,7 @@ def _over_alive(ranges: Range, alive: BoolArray) -> Range:
     return Range(low, np.where(alive, ranges.hi, -np.inf).max(axis=-1))
 
 
-def _edge(
-    axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float | None
-) -> Array:
+def _edge(axes: Axes, run: _Run, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float | None) -> Array:
     """(n_a, n_b) least time of a run between cells; infinite where no motion fits or none can matter: where it exceeds
     the incumbent or, without one, what another cell b takes with what is ahead."""
     out, columns, r = np.empty((len(a.key), len(b.key))), _columns(axes), axes.layout.r

@@ -99,7 +99,7 @@ def add(
         console.result(f"written: {', '.join(files)}")
         return
     out = console.stdout()
-    for part in _told(made, robot, output):
+    for part in _told(made, robot):
         if isinstance(part, str):
             console.tell(out, part.split("\n"))
         else:
@@ -145,7 +145,7 @@ def _record(made: NewRobot, robot: RobotModel) -> dict[str, Any]:
     }
 
 
-def _told(made: NewRobot, robot: RobotModel, folder: Path) -> Iterator[TextTable | str]:
+def _told(made: NewRobot, robot: RobotModel) -> Iterator[TextTable | str]:
     from trajopt_cli.table import TextTable
     from trajopt_cli.units import DEG, MM
 

@@ -385,7 +385,7 @@ def unseen_turn(rows: Rows, a: int, b: int) -> Array:
     return np.asarray(2 * rows.open_time[part] + hidden)
 
 
-def turned_frames(program: Program, frames: dict[bytes, ToolKinematics], line: Timeline) -> dict[int, TurnedFrame]:
+def turned_frames(frames: dict[bytes, ToolKinematics], line: Timeline) -> dict[int, TurnedFrame]:
     """The frames over work objects that turn, by the number of the motion that is drawn there."""
     out: dict[int, TurnedFrame] = {}
     for _, visit in pairwise(line.visits):

@@ -144,7 +144,7 @@ def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i:
         row = int(close.at[nearest])
         axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)
         value, limit, unit = (
-            _off(rows, visit, frame, row) if not axes else (close.distance[nearest] * JOINT_TARGET, JOINT_TARGET, unit)
+            _off(visit, frame, row) if not axes else (close.distance[nearest] * JOINT_TARGET, JOINT_TARGET, unit)
         )
         if stop.rail is not None and (off := abs(float(rows.q[row, 0]) - stop.rail)) / JOINT_TARGET >= value / limit:
             subject, value, limit, unit = rows.plant.limits.names[0], off, JOINT_TARGET, "m"
@@ -163,7 +163,7 @@ def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i:
                    source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip
 
 
-def _off(rows: Rows, visit: Visit, frame: ToolKinematics, row: int) -> tuple[float, float, str]:
+def _off(visit: Visit, frame: ToolKinematics, row: int) -> tuple[float, float, str]:
     """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
     X_WT = visit.X_WF @ visit.point.X_FT
     d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))

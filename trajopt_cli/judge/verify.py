@@ -72,7 +72,7 @@ def verify(
     if dropped is None and (absent := never_near(rows, frames, points)):  # zones reach from point to point
         points = points_of(program, plant, absent, optional=True)
     line = build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid)
-    line = replace(line, turned=turned_frames(program, frames, line))
+    line = replace(line, turned=turned_frames(frames, line))
     stops, shapes, caps, demands = in_step(
         check_stops(line, frames, rapid, None if program.before is None else trajectory.q[-1]),
         check_shapes(line, frames, rapid),

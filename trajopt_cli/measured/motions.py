@@ -32,7 +32,7 @@ class Recorded:
         return Recorded(self.t[::k], self.q[::k], self.way, -(-self.begin // k), -(-self.end // k))
 
 
-def noise_of(t: Array, q: Array, resting: BoolArray) -> Array:
+def noise_of(q: Array, resting: BoolArray) -> Array:
     """Standard deviation (k,) of the positions at rest, rounding included; at least that of the rounding."""
     out = []
     inside = resting[2:] & resting[1:-1] & resting[:-2]
@@ -64,7 +64,7 @@ def motions_of(t: Array, q: Array) -> tuple[list[Recorded], Array, float]:
     resting = at_rest(t, q)
     edges = np.flatnonzero(np.diff(np.r_[0, resting.astype(int), 0]))
     rests = [(a, b - 1) for a, b in zip(edges[::2], edges[1::2], strict=True) if t[b - 1] - t[a] >= _REST]
-    noise = noise_of(t, q, resting)
+    noise = noise_of(q, resting)
     out = []
     for (a, b), (c, d) in pairwise(rests):
         before = max(a, int(np.searchsorted(t, max(t[b] - _BESIDE, (t[a] + t[b]) / 2))))

@@ -103,7 +103,7 @@ def _slopes(t: Array, q: Array) -> Iterator[tuple[Array, Array, _Seen, _Seen]]:
     """By width of windows (m,): their middle [s], mean posture (m, n), speeds and accelerations (m, n), each with its
     noise (m, n)."""
     period = float(np.median(np.diff(t)))
-    floor = noise_of(t, q, at_rest(t, q)).astype(np.float32)
+    floor = noise_of(q, at_rest(t, q)).astype(np.float32)
     for width in max(_SHORTEST, _ROWS * period) * np.array(_WIDTHS):
         found = _windows(t, q, width, period)
         if found is None:

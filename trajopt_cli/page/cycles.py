@@ -59,7 +59,7 @@ def cycle_data(plant: Plant, one: Shown, program: int, coarse: float = 1.0) -> d
     ends = np.array([time for motion in plan.motions for time in (motion.t_0, motion.t_1)])
     times = sample_times(plan.trajectory, plant.limits, ends, coarse)
     course = follow(one.program, plant, plan, one.name, times)
-    legs = _legs(one.program, course) if course.legs else _rests(plan.trajectory)
+    legs = _legs(course) if course.legs else _rests(plan.trajectory)
     return {
         "name": one.name,
         "target": plan.target.value,
@@ -165,7 +165,7 @@ def kind_of(motion: object) -> str:
     return "joint"
 
 
-def _legs(program: Program, course: PlanSeries) -> dict[str, list[Any]]:
+def _legs(course: PlanSeries) -> dict[str, list[Any]]:
     ends = {motion.t_1: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
     legs = [leg for leg in course.legs if not leg.added]  # points that are added are part of the way to their motion's
     planned = [ends[leg.t_1] for leg in legs]

@@ -55,7 +55,7 @@ def read_move(move: Move, text: str) -> MoveCall:
         via=_inside(span, required[at - 1]) if _CIRCLE.match(call.name) else None,
         speed=_inside(span, required[at + 1]),
         tool=tool,
-        wobj=_value(span, wobj, text) if wobj else None,
+        wobj=_value(span, wobj) if wobj else None,
         override=_with_comma(span, override, text) if override else None,
         switches=frozenset(options),
     )
@@ -77,7 +77,7 @@ def _inside(span: Span, arg: Argument) -> Span:
     return span._replace(start=span.start + arg.start, end=span.start + arg.end)
 
 
-def _value(span: Span, arg: Argument, text: str) -> Span | None:
+def _value(span: Span, arg: Argument) -> Span | None:
     r"""The stretch `\WObj:=w` of an option, without a comma or blanks before it."""
     return _inside(span, arg) if arg.value is not None else None
 

@@ -74,7 +74,7 @@ def _with_a_wrist(lines: _Lines, file: str) -> Arm:
     z = _facing(u[0], u[0] @ steps[0] + u[0] @ steps[1], u[0][2])
     t4 = u[3] @ steps[4]  # along axis 4 from its joint's origin to the wrist centre
     wrist = _clean(steps[3] + t4 * u[3])  # from the origin of joint 3
-    _check_wrist(lines, t4, file)
+    _check_wrist(lines, file)
     aside = np.cross(u[1], z)
     x = _facing(_clean(_unit(aside)), aside @ steps[1], aside @ (steps[1] + steps[2] + wrist), aside[0])
     y = np.cross(z, x)
@@ -199,8 +199,8 @@ def _check_directions(lines: _Lines, file: str) -> bool:
     return parallel
 
 
-def _check_wrist(lines: _Lines, t4: float, file: str) -> None:
-    """Raise InputError where axes 4 and 5 do not meet. t4: see arm_from_chain."""
+def _check_wrist(lines: _Lines, file: str) -> None:
+    """Raise InputError where axes 4 and 5 do not meet."""
     u, steps = lines.u, lines.steps
     gap = abs(steps[4] @ np.cross(u[3], u[4]))
     if gap > OFF:

@@ -115,8 +115,8 @@ class Group:
     def _shared(self) -> tuple[str, ...]:
         """Data that one part changes and another one uses."""
         routines = _routines(self.job.program)
-        used = [set(_names(self, part, routines, written=False)) for part in self.parts]
-        changed = [set(_names(self, part, routines, written=True)) for part in self.parts]
+        used = [set(_names(part, routines, written=False)) for part in self.parts]
+        changed = [set(_names(part, routines, written=True)) for part in self.parts]
         return tuple(
             f"{name} is changed in {one.name} and used in {other.name}"
             for i, one in enumerate(self.parts)
@@ -266,7 +266,7 @@ def _jumps(group: Group) -> Iterator[str]:
                 yield f"{part.name} jumps or ends the routine ({type(one).__name__.upper()})"
 
 
-def _names(group: Group, part: Part, routines: Sequence[tuple[str, Routine]], written: bool) -> Iterator[str]:
+def _names(part: Part, routines: Sequence[tuple[str, Routine]], written: bool) -> Iterator[str]:
     """The data that a part uses, or changes, with the procedures and functions that it calls; their own is left out."""
     known: dict[str, list[Routine]] = {}
     for _, routine in routines:

@@ -182,7 +182,7 @@ def asked(
         rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.active, answer.why))
     if search:
         for target, found in rows.items():
-            rows[target] = _searched(job, changes[target], plans[target], found, listen, workers, patience)
+            rows[target] = _searched(changes[target], plans[target], found, listen, workers, patience)
     ordered: dict[Target, tuple[Row, ...] | str] = {}
     for target in plans:
         ordered[target] = failed.get(target) or tuple(sorted(rows[target], key=lambda row: -row.best))
@@ -210,7 +210,7 @@ def _row(again: PlanSensitivity, lever: Lever, detours: Sequence[Detour]) -> Eff
 
 
 def _searched(
-    job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, workers: int, patience: Patience
+    changes: Changes, plan: Plan, rows: list[Row], listen: Listener, workers: int, patience: Patience
 ) -> list[Row]:
     """The rows with what is saved where the program is planned anew."""
 
