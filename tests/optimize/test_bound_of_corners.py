@@ -98,7 +98,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
     stretches = [(k, k + 1, run) for k, run in enumerate(chain.hops)] + [(*ij, run) for ij, run in chain.direct.items()]
     for i, j, run in stretches:
         a, b = held[i], held[j]
-        T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        T = lower_bound._edge(axes, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.min(T) <= times[j] - times[i] + 1e-3, (i, j)
 
 

@@ -65,9 +65,9 @@ def test_where_the_search_finds_nothing_a_lesser_freedom_answers(monkeypatch: py
     def poor(axes: Axes, problem: Problem) -> Route | None:
         return None if problem.freedom.rail is RailFreedom.STOP else search(axes, problem)
 
-    fixed = rapid_time(1, FIXED_RAIL)
+    fixed = rapid_time(0, FIXED_RAIL)
     monkeypatch.setattr(initial_plan, "search", poor)
-    found = rapid_plan(1, EVERYTHING)
+    found = rapid_plan(0, EVERYTHING)
     assert found is not None
     assert fixed is not None
     assert found.duration < fixed  # its rail is refined in the freedom that there is

@@ -16,8 +16,7 @@ from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
 from trajopt_cli.plan import optimize
-from trajopt_cli.plan.output_rows import output_rows
-from trajopt_cli.plan.solve import _passing
+from trajopt_cli.plan.output_rows import _passing, output_rows
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -152,7 +151,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
     for k, leg in enumerate(problem.legs):
         a, b = held[k], held[k + 1]
         run = lower_bound._run(axes, problem, k, k + 1, tool_time(problem, k, k + 1))
-        T = lower_bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        T = lower_bound._edge(axes, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
         if level == DEFAULT.bound_levels - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])

@@ -309,7 +309,10 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, d: Array, arm: Array, a:
         same &= a.rail[:, None] == b.rail[None]
     out = np.full(same.shape, np.inf)
     before, behind = np.nonzero(same)
-    far = farthest(axes, leg, d, arm) if leg.rail_moves and leg.duration is not None and axes.layout.has_rail else None
+    far = None
+    choice = any(point.rail[0] < point.rail[1] for point in problem.waypoints[leg.start : leg.start + 2])
+    if choice and leg.rail_moves and leg.duration is not None and axes.layout.has_rail:  # no estimate refuses a program
+        far = farthest(axes, leg, d, arm)
     rows = max(1, (3 * axes.settings.batch) // axes.n)
     for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
         checkpoint()
