@@ -41,5 +41,5 @@ def export(
     if program is None or plant is None:
         raise ValueError("the RAPID export needs program and plant, as the plan was made for them")
     faster = faster_than_programmed(program, plan, plant)
-    written = export_rapid(program, plan, plant, faster, scenario, program.entry)
+    written = export_rapid(program, plan, plant, faster, scenario)
     return {path: text.encode(program.files[path].encoding) for path, text in written.texts.items()}

@@ -36,13 +36,12 @@ def export_rapid(
     plant: Plant,
     faster: frozenset[int] = frozenset(),
     scenario: Scenario | None = None,
-    entry: str = "main",
     loops: Loops = Loops.KEEP,
 ) -> RapidExport:
     """The program's files with the rapid plan in them.
 
     faster: indices of MoveJ and MoveAbsJ that the plan moves faster than programmed; only with plant.free_speed.
-    scenario, entry: as the program was read with, for reading the result back. loops: as the plan was made for. Raises
+    scenario: as the program was read with, for reading the result back. loops: as the plan was made for. Raises
     InputError, with the place, for what cannot be written; EditableText knows before planning what that is.
     """
     if plan.target is not Target.RAPID:

@@ -233,7 +233,7 @@ def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, st
 
     faster = faster_than_programmed(job.program, rapid, job.plant)
     try:
-        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry, loops), None
+        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, loops), None
     except InputError as error:
         return None, str(error)
 

@@ -95,8 +95,8 @@ def refine(
                 gained = duration(found) < duration(best) - axes.settings.least_gain
                 if gained and clear(axes, problem, runs[0].closed(axes, found)):
                     solved, best = runs[0], found
-            with_stops = _with_stops(axes, legal.problem, legal.chain)
-            bases = (merge_via_points(axes, *one, legal.detours) for one in with_stops)
+            stopping_starts = _stopping_starts(axes, legal.problem, legal.chain)
+            bases = (merge_via_points(axes, *one, legal.detours) for one in stopping_starts)
             if report.stopped or (best is not merged and not report.failed):
                 bases = []
         elif axes.layout.has_rail and problem.freedom.through_stops:
@@ -153,7 +153,7 @@ def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -
     return None
 
 
-def _with_stops(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
+def _stopping_starts(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
     """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
     for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
         try:
