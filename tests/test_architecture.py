@@ -85,7 +85,7 @@ INNER: dict[str, tuple[tuple[str, ...], ...]] = {
 ADDRESSES: dict[str, tuple[str, ...]] = {
     "casadi": ("robot/symbolic*.py", "path/*", "native/*", "nlp/*", "trajectories/limits/*"),
     "llvmlite": ("native/*",),
-    "numba": ("*_loops.py", "native/loops.py"),
+    "numba": ("*_loops.py", "native/numba_ir.py"),
     "platformdirs": ("native/*",),
     "pinocchio": ("robot/*", "judge/geometry.py", "judge/mechanism.py"),
     "coal": ("proximity/*",),

@@ -59,7 +59,14 @@ def test_command_and_package_keep_their_names(wheel: zipfile.ZipFile) -> None:
         "trajopt_cli",
         f"trajopt_cli-{trajopt_cli.__version__}.dist-info",
     }
-    for name in ("py.typed", "robots/irb140.urdf", "programs/iiwa_cube.yaml", "runs/record.py", "cell/keys.md"):
+    for name in (
+        "py.typed",
+        "robots/irb140.urdf",
+        "programs/iiwa_cube.yaml",
+        "runs/record.py",
+        "cell/keys.md",
+        "timing/topp_loops.ll",
+    ):
         assert f"trajopt_cli/{name}" in wheel.namelist()
 
 

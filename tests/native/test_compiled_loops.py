@@ -1,32 +1,59 @@
-"""Loops compiled by numba: what they are given, where they are kept, and when numba is asked."""
+"""Loops whose LLVM IR numba wrote: what they are given, where they are kept, and whether the files are the sources'."""
 
 from __future__ import annotations
 
 import multiprocessing
+import os
+import subprocess
 import sys
-from contextlib import ExitStack, nullcontext
+from collections.abc import Iterator
 from pathlib import Path
-from time import sleep
+from shutil import copy
 
-import numba
+import llvmlite.binding as llvm
 import numpy as np
 import pytest
 
-from trajopt_cli.native.loops import Loop, _key, loops_kept, prepared
+from trajopt_cli.errors import InputError
+from trajopt_cli.native.loops import Loop, loops_kept
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store
-from trajopt_cli.workers import Worker
 
-SMALL = "native.small_loops"
+PACKAGE = Path(__file__).parents[2] / "trajopt_cli"
+SOURCES = sorted(PACKAGE.rglob("*_loops.py"))
+SMALL = "small_loops"
+
+
+def dotted(source: Path) -> str:
+    return ".".join(("trajopt_cli", *source.relative_to(PACKAGE).with_suffix("").parts))
+
+
+def developer(*arguments: str, folder: Path, **environment: str) -> str:
+    """What Python prints that finds modules in a folder."""
+    paths = os.pathsep.join([str(folder), str(PACKAGE.parent)])
+    command = [sys.executable, *arguments]
+    return subprocess.check_output(command, text=True, env=os.environ | environment | {"PYTHONPATH": paths})
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Store, Loop]:
-    """Where the small function is kept, and itself."""
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The small module, with the file that numba writes for it whatever the environment asks of numba."""
+    at = tmp_path_factory.mktemp("source")
+    copy(Path(__file__).parent / "small_loops.py", at)
+    asked = {"NUMBA_DISABLE_JIT": "1", "NUMBA_BOUNDSCHECK": "1"}
+    developer("-m", "trajopt_cli.native.numba_ir", "small_loops", folder=at, **asked)
+    return at
+
+
+@pytest.fixture(scope="module")
+def made(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Store, Loop]]:
+    """Where the small function is kept, and itself; the module can be found."""
     store = Store(tmp_path_factory.mktemp("loops"))
-    found = loops_kept(SMALL, store)
-    assert [*found] == ["fill"]
-    return store, found["fill"]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        found = loops_kept(SMALL, store)
+        assert [*found] == ["fill"]
+        yield store, found["fill"]
 
 
 def right(fill: Loop) -> None:
@@ -64,87 +91,69 @@ def test_an_argument_of_another_kind_is_refused(made: tuple[Store, Loop], k: int
         made[1](*given)  # type: ignore[arg-type]
 
 
-def test_what_is_kept_needs_no_numba_and_many_may_ask_at_once(
-    made: tuple[Store, Loop], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """None for a module is an ImportError where it is asked for."""
-    monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, SMALL)
-    kept = loops_kept(SMALL, made[0])
-    right(kept["fill"])
-    assert SMALL not in sys.modules
-    with pytest.raises(ImportError):
-        loops_kept(SMALL, Store(made[0].folder / "other"))
+def test_neither_numba_nor_the_module_is_imported_and_many_may_ask_at_once(made: tuple[Store, Loop]) -> None:
     fork = multiprocessing.get_context("fork")
-    others = [fork.Process(target=lambda: right(loops_kept(SMALL, made[0])["fill"])) for _ in range(2)]
+    store = Store(made[0].folder / "other")
+    others = [fork.Process(target=lambda: right(loops_kept(SMALL, store)["fill"])) for _ in range(2)]
     for one in others:
         one.start()
     for one in others:
         one.join()
     assert [one.exitcode for one in others] == [0, 0]
+    assert SMALL not in sys.modules
+    every = f"import sys; [loops(name) for name in {[*map(dotted, SOURCES)]}]; print('numba' in sys.modules)"
+    assert developer("-c", f"from trajopt_cli.native.loops import loops; {every}", folder=PACKAGE.parent) == "False\n"
 
 
-def test_what_the_environment_asks_of_numba_changes_nothing_that_is_kept(
-    made: tuple[Store, Loop], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """NUMBA_DISABLE_JIT=1 leaves Python functions, of which nothing was kept, for runs without it, too."""
-    for name in ("DISABLE_JIT", "BOUNDSCHECK"):
-        monkeypatch.setattr(numba.config, name, 1)
-    monkeypatch.delitem(sys.modules, SMALL)
-    store = Store(tmp_path)
-    right(loops_kept(SMALL, store)["fill"])
-    kept, usual = (one.read(_key(SMALL)) for one in (store, made[0]))
-    assert kept is not None
-    assert usual is not None
-    assert len(kept["code"]) == len(usual["code"])  # names of symbols count what the process compiled before
-    assert (numba.config.DISABLE_JIT, numba.config.BOUNDSCHECK) == (1, 1)
-
-
-def test_where_nothing_can_be_kept_it_is_compiled_and_called(made: tuple[Store, Loop], tmp_path: Path) -> None:
+def test_where_nothing_can_be_kept_it_is_made_and_called(made: tuple[Store, Loop], tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"")
     store = Store(tmp_path / "file" / "folder")
     right(loops_kept(SMALL, store)["fill"])
     assert store.trouble
 
 
-def test_code_is_made_anew_for_another_computer_numba_or_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (text := tmp_path / "changed_loops.py").write_bytes((Path(__file__).parent / "small_loops.py").read_bytes())
-    monkeypatch.syspath_prepend(tmp_path)
-    store = Store(tmp_path / "store")
-    for count in range(1, 5):
-        for _ in range(2):
-            loops_kept("changed_loops", store)
-            assert len([*store.folder.glob("*.block")]) == count
-        if count == 1:
-            monkeypatch.setattr("trajopt_cli.native.loops.version", lambda _: "0.0")
-        elif count == 2:
-            monkeypatch.setattr(type(machine()), "identity", "another computer")
-        else:
-            text.write_text(text.read_text() + "\n")
+def test_code_is_made_anew_for_another_computer(made: tuple[Store, Loop], monkeypatch: pytest.MonkeyPatch) -> None:
+    count = len([*made[0].folder.glob("*.block")])
+    monkeypatch.setattr(type(machine()), "identity", "another computer")
+    for _ in range(2):
+        loops_kept(SMALL, made[0])
+        assert len([*made[0].folder.glob("*.block")]) == count + 1
 
 
-def test_who_asks_for_what_another_process_compiles_waits_for_it(
-    made: tuple[Store, Loop], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("which", ["small_loops.py", "small_loops.ll"])
+def test_a_file_that_does_not_belong_to_its_source_is_refused(
+    folder: Path, which: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The other process has no numba, and ends well: it takes what is there when its turn comes. Where nothing can be
-    kept it has nothing to do."""
-    (tmp_path / "file").write_bytes(b"")
-    monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.delitem(sys.modules, SMALL, raising=False)
-    assert isinstance(prepared([SMALL], made[0]), nullcontext)
-    store, kept = Store(tmp_path / "store"), made[0].read(_key(SMALL))
-    assert kept is not None
-    with ExitStack() as mine, ExitStack() as theirs:
-        mine.enter_context(store.making(_key(SMALL)))
-        other = theirs.enter_context(prepared([SMALL], store))
-        assert isinstance(other, Worker)
-        sleep(0.1)
-        assert not other.done
-        store.write(_key(SMALL), kept)
-        mine.close()
-        assert other.answer() is None
-    with prepared([SMALL], Store(tmp_path / "file" / "store")) as other:
-        assert isinstance(other, Worker)
-        assert other.answer() is None
-    with pytest.raises(ImportError):
-        loops_kept(SMALL, Store(tmp_path / "empty"))
+    """As a source that was changed, a file that is damaged or of another version."""
+    for suffix in (".py", ".ll"):
+        copy(folder / f"small_loops{suffix}", tmp_path / f"changed_loops{suffix}")
+    changed = tmp_path / which.replace("small", "changed")
+    monkeypatch.syspath_prepend(tmp_path)
+    text = changed.read_text()
+    changed.write_text(text.replace("1", "2"))
+    with pytest.raises(InputError, match="changed_loops"):
+        loops_kept("changed_loops", Store(tmp_path / "store"))
+
+
+def test_the_files_are_what_numba_makes_of_the_sources() -> None:
+    """To the byte. Another numba, llvmlite or Python writes other text of the same meaning."""
+    ir = "from trajopt_cli.native.numba_ir import made_by, written"
+    program = f"import sys; {ir}; print(made_by(), *map(written, sys.argv[1:]), sep='|')"
+    by, *texts = developer("-c", program, *map(dotted, SOURCES), folder=PACKAGE.parent)[:-1].split("|")
+    kept = [source.with_suffix(".ll").read_text() for source in SOURCES]
+    if {text.splitlines()[1] for text in kept} != {by}:
+        pytest.skip(f"not {by}")
+    assert texts == kept
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda source: source.stem)
+@pytest.mark.parametrize("triple", ["x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu"])
+def test_the_files_are_for_any_processor(source: Path, triple: str) -> None:
+    """Nothing in them is the machine's that made them: even the simplest processor of a kind has code."""
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    text = source.with_suffix(".ll").read_text()
+    assert "\ntarget " not in text
+    module, target = llvm.parse_assembly(text), llvm.Target.from_triple(triple).create_target_machine()
+    module.triple, module.data_layout = triple, str(target.target_data)
+    assert b"loops." in target.emit_object(module)

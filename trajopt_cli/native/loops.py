@@ -1,20 +1,18 @@
-"""Loops over arrays of numbers as machine code: numba compiles them once per computer, and then it is not asked again.
+"""Loops over arrays of numbers as machine code, from LLVM IR that numba wrote.
 
 A module whose name ends in _loops holds functions for numba. Those without a leading underscore have a signature and
 can be called from elsewhere: they take numbers and arrays of float64 and int64, and write into arrays that they are
-given. They allocate nothing, raise nothing and return nothing. The module, and numba with it, is imported only where
-its machine code is not in the user's cache.
+given. They allocate nothing, raise nothing and return nothing. Beside the module stands its LLVM IR, see numba_ir.py:
+neither the module nor numba is imported here.
 """
 
 from __future__ import annotations
 
 import ctypes
 import hashlib
+import re
 from collections.abc import Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from functools import cache
-from importlib import import_module
-from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -22,11 +20,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.native.machine import machine
 from trajopt_cli.native.store import Store, users_store
-from trajopt_cli.workers import Worker
 
 _SCALARS = {"int64": ctypes.c_int64, "float64": ctypes.c_double}
+KINDS = re.compile(r"^; (loops\.(\w+)): (.*)$", re.MULTILINE)  # of a symbol's arguments
 
 
 class Loop:
@@ -62,69 +61,32 @@ class Loop:
 
 @cache
 def loops(name: str) -> Mapping[str, Loop]:
-    """The functions of a module, compiled; from the user's cache where they are there."""
+    """The functions of a module. Raises InputError where its LLVM IR is damaged or was made from another source."""
     return loops_kept(name, users_store())
 
 
-def prepared(names: Sequence[str], store: Store | None = None) -> AbstractContextManager[object]:
-    """As long as it lasts, a process beside this one compiles modules that are not in the user's cache. Who asks for
-    one of them meanwhile waits until it is there."""
-    store = store or users_store()
-    if all(store.read(_key(name)) for name in names):
-        return nullcontext()
-
-    def work(_: object) -> None:
-        for name in names:
-            _kept(name, store, alone=False)
-
-    return Worker(work, lambda _: None)
-
-
 def loops_kept(name: str, store: Store) -> Mapping[str, Loop]:
-    """As loops, kept in a store."""
-    kept = _kept(name, store)
-    symbols = kept["symbols"].tolist()
-    library = machine().linked(kept["code"].tobytes(), symbols)
-    made = zip(kept["names"].tolist(), symbols, kept["kinds"].tolist(), strict=True)
-    return {one: Loop(library[symbol], kinds.split("; "), library) for one, symbol, kinds in made}
-
-
-def _key(name: str) -> str:
+    """As loops, with object code kept in a store."""
     spec = find_spec(name)
     assert spec is not None
     assert spec.origin is not None
-    digest = hashlib.sha256(Path(spec.origin).read_bytes() + Path(__file__).read_bytes()).hexdigest()
-    return f"{name} {digest} {machine().identity} numba {version('numba')}"
-
-
-def _kept(name: str, store: Store, alone: bool = True) -> dict[str, NDArray[np.generic]]:
-    """What is kept of a module, compiled once by all processes. alone: also where it cannot be kept for others."""
-    key = _key(name)
+    source = Path(spec.origin)
+    digest, _, text = source.with_suffix(".ll").read_text().partition("\n")
+    if digest != digest_line(source, text):
+        raise InputError(
+            f"{source.with_suffix('.ll')} does not belong to {source.name}: install trajopt-cli again or, where the "
+            f"source was changed, run python -m trajopt_cli.native.numba_ir {name}"
+        )
+    found = KINDS.findall(text)
+    symbols = [symbol for symbol, _, _ in found]
+    key = f"{digest} {machine().identity}"
     if (kept := store.read(key)) is None:
-        with store.making(key) as told:
-            kept = store.read(key)
-            if kept is None and (told or alone):
-                kept = _compiled(name)
-                store.write(key, kept)
-    return kept or {}
+        kept = {"code": np.frombuffer(machine().emitted(text), dtype=np.uint8)}
+        store.write(key, kept)
+    library = machine().linked(kept["code"].tobytes(), symbols)
+    return {one: Loop(library[symbol], kinds.split("; "), library) for symbol, one, kinds in found}
 
 
-def _compiled(name: str) -> dict[str, NDArray[np.generic]]:
-    """Object code of a module's functions, with their names, symbols and the kinds of their arguments."""
-    from numba import config
-
-    texts, symbols, kinds = list[str](), list[str](), list[str]()
-    asked = config.DISABLE_JIT, config.BOUNDSCHECK  # by the user's environment, for programs of his own
-    config.DISABLE_JIT, config.BOUNDSCHECK = 0, None
-    try:
-        found = vars(import_module(name))
-    finally:
-        config.DISABLE_JIT, config.BOUNDSCHECK = asked
-    public = {key: one for key, one in found.items() if hasattr(one, "signatures") and key[0] != "_"}
-    for function in public.values():
-        (signature,) = function.signatures
-        texts.append(function.inspect_llvm(signature))
-        symbols.append(function.overloads[signature].fndesc.llvm_func_name)
-        kinds.append("; ".join(str(kind) for kind in signature))
-    code = np.frombuffer(machine().optimised(texts, symbols), dtype=np.uint8)
-    return {"names": np.array([*public]), "symbols": np.array(symbols), "kinds": np.array(kinds), "code": code}
+def digest_line(source: Path, text: str) -> str:
+    """The first line of a file of LLVM IR: of a module's source and of what follows."""
+    return f"; sha256 {hashlib.sha256(source.read_bytes() + text.encode()).hexdigest()} of {source.name} and of this"

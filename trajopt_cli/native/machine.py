@@ -6,7 +6,6 @@ Needs llvmlite, a wheel with LLVM in it; no compiler is asked for.
 from __future__ import annotations
 
 import ctypes
-import re
 from collections.abc import Callable, Mapping, Sequence
 from ctypes.util import find_library
 from dataclasses import dataclass
@@ -23,8 +22,7 @@ from trajopt_cli.native.writing import LIBM, module_text
 
 _ENTRY = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
 _LEVEL = 0  # of code generation. Measured: see docs/measured.md, Machine code
-_OPTIMISED = 2  # the same for loops that are run often
-_COUNTING = re.compile(r"^(define [^\n]*@NRT_(?:in|de)cref\([^\n]*\)[^\n{]*)\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
+_HOT = 2  # the same for loops that are run often
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +50,7 @@ class Machine:
         features = llvm.get_host_cpu_features()
         self._cpu, self._features = llvm.get_host_cpu_name(), features.flatten()
         self.lanes = 8 if features.get("avx512f") else 4  # measured: see there
-        self._target = self._target_machine()
+        self._target, self._hot = self._target_machine(), self._target_machine(_HOT)
         self._jit = llvm.create_lljit_compiler(self._target_machine())
         libm = ctypes.CDLL(find_library("m") or "ucrtbase")
         self._libm = {name: ctypes.cast(getattr(libm, name), ctypes.c_void_p).value for name in LIBM}
@@ -67,19 +65,11 @@ class Machine:
         """Object code of functions by name, each as writing.module_text says."""
         return bytes(self._target.emit_object(llvm.parse_assembly(module_text(functions, self.lanes))))
 
-    def optimised(self, texts: Sequence[str], names: Sequence[str]) -> bytes:
-        """Object code of the functions with these names in LLVM IR by numba, one in each text, without all else in it.
-        Arrays count no references there."""
-        module, target = llvm.parse_assembly(""), self._target_machine(_OPTIMISED)
-        passes = llvm.create_pass_builder(target, llvm.create_pipeline_tuning_options(speed_level=_OPTIMISED))
-        for text, name in zip(texts, names, strict=True):
-            one = llvm.parse_assembly(_COUNTING.sub(r"\1 {\nret void\n}\n", text))
-            for value in (*one.functions, *one.global_variables):
-                if not value.is_declaration and value.name != name:
-                    value.linkage = llvm.Linkage.internal
-            passes.getModulePassManager().run(one, passes)
-            module.link_in(one)
-        return bytes(target.emit_object(module))
+    def emitted(self, text: str) -> bytes:
+        """Object code of LLVM IR that is optimised already."""
+        module = llvm.parse_assembly(text)
+        module.triple, module.data_layout = self._hot.triple, str(self._hot.target_data)
+        return bytes(self._hot.emit_object(module))
 
     def loaded(self, code: bytes, names: tuple[str, ...]) -> dict[str, NativeKernel]:
         """The functions with these names in object code, as module_text writes them."""

@@ -10,8 +10,8 @@ from __future__ import annotations
 import fcntl
 import hashlib
 import os
-from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from errno import EACCES, ENOENT
@@ -23,7 +23,7 @@ import numpy as np
 import platformdirs
 from numpy.typing import NDArray
 
-MOST_BYTES = 100_000_000  # in all; the blocks of a robot and its mount take 2 to 4 MB. The oldest go first.
+MOST_BYTES = 100_000_000  # in all; the blocks of a robot and its mount take 2 to 4 MB. Read longest ago goes first.
 _SUFFIX, _PART = ".block", ".part"
 
 
@@ -35,10 +35,12 @@ class Store:
         self.trouble: str | None = None
 
     def read(self, key: str) -> dict[str, NDArray[np.generic]] | None:
-        """The arrays under a key, None where there are none that can be used."""
+        """The arrays under a key, None where there are none that can be used. They count as new from then on."""
         try:
             self._check_own()
             content = self._file(key).read_bytes()
+            with suppress(OSError):  # where nothing can be written they are read all the same
+                os.utime(self._file(key))
         except OSError:
             return None
         digest, body = content[:32], content[32:]
@@ -63,19 +65,6 @@ class Store:
         except OSError as error:
             self.trouble = f"{self.folder}: {error.strerror}"
 
-    @contextmanager
-    def making(self, key: str) -> Iterator[bool]:
-        """As long as another process makes what belongs under a key, wait for it; whether that can be told here."""
-        with ExitStack() as held:
-            try:
-                self._begin()
-                lock = held.enter_context(open(self.folder / ".lock", "ab"))
-            except OSError:
-                yield False
-                return
-            fcntl.lockf(lock, fcntl.LOCK_EX, 1, int(self._file(key).name[:7], 16))
-            yield True
-
     def _file(self, key: str) -> Path:
         return self.folder / (hashlib.sha256(key.encode()).hexdigest()[:32] + _SUFFIX)
 
@@ -93,7 +82,7 @@ class Store:
             raise PermissionError(EACCES, "others may write there, and what is kept is run as code")
 
     def _make_room(self, more: int) -> None:
-        """Remove what killed processes left, and the oldest files until there is room for more bytes."""
+        """Remove what killed processes left, and the files not read for longest until there is room for more bytes."""
         files = []
         for file in self.folder.iterdir():
             with suppress(FileNotFoundError):  # another process makes room, too

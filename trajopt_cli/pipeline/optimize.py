@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import partial
@@ -45,7 +44,6 @@ if TYPE_CHECKING:
 
 _ROBOT = f"{INPUT}robot/"
 _ROUNDING = 1e-6  # s
-_COMPILED = ("timing.topp", "trajectories.hermite"), ("nlp.interior_point", "bound.bound")  # by one process each
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
 
@@ -115,7 +113,6 @@ def optimize_job(
     """
     from trajopt_cli.exporters.rapid_diff import unified_diff
     from trajopt_cli.judge.clearance import check_start
-    from trajopt_cli.native.loops import prepared
     from trajopt_cli.nlp.block_cache import evaluation_notices
     from trajopt_cli.plan.uncertainty import uncertainty
 
@@ -137,10 +134,7 @@ def optimize_job(
     asked = {one: objective if one is chosen else for_the_other(objective) for one in Target}
     kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
     jobs = jobs or cores()
-    with ExitStack() as beside:
-        for names in _COMPILED if jobs > 1 else ():
-            beside.enter_context(prepared([f"trajopt_cli.{name}_loops" for name in names]))
-        answers, written, estimate = plan_all(job, listen, clock, changes, patience, jobs, asked, kept, kept_written)
+    answers, written, estimate = plan_all(job, listen, clock, changes, patience, jobs, asked, kept, kept_written)
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
