@@ -70,6 +70,10 @@ class RailLast:
             def motion(self, qd: Array, qdd: Array) -> Array:
                 return inner.motion(qd[..., FIRST], qdd[..., FIRST])
 
+            def follow(self, *motion: Array) -> tuple[Array, Array]:
+                qd, qdd = inner.follow(*motion)
+                return qd[..., LAST], qdd[..., LAST]
+
         return Differential()
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> object:

@@ -8,7 +8,7 @@ import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import pose, rotation_about
-from trajopt_cli.robot.arm import forward
+from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.symbolic_inverse import BranchSigns, inverse_arm
 from trajopt_cli.trajectories.axes import Axes
 
@@ -28,7 +28,7 @@ def symbolic(axes: Axes) -> ca.Function:
 
 def test_all_branches_and_turns_equal_the_numeric_inverse(axes: Axes, symbolic: ca.Function) -> None:
     rng = np.random.default_rng(1)
-    X = forward(axes.robot.arm, safe_arm(rng, axes, 150))
+    X = Differential.of(axes.robot.arm, safe_arm(rng, axes, 150)).pose()
     numeric = axes.inverse(X, np.zeros(len(X)))
     seen = np.zeros(8, dtype=int)
     for i in range(len(X)):
@@ -48,7 +48,7 @@ def test_all_branches_and_turns_equal_the_numeric_inverse(axes: Axes, symbolic: 
 def test_the_answer_reaches_the_pose(axes: Axes, symbolic: ca.Function) -> None:
     rng = np.random.default_rng(2)
     arms = safe_arm(rng, axes, 50)
-    for X, q in zip(forward(axes.robot.arm, arms), arms, strict=True):
+    for X, q in zip(Differential.of(axes.robot.arm, arms).pose(), arms, strict=True):
         cfx = int(np.nanargmin(np.abs(np.sin((axes.inverse(X[None], np.zeros(1))[0] - q) / 2)).sum(axis=1)))
         got = np.ravel(symbolic(X[:3, 3], X[:3, :3], BranchSigns.from_cfx(cfx).vector(), q)[0])
         np.testing.assert_allclose(got, q, rtol=0, atol=1e-10)

@@ -57,6 +57,36 @@ def test_inverse_undoes_forward_with_the_rail_moving(mounted, X_FT, rng):
     np.testing.assert_allclose(one, qd[0], rtol=0, atol=1e-10)
 
 
+def test_axes_follow_a_tool_as_pin_says_it_moves(mounted, X_FT, rng):
+    import pinocchio as pin
+
+    q, qd, qdd = states(mounted, rng)
+    model = mounted.pin_model.copy()
+    flange = model.frames[model.getFrameId("tool0")]
+    tool = pin.Frame("tool", flange.parentJoint, flange.placement * pin.SE3(X_FT), pin.FrameType.OP_FRAME)
+    number, world = model.addFrame(tool), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+    data = model.createData()
+    V, A = np.empty((len(q), 6)), np.empty((len(q), 6))
+    for i in range(len(q)):
+        pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
+        V[i] = pin.getFrameVelocity(model, data, number, world).vector
+        A[i] = pin.getFrameClassicalAcceleration(model, data, number, world).vector
+    at, rail = mounted.differential(q, X_FT), mounted.layout.rail
+    found = at.follow(V, A, qd[:, rail], qdd[:, rail])
+    np.testing.assert_allclose(found[0], qd, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(found[1], qdd, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(at.motion(qd, qdd), np.stack([V, A], axis=1), rtol=0, atol=1e-10)
+
+
+def test_nothing_follows_at_a_singular_wrist_and_beside_it_rows_are_their_own(irb140):
+    q = np.radians([[10, 20, -40, 30, 40, 50], [0, 20, -40, 0, 0, 0], [10, 20, -40, 30, 40, 50]])
+    none = np.zeros((3, 0))
+    qd, qdd = irb140.differential(q).follow(np.ones((3, 6)), np.ones((3, 6)), none, none)
+    assert np.isnan(qd[1]).all()
+    assert np.isnan(qdd[1]).all()
+    np.testing.assert_allclose(irb140.jacobian(q[[0, 2]]) @ qd[[0, 2], :, None], np.ones((2, 6, 1)), rtol=0, atol=1e-12)
+
+
 def test_the_arm_can_hold_the_tcp_while_the_rail_runs(rng):
     robot = load_robot("irb140_rail")
     q, _, _ = states(robot, rng)

@@ -11,18 +11,20 @@ from ctypes.util import find_library
 from dataclasses import dataclass
 from functools import cache, partial
 from itertools import count
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import casadi as ca
 import llvmlite
 import llvmlite.binding as llvm
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.native.writing import LIBM, module_text
+
+if TYPE_CHECKING:
+    import casadi as ca
 
 _ENTRY = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
 _LEVEL = 0  # of code generation. Measured: see docs/measured.md, Machine code
 _HOT = 2  # the same for loops that are run often
+_LIBM = "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "pow"  # of the C library, that code calls
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +55,7 @@ class Machine:
         self._target, self._hot = self._target_machine(), self._target_machine(_HOT)
         self._jit = llvm.create_lljit_compiler(self._target_machine())
         libm = ctypes.CDLL(find_library("m") or "ucrtbase")
-        self._libm = {name: ctypes.cast(getattr(libm, name), ctypes.c_void_p).value for name in LIBM}
+        self._libm = {name: ctypes.cast(getattr(libm, name), ctypes.c_void_p).value for name in _LIBM}
         self._names = (f"library_{i}" for i in count())
 
     @property
@@ -63,6 +65,8 @@ class Machine:
 
     def compiled(self, functions: Mapping[str, ca.Function]) -> bytes:
         """Object code of functions by name, each as writing.module_text says."""
+        from trajopt_cli.native.writing import module_text  # casadi with it: not for who only calls loops
+
         return bytes(self._target.emit_object(llvm.parse_assembly(module_text(functions, self.lanes))))
 
     def emitted(self, text: str) -> bytes:

@@ -15,7 +15,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.path.segment import along_all, over_work
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
-from trajopt_cli.path_timing.sampled_path import PathDerivatives, rates, spaced
+from trajopt_cli.path_timing.sampled_path import PathDerivatives, spaced
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
@@ -206,12 +206,10 @@ def _straight(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     q = (q_0[:, None] + s[:, None] * span[:, None]).reshape(B * m, -1)
     dq = np.repeat(span, m, axis=0)
     X_FT = problem.legs[pairs[0].k].X_FT
-    at = axes.differential(q, X_FT)
-    twist, bend = at.velocity(dq), at.bias(dq)
-    still = np.zeros((len(q), 2))
-    return PathDerivatives(q, dq, np.zeros_like(q), twist[:, :3], twist[:, 3:], bend[:, :3], still), np.ones(
-        B, dtype=bool
-    )
+    ddq, still = np.zeros_like(q), np.zeros((len(q), 2))
+    tool = axes.differential(q, X_FT).motion(dq, ddq)
+    along = PathDerivatives(q, dq, ddq, tool[:, 0, :3], tool[:, 0, 3:], tool[:, 1, :3], still)
+    return along, np.ones(B, dtype=bool)
 
 
 def _on_paths(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> tuple[PathDerivatives, BoolArray]:
@@ -231,7 +229,7 @@ def _on_paths(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     arm = arm - 2 * np.pi * np.cumsum(np.round(np.nan_to_num(steps) / (2 * np.pi)), axis=1)
     q = layout.merge(d, arm.reshape(B * m, -1))
     dd = np.repeat(rail_span, m, axis=0)
-    dq, ddq = rates(axes, q, X_FT, twist[of], bend[of], dd, np.zeros_like(dd))
+    dq, ddq = axes.differential(q, X_FT).follow(twist[of], bend[of], dd, np.zeros_like(dd))
     every = q.reshape(B, m, -1)
     with np.errstate(invalid="ignore"):
         ends = np.maximum(np.abs(every[:, 0] - q_0), np.abs(every[:, -1] - q_1)).max(axis=1)

@@ -625,31 +625,7 @@ def _with_tool(
     place = q
     if numb.any():  # there a derivative is what it is a little farther on
         place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
-    dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
+    dq, ddq = axes.differential(place, X_FT).follow(twist, bend, dd, ddd)
     if positioner_use.any():  # such a path is one part: its parameter is the segment's own
         twist, bend = over_work(segments, np.split(u, edges), twist, bend)
     return PathDerivatives(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], positioner_use[of])
-
-
-def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:
-    """Both derivatives of all axes (m, n) where the tool moves by twist and bend (m, 6), the rail by dd and ddd (m, r),
-    all by one parameter."""
-    at = axes.differential(q, X_FT)
-    J = at.jacobian()
-    Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
-
-    def arm_follows(tool: Array, rail: Array) -> Array:
-        return _solved(Ja, tool - (Jr @ rail[..., None])[..., 0])
-
-    dq = axes.layout.merge(dd, arm_follows(twist, dd))
-    return dq, axes.layout.merge(ddd, arm_follows(bend - at.bias(dq), ddd))
-
-
-def _solved(A: Array, b: Array) -> Array:
-    """x (m, k) of A x = b; NaN where A (m, k, k) is singular."""
-    try:
-        return np.asarray(np.linalg.solve(A, b[..., None])[..., 0])
-    except np.linalg.LinAlgError:
-        singular = np.abs(np.linalg.det(A)) < 1e-15
-        safe = np.where(singular[:, None, None], np.eye(A.shape[-1]), A)
-        return np.where(singular[:, None], np.nan, np.linalg.solve(safe, b[..., None])[..., 0])

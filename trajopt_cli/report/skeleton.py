@@ -30,9 +30,7 @@ def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
     axis 4 is carried apart from the wrist centre, before it."""
     robot = plant.robot
     X_WO = robot.canonical_base(plant.layout.place(q))
-    points = arm.axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in that base
+    points = robot.differential(q, X_FT).points()
     ends = points[3:5] if isinstance(robot.arm, ParallelArm) else points[4:5]
-    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.c1], points[1], points[2], *ends])
-    X_WF = robot.forward(q)
-    chain = inside @ X_WO[:3, :3].T + X_WO[:3, 3]
-    return np.vstack([chain, X_WF[:3, 3], (X_WF @ X_FT)[:3, 3]])
+    foot = (X_WO @ [0.0, 0.0, robot.arm.c1, 1.0])[:3]
+    return np.vstack([X_WO[:3, 3], foot, points[1], points[2], *ends, robot.forward(q)[:3, 3], points[6]])

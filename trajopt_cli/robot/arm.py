@@ -17,7 +17,7 @@ from math import atan2, hypot
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, pose, readonly
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +98,31 @@ class Arm:
         own[2] &= not self.coupled
         return tuple(np.flatnonzero(~own).tolist())
 
+    @cached_property
+    def chain(self) -> Array:
+        """The joints as robot.chain_loops takes them (6, 7): the coordinate axis each turns about, its sign and offset,
+        the way from the joint before [m], what its canonical angle loses by the joint before."""
+        out = np.zeros((6, 7))
+        out[:, 0], out[:, 1], out[:, 2] = self._turns_about, self.signs, self.offsets
+        out[1:4, 3:6] = (self.a1, self.b, self.c1), (0.0, 0.0, self.c2), (self.c3, 0.0, -self.a2)
+        out[self._wrist_joint, 3:6] = self.wrist
+        out[2, 6] = self.signs[1] * self.coupled
+        return readonly(out)
+
+    @property
+    def _turns_about(self) -> tuple[int, ...]:
+        return (2, 1, 1, 0, 1, 0)
+
+    @property
+    def _wrist_joint(self) -> int:
+        """The joint, from 0, that `wrist` leads to."""
+        return 5
+
+    @cached_property
+    def X_6F(self) -> Array:
+        """The flange (4, 4) in the canonical frame behind axis 6."""
+        return readonly(pose([[0, 0, 1], [0, 1, 0], [-1, 0, 0]], [self.c4, 0, 0]) @ self.X_KF)
+
     def angles(self, q: Array) -> Array:
         """Canonical angles (..., 6) of joints (..., 6)."""
         if self.canonical_joints:
@@ -113,13 +138,6 @@ class Arm:
         if self.coupled:
             q[..., 2] += self.signs[1] * self.signs[2] * q[..., 1]
         return np.asarray(q)
-
-
-def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
-    """Cosines and sines of t1, t2, t2 + t3, t4, t5, t6, each (...)."""
-    t = arm.angles(q)
-    angles = np.stack([t[..., 0], t[..., 1], t[..., 1] + t[..., 2], t[..., 3], t[..., 4], t[..., 5]])
-    return list(np.cos(angles)), list(np.sin(angles))
 
 
 @singledispatch
@@ -145,83 +163,3 @@ def elbow_angle(arm: Arm, q: Array) -> Array:
     stretched at -90 and folded at 90 degrees, and behind the lower arm where its cosine is negative."""
     t3: Array = arm.angles(q)[..., 2]
     return t3 + arm.bend if arm.bend else t3
-
-
-@singledispatch
-def forward(arm: Arm, q: Array) -> Array:
-    """Flange poses X_OF (..., 4, 4) of joints q (..., 6) in rad."""
-    sines = (c1, c2, c23, c4, _, _), (s1, s2, s23, s4, _, _) = _sines(arm, q)
-    X = np.zeros((*q.shape[:-1], 4, 4))
-    X[..., 3, 3] = 1.0
-    _turn(*sines, X)
-    radius, up = arm.a1 + arm.c2 * s2 + arm.c3 * c23, arm.c1 + arm.c2 * c2 - arm.c3 * s23
-    if arm.a2:
-        radius, up = radius - arm.a2 * s23, up - arm.a2 * c23
-    x, y = c1 * radius, s1 * radius
-    if arm.b:
-        x, y = x - arm.b * s1, y + arm.b * c1
-    X[..., 0, 3] = x + arm.c4 * X[..., 0, 2]
-    X[..., 1, 3] = y + arm.c4 * X[..., 1, 2]
-    X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
-    if not arm.closed_form:
-        ahead = s23 * s4
-        axis_5 = np.stack([c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4], axis=-1)
-        X[..., :3, 3] += arm.wrist[1] * axis_5 + arm.wrist[2] * np.cross(X[..., :3, 2], axis_5)
-    return X if arm.canonical_flange else X @ arm.X_KF
-
-
-def _turn(cosines: list[Array], sines: list[Array], X: Array) -> None:
-    """Put the canonical flange's rotation into X (..., 3 or 4, 3 or 4)."""
-    (c1, _, c23, c4, c5, c6), (s1, _, s23, s4, s5, s6) = cosines, sines
-    # Columns of Rx(t4) Ry(t5) Rx(t6) Ry(90 deg), then turned by Ry(t2 + t3) and Rz(t1).
-    xx, xy, xz = s5 * c6, -(c4 * s6 + s4 * c5 * c6), c4 * c5 * c6 - s4 * s6
-    yx, yy, yz = s5 * s6, c4 * c6 - s4 * c5 * s6, s4 * c6 + c4 * c5 * s6
-    zx, zy, zz = c5, s4 * s5, -c4 * s5
-    for column, (x, y, z) in enumerate(((-xx, -xy, -xz), (yx, yy, yz), (zx, zy, zz))):
-        ahead = c23 * x + s23 * z
-        X[..., 0, column] = c1 * ahead - s1 * y
-        X[..., 1, column] = s1 * ahead + c1 * y
-        X[..., 2, column] = c23 * z - s23 * x
-
-
-@singledispatch
-def axes_points_and_turn(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
-    """axes_and_points, and the flange's rotation R_OF (..., 3, 3): cheaper together."""
-    sines = _sines(arm, q)
-    R = np.empty((*q.shape[:-1], 3, 3))
-    _turn(*sines, R)
-    return *_axes_and_points(arm, *sines), R if arm.canonical_flange else R @ arm.X_KF[:3, :3]
-
-
-@singledispatch
-def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
-    """Unit axes (3, 6, ...) of the canonical joints and a point (3, 6, ...) on each [m], frame O, of q (..., 6): the
-    canonical base, axes 2 and 3 in the arm's plane, and the wrist centre three times, for axis 6 with its offset.
-
-    Components lead, so that each is one contiguous block: four times faster than (..., 3) on long batches.
-    """
-    return _axes_and_points(arm, *_sines(arm, q))
-
-
-def _axes_and_points(arm: Arm, cosines: list[Array], sines: list[Array]) -> tuple[Array, Array]:
-    (c1, c2, c23, c4, c5, _), (s1, s2, s23, s4, s5, _) = cosines, sines
-    radius = arm.a1 + arm.c2 * s2
-    a, o = np.zeros((3, 6, *c1.shape)), np.zeros((3, 6, *c1.shape))
-    a[2, 0] = 1.0
-    a[0, 1:3], a[1, 1:3] = -s1, c1
-    a[0, 3], a[1, 3], a[2, 3] = c1 * c23, s1 * c23, -s23
-    ahead = s23 * s4  # of Ry(t2 + t3) Rx(t4) e_y
-    a[0, 4], a[1, 4], a[2, 4] = c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4
-    y, z = s4 * s5, -c4 * s5
-    ahead = c23 * c5 + s23 * z  # of Ry(t2 + t3) Rx(t4) Ry(t5) e_x
-    a[0, 5], a[1, 5], a[2, 5] = c1 * ahead - s1 * y, s1 * ahead + c1 * y, c23 * z - s23 * c5
-    o[0, 1], o[1, 1], o[2, 1] = arm.a1 * c1, arm.a1 * s1, arm.c1
-    o[0, 2], o[1, 2], o[2, 2] = radius * c1, radius * s1, arm.c1 + arm.c2 * c2
-    if arm.b:
-        o[:, 1:3] += arm.b * a[:, 1:3]
-    o[:, 3:] = (o[:, 2] + arm.c3 * a[:, 3])[:, None]
-    if arm.a2:
-        o[:, 3:] -= arm.a2 * np.stack([c1 * s23, s1 * s23, c23])[:, None]
-    if not arm.closed_form:
-        o[:, 5] += arm.wrist[1] * a[:, 4] + arm.wrist[2] * np.cross(a[:, 5], a[:, 4], axis=0)
-    return a, o

@@ -242,15 +242,7 @@ class RobotModel:
 
     def forward(self, q: Array) -> Array:
         """Flange poses X_WF (..., 4, 4) of axis positions q (..., k)."""
-        q = np.asarray(q, dtype=np.float64)
-        self._check(q, "q")
-        X = arm_products.forward(self.arm, q[..., -6:])
-        X_WO0 = self.X_WO0
-        X[..., :3, :] = X_WO0[:3, :3] @ X[..., :3, :]
-        X[..., :3, 3] += X_WO0[:3, 3]
-        if self.rail_axis_W is not None:
-            X[..., :3, 3] += q[..., :1] * self.rail_axis_W
-        return X
+        return self.differential(q).pose()
 
     def rail_within(self, X_WF: Array) -> Array:
         """Rail positions (k, 2) [m] outside which the arm is too short for flange poses (k, 4, 4), whatever its joints;
@@ -280,14 +272,10 @@ class RobotModel:
 
     def differential(self, q: Array, X_FT: Array | None = None) -> Differential:
         """How the TCP moves with the axes at q (..., k). X_FT (4, 4): the TCP in the flange frame, None: the flange."""
-        q = np.asarray(q, dtype=np.float64)
-        self._check(q, "q")
-        return Differential.of(self.arm, q, X_FT, self.X_WO0[:3, :3], self.rail_axis_W)
-
-    def _check(self, values: Array, name: str) -> None:
-        k = len(self.axis_names)
-        if values.ndim == 0 or values.shape[-1] != k:
-            raise ValueError(f"{name} has shape {values.shape}, wanted (..., {k}) for {', '.join(self.axis_names)}")
+        q, k = np.asarray(q, dtype=np.float64), len(self.axis_names)
+        if q.ndim == 0 or q.shape[-1] != k:
+            raise ValueError(f"q has shape {q.shape}, wanted (..., {k}) for {', '.join(self.axis_names)}")
+        return Differential.of(self.arm, q, X_FT, self.X_WO0, self.rail_axis_W)
 
     @cached_property
     def pin_model(self) -> Any:

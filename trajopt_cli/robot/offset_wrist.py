@@ -13,7 +13,8 @@ from dataclasses import replace
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.robot.arm import Arm, axes_and_points, elbow_angle, forward, wrist_section
+from trajopt_cli.robot.arm import Arm, elbow_angle, wrist_section
+from trajopt_cli.robot.differential import Differential
 
 TRIES = 64  # values of t6 around. Measured with GoFa's lengths on random configurations in range: 94 % of them are
 # among the branches (48: 93 %, 256: 96 %), and 99.5 % of their poses have one; twice the tries take twice the time
@@ -78,28 +79,22 @@ def _exact(arm: Arm, t: Array, pose: IndexArray, p_OK: Array, R_OK: Array) -> tu
 
 def _step(arm: Arm, t: Array, p: Array, R: Array) -> tuple[Array, Array]:
     """A Newton step (m, 6) from angles (m, 6) towards flange poses p (m, 3), R (m, 3, 3); how far they are off (m,)."""
-    X_OK = forward(arm, t)
+    at = Differential.of(arm, t)
+    X_OK = at.pose()
     turn = R @ X_OK[:, :3, :3].transpose(0, 2, 1)
     skew = [turn[:, i, j] - turn[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))]
     off = np.concatenate([p - X_OK[:, :3, 3], np.stack(skew, axis=1) / 2], axis=1)
-    J = _jacobian(arm, t, X_OK[:, :3, 3])
+    J = at.jacobian()
     square = J.transpose(0, 2, 1) @ J + _DAMPED * np.eye(6)
     step = np.linalg.solve(square, J.transpose(0, 2, 1) @ off[..., None])[..., 0]
     size = np.abs(step).max(axis=1, keepdims=True)
     return step * np.minimum(1.0, _LARGEST / np.maximum(size, 1e-300)), np.abs(off).max(axis=1)
 
 
-def _jacobian(arm: Arm, t: Array, tip: Array) -> Array:
-    """Geometric Jacobian (m, 6, 6) at tips (m, 3) of angles (m, 6)."""
-    a, o = (x.transpose(2, 1, 0) for x in axes_and_points(arm, t))
-    return np.concatenate([np.cross(a, tip[:, None] - o), a], axis=2).transpose(0, 2, 1)
-
-
 def _by_branch(arm: Arm, spherical: Arm, t: Array, pose: IndexArray, n: int) -> Array:
     """Angles (m, 6) of poses put where their branches are: (16, 6, n)."""
     before, lower, t5 = wrist_section(spherical, t)[0], np.cos(elbow_angle(spherical, t)), np.sin(t[:, 4])
-    whole = replace(spherical, wrist=arm.wrist)
-    determinant = np.linalg.det(_jacobian(whole, t, forward(whole, t)[:, :3, 3]))
+    determinant = np.linalg.det(Differential.of(replace(spherical, wrist=arm.wrist), t).jacobian())
     usual = determinant * before * lower * t5 <= 0  # a spherical wrist's is minus c2 upper times these three
     out = np.full((16, 6, n), np.nan)
     out[8 * ~usual + 4 * (before < 0) + 2 * (lower < 0) + 1 * (t5 < 0), :, pose] = t

@@ -14,8 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.robot.arm import Arm, axes_and_points, axes_points_and_turn, forward, reach_section, wrist_section
+from trajopt_cli.geometry import Array, BoolArray, pose, readonly
+from trajopt_cli.robot.arm import Arm, reach_section, wrist_section
 from trajopt_cli.robot.turns import close_at_pi
 
 _STRAIGHT = 1e-12  # sin t5: below, only the sum of t2, t3, t4 and t6 is given
@@ -35,13 +35,18 @@ class ParallelArm(Arm):
         """It has one."""
         return True
 
+    @property
+    def _turns_about(self) -> tuple[int, ...]:
+        return (2, 1, 1, 1, 2, 1)
 
-def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
-    """Cosines and sines of t1, t2, t2 + t3, t2 + t3 + t4, t5, t6, each (...)."""
-    t = arm.angles(q)
-    t23 = t[..., 1] + t[..., 2]
-    angles = np.stack([t[..., 0], t[..., 1], t23, t23 + t[..., 3], t[..., 4], t[..., 5]])
-    return list(np.cos(angles)), list(np.sin(angles))
+    @property
+    def _wrist_joint(self) -> int:
+        return 4
+
+    @cached_property
+    def X_6F(self) -> Array:
+        """The flange (4, 4) in the canonical frame behind axis 6."""
+        return readonly(pose([[1, 0, 0], [0, 0, 1], [0, -1, 0]], [0, self.c4, 0]) @ self.X_KF)
 
 
 @wrist_section.register
@@ -56,48 +61,6 @@ def _(arm: ParallelArm, q: Array) -> tuple[Array, Array]:
 def _turned(arm: Arm, c: Array, s: Array) -> tuple[Array, Array]:
     """From axis 4 to the wrist centre, ahead and up, where the link between them is turned by an angle (c, s)."""
     return c * arm.wrist[0] + s * arm.wrist[2], c * arm.wrist[2] - s * arm.wrist[0]
-
-
-@forward.register
-def _(arm: ParallelArm, q: Array) -> Array:
-    (c1, _, _, c234, c5, c6), (s1, _, _, s234, s5, s6) = _sines(arm, q)
-    X = np.zeros((*q.shape[:-1], 4, 4))
-    X[..., 3, 3] = 1.0
-    # Columns of Rz(t5) Ry(t6) Rx(-90 deg), then turned by Ry(t2 + t3 + t4) and Rz(t1).
-    zero = np.zeros_like(c5)
-    for column, (x, y, z) in enumerate(((c5 * c6, s5 * c6, -s6), (-c5 * s6, -s5 * s6, -c6), (-s5, c5, zero))):
-        ahead = c234 * x + s234 * z
-        X[..., 0, column] = c1 * ahead - s1 * y
-        X[..., 1, column] = s1 * ahead + c1 * y
-        X[..., 2, column] = c234 * z - s234 * x
-    radius, up = wrist_section(arm, q)
-    X[..., 0, 3] = c1 * radius - s1 * arm.b + arm.c4 * X[..., 0, 2]
-    X[..., 1, 3] = s1 * radius + c1 * arm.b + arm.c4 * X[..., 1, 2]
-    X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
-    return X if arm.canonical_flange else X @ arm.X_KF
-
-
-@axes_points_and_turn.register
-def _(arm: ParallelArm, q: Array) -> tuple[Array, Array, Array]:
-    return *axes_and_points(arm, q), forward(arm, q)[..., :3, :3]
-
-
-@axes_and_points.register
-def _(arm: ParallelArm, q: Array) -> tuple[Array, Array]:
-    """The points: the canonical base, axes 2, 3 and 4 in the arm's plane, and the wrist centre twice."""
-    (c1, c2, _, c234, c5, _), (s1, s2, _, s234, s5, _) = _sines(arm, q)
-    zero, one = np.zeros_like(c1), np.ones_like(c1)
-    a, o = np.zeros((3, 6, *q.shape[:-1])), np.zeros((3, 6, *q.shape[:-1]))
-    a[:, 0] = zero, zero, one
-    a[:, 1:4] = np.stack([-s1, c1, zero])[:, None]
-    a[:, 4] = c1 * s234, s1 * s234, c234
-    ahead = -s5 * c234
-    a[:, 5] = c1 * ahead - s1 * c5, s1 * ahead + c1 * c5, s5 * s234
-    places = (arm.a1 * one, arm.c1 * one), (arm.a1 + arm.c2 * s2, arm.c1 + arm.c2 * c2), reach_section(arm, q)
-    for i, (radius, up) in enumerate((*places, wrist_section(arm, q), wrist_section(arm, q)), 1):
-        o[:, i] = c1 * radius, s1 * radius, up
-    o[:, 1:] += arm.b * a[:, 1:2]
-    return a, o
 
 
 def bent(arm: Arm, R_1K: Array, centre: tuple[Array, Array], side: int) -> tuple[Array, Array, Array, Array, Array]:

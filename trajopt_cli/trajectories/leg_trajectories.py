@@ -173,21 +173,14 @@ def on_ways(
         arm, twist, bend = placed(s, d)
     q = axes.layout.merge(d, turned(arm))
     moves = axes.differential(q, X_FT)
-    J = moves.jacobian()
-    Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
-
-    def arm_follows(tool: Array, rail: Array) -> Array:
-        """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
-        return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
 
     def by_time(twist: Array, bend: Array) -> Array:
         return np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
 
     tool = by_time(twist, bend)
-    qd = axes.layout.merge(dv, arm_follows(tool[:, 0], dv))
-    qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - moves.bias(qd), da))
+    qd, qdd = moves.follow(tool[:, 0], tool[:, 1], dv, da)
     if numb.any():
-        q = q + np.where(numb[:, None], back * axes.layout.merge(along, arm_follows(twist, along)), 0.0)
+        q = q + np.where(numb[:, None], back * moves.follow(twist, bend, along, np.zeros_like(along))[0], 0.0)
     return Sample(t, q, qd, qdd, by_time(*over_work(segments, np.split(s, edges), twist, bend)))
 
 
