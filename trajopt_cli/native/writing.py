@@ -25,6 +25,8 @@ _LIBM = {
     ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan",
     ca.OP_ATAN2: "atan2", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_POW: "pow", ca.OP_CONSTPOW: "pow",
 }  # fmt: skip
+_GIVEN = "%a0.p", "%a1.p", "%a2.p", "%w", "%out.p"  # what a part works on, and constants behind it
+_WORK, _OUT, _CONSTANTS = 3, 4, 5  # their places
 LIBM = {name: 2 if name in ("atan2", "pow") else 1 for name in _LIBM.values()}
 """The functions of the C library that may be called, with their numbers of arguments."""
 
@@ -79,7 +81,9 @@ def _steps(function: ca.Function) -> list[_Step]:
             made[to[0]] = constant(function.instruction_constant(k))
             continue
         step: _Step
-        if op == ca.OP_INPUT:
+        if op in _BINARY:
+            step = op, (made[of[0]], made[of[1]]), ()
+        elif op == ca.OP_INPUT:
             step = op, (), tuple(of)
         elif op == ca.OP_OUTPUT:
             step = op, (made[of[0]],), (to[1],)
@@ -118,7 +122,7 @@ class _Written:
         """The text, line by line."""
         first = range(0, len(self.steps), CHUNK)
         for part, k in enumerate(first):
-            yield f"define internal void @{self.name}.{part}(ptr %a0, ptr %a1, ptr %a2, ptr %w, ptr %out, ptr %c) {{"
+            yield f"define internal void @{self.name}.{part}({', '.join(['ptr'] * (_CONSTANTS + 1))}) {{"
             yield from self._part(part, range(k, min(k + CHUNK, len(self.steps))))
             yield "ret void\n}"
             self.free += self.places_until[part]
@@ -135,56 +139,59 @@ class _Written:
         for what, size in zip(("a0", "a1", "a2", "out"), (*sizes[:3], self.function.nnz_out(0)), strict=True):
             yield f"%{what}.at = mul i64 %i, {size * self.lanes}"
             yield f"%{what}.p = getelementptr double, ptr %{what}, i64 %{what}.at"
-        given = f"ptr %a0.p, ptr %a1.p, ptr %a2.p, ptr %w, ptr %out.p, ptr @{self.name}.c"
+        given = ", ".join(f"ptr {one}" for one in (*_GIVEN, f"@{self.name}.c"))
         for part in range(parts):
             yield f"call void @{self.name}.{part}({given})"
         yield "%next = add i64 %i, 1\nbr label %head\nend:\nret void\n}"
 
     def _part(self, part: int, span: range) -> Iterator[str]:
-        known: set[int] = set()
+        # values have no names, which LLVM would have to read: they count on from the arguments and the block
+        known: dict[int, int] = {}  # by the steps that they are of
+        free = _CONSTANTS + 2
         for k in span:
             op, of, more = self.steps[k]
             if op in (ca.OP_CONST, ca.OP_INPUT):  # fetched where they are used
                 continue
             for d in of:
                 if d not in known:
-                    known.add(d)
-                    yield self._loaded(d)
+                    array, at = self._kept(d)
+                    yield f"getelementptr %V, ptr %{array}, i64 {at}\nload %V, ptr %{free}, align 8"
+                    known[d] = free + 1
+                    free += 2
             if op == ca.OP_OUTPUT:
-                yield self._stored(k, of[0], "%out", more[0])
+                yield f"getelementptr %V, ptr %{_OUT}, i64 {more[0]}\nstore %V %{known[of[0]]}, ptr %{free}, align 8"
+                free += 1
                 continue
-            yield self._operation(k, op, of)
-            known.add(k)
+            if op in _COMPARED:
+                one, other = (known[d] for d in of)
+                yield f"fcmp {_COMPARED[op]} %V %{one}, %{other}\nuitofp <{self.lanes} x i1> %{free} to %V"
+                free += 1
+            else:
+                yield self._operation(op, [known[d] for d in of])
+            known[k] = free
+            free += 1
             if self.last[k] > part:
                 if not self.free:
                     self.free.append(self.count)
                     self.count += 1
                 place = self.places[k] = self.free.pop()
                 self.places_until[self.last[k]].append(place)
-                yield self._stored(k, k, "%w", place)
+                yield f"getelementptr %V, ptr %{_WORK}, i64 {place}\nstore %V %{known[k]}, ptr %{free}, align 8"
+                free += 1
 
-    def _loaded(self, k: int) -> str:
+    def _kept(self, k: int) -> tuple[int, int]:
+        """The argument, and the place in it, that hold what a step made before this part."""
         op, _, more = self.steps[k]
         if op == ca.OP_CONST:
-            array, at = "%c", self.constants.setdefault(more[0], len(self.constants))
-        elif op == ca.OP_INPUT:
-            array, at = f"%a{more[0]}", more[1]
-        else:
-            array, at = "%w", self.places[k]
-        return f"%p{k} = getelementptr %V, ptr {array}, i64 {at}\n%v{k} = load %V, ptr %p{k}, align 8"
+            return _CONSTANTS, self.constants.setdefault(more[0], len(self.constants))
+        return (more[0], more[1]) if op == ca.OP_INPUT else (_WORK, self.places[k])
 
-    def _stored(self, k: int, value: int, array: str, at: int) -> str:
-        return f"%q{k} = getelementptr %V, ptr {array}, i64 {at}\nstore %V %v{value}, ptr %q{k}, align 8"
-
-    def _operation(self, k: int, op: int, of: Sequence[int]) -> str:
+    def _operation(self, op: int, of: Sequence[int]) -> str:
         if op in _BINARY:
-            return f"%v{k} = {_BINARY[op]} %V %v{of[0]}, %v{of[1]}"
-        if op in _COMPARED:
-            compared = f"%c{k} = fcmp {_COMPARED[op]} %V %v{of[0]}, %v{of[1]}"
-            return f"{compared}\n%v{k} = uitofp <{self.lanes} x i1> %c{k} to %V"
-        given = ", ".join(f"%V %v{d}" for d in of)
+            return f"{_BINARY[op]} %V %{of[0]}, %{of[1]}"
+        given = ", ".join(f"%V %{d}" for d in of)
         if op in _LLVMS:
-            return f"%v{k} = call %V @llvm.{_LLVMS[op]}.v{self.lanes}f64({given})"
+            return f"call %V @llvm.{_LLVMS[op]}.v{self.lanes}f64({given})"
         if op in _LIBM:
-            return f"%v{k} = call %V @lanes.{_LIBM[op]}({given})"
+            return f"call %V @lanes.{_LIBM[op]}({given})"
         raise ValueError(f"{self.name}: CasADi's operation {op} has no counterpart in native code")
