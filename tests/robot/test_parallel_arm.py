@@ -114,8 +114,9 @@ def test_a_straight_wrist_is_turned_no_farther_than_axes_2_and_3_need(arm, rng):
         first = phi + (np.pi if side < 0 else 0.0)
         default = np.hypot(*(c - x for c, x in zip(centre, link(first), strict=True)))
         nearest = np.clip(default, inner, outer)
-        with np.errstate(invalid="ignore"):
-            ahead, up, t234, t5, t6 = bent(geometry, R, tuple(centre), side)
+        rows = np.ascontiguousarray(R.transpose(2, 3, 0, 1)).reshape(-1, 3, 3), centre.reshape(2, -1).T
+        found = bent(geometry, *rows, np.full(2 * n, float(side)))
+        ahead, up, t234, t5, t6 = found.T.reshape(5, 2, n)
         np.testing.assert_allclose(np.stack(link(t234)) + np.stack([ahead, up]), centre, rtol=0, atol=1e-12)
         np.testing.assert_allclose(np.abs(t5), over, rtol=0, atol=1e-12)
         own = default == nearest

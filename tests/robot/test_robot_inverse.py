@@ -106,6 +106,8 @@ def test_branches_lead_back_to_the_pose_from_a_rail_and_a_crooked_mounting(mount
     axes = found if rail is None else np.concatenate([np.broadcast_to(rail[:, None, None], (3000, 8, 1)), found], -1)
     residual = np.abs(mounted.forward(np.where(there[..., None], axes, 0.0)) - X[:, None])
     assert residual[there].max() < (1e-11 if mounted.arm.b else 1e-12)  # metres of a root beside a shoulder offset
+    for cfx in (np.arange(3000) % 8, 5):  # one branch alone is what it is among all
+        np.testing.assert_array_equal(mounted.branch(X, rail, cfx), found[np.arange(3000), cfx])
     # The configuration that made the pose is among the branches, where confdata says it is.
     for row, branches in zip(q[:500, -6:], found, strict=False):
         turned = (branches[confdata(mounted, row).cfx] - row + pi) % (2 * pi) - pi
@@ -242,6 +244,9 @@ def test_rail_outside_its_stroke_is_an_answer():
         why_unreachable(robot, X, 2.0, limits)
     with pytest.raises(ValueError, match="rides a rail: give rail"):
         inverse(robot, X[None])
+    for cfx in (-1, 8):
+        with pytest.raises(ValueError, match=f"branches {cfx} to {cfx}: they are 0 to 7"):
+            robot.branch(X[None], np.zeros(1), cfx)
 
 
 def test_why_a_pose_is_out_of_reach_depends_on_the_rail():

@@ -188,7 +188,7 @@ class EdgeCollision:
         d = rails[0][:, None] + shares * (rails[1] - rails[0])[:, None]
         known = cfx >= 0
         branch = np.where(known, cfx, 0)
-        arm = axes.inverse(np.tile(X, (m, 1, 1)), d.ravel())[np.arange(d.size), np.repeat(branch, len(shares))]
+        arm = axes.branch(np.tile(X, (m, 1, 1)), d.ravel(), np.repeat(branch, len(shares)))
         starts = len(shares) * np.arange(m)
         arm = unwound(arm, starts, q_0[:, axes.layout.arm])
         q = axes.layout.join(d.ravel(), arm)

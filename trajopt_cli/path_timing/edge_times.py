@@ -224,7 +224,7 @@ def _on_paths(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     X, twist, bend = along_all(segments, [kept] * len(pairs))
     of = (np.repeat(np.arange(len(pairs)), counts)[:, None] * m + np.arange(m)).ravel()  # place on the leg's path
     cfx = np.repeat([one.cfx for one in pairs], np.array(counts) * m)
-    arm = axes.inverse((X @ inverse_pose(X_FT))[of], layout.value(d))[np.arange(B * m), cfx].reshape(B, m, -1)
+    arm = axes.branch((X @ inverse_pose(X_FT))[of], layout.value(d), cfx).reshape(B, m, -1)
     steps = np.diff(np.concatenate([q_0[:, None, layout.arm], arm], axis=1), axis=1)
     arm = arm - 2 * np.pi * np.cumsum(np.round(np.nan_to_num(steps) / (2 * np.pi)), axis=1)
     q = layout.merge(d, arm.reshape(B * m, -1))

@@ -616,7 +616,7 @@ def _with_tool(
     def at(u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
         X, twist, bend = along_all(segments, np.split(s_0 + u * (s_1 - s_0), edges))
         d, dd, ddd = rail.at(u)
-        arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[np.arange(len(u)), cfx]
+        arm = axes.branch(X @ inverse_pose(X_FT), axes.layout.value(d), cfx)
         return axes.layout.merge(d, arm), arm, twist * size, bend * size**2, dd, ddd
 
     u = np.concatenate(fractions)

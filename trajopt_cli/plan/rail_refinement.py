@@ -161,7 +161,7 @@ def _along_rail(axes: Axes, problem: Problem, chain: Route, a: int, d: Array) ->
     points = problem.waypoints[behind]
     low, high = np.array([point.rail for point in points]).T
     X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
-    arm = axes.inverse(X_WF, d.ravel())[:, _branch(chain, a)].reshape(*d.shape, axes.n - layout.r)
+    arm = axes.branch(X_WF, d.ravel(), _branch(chain, a)).reshape(*d.shape, axes.n - layout.r)
     q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
     inside = axes.within(q) & (d >= low) & (d <= high)
     return np.where(inside[..., None], q, np.nan)
@@ -291,7 +291,7 @@ def _candidates(
     tries = d.shape[1]
     X_WF = np.repeat([points[i].X_WF for i in free], tries, axis=0)
     cfx = np.repeat([chain.labels[i].cfx for i in k], tries)
-    arm = axes.inverse(X_WF, d.ravel())[np.arange(d.size), cfx]
+    arm = axes.branch(X_WF, d.ravel(), cfx)
     turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
     q = axes.layout.join(d.ravel(), turned)
     ok = axes.within(q).reshape(d.shape)

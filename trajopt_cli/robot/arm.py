@@ -109,6 +109,14 @@ class Arm:
         out[2, 6] = self.signs[1] * self.coupled
         return readonly(out)
 
+    @cached_property
+    def numbers(self) -> Array:
+        """The arm as robot.inverse_loops takes it (36,)."""
+        lengths = self.a1, self.b, self.c1, self.c2, self.c3, self.upper, self.bend, self.c4, *self.wrist[[0, 2]]
+        converted = np.isin(np.arange(6), self.converted)
+        joints = np.column_stack([self.signs, self.offsets, self.middles, converted])
+        return readonly([*lengths, self._turns_about[3] == 1, self.coupled, *joints.ravel()])
+
     @property
     def _turns_about(self) -> tuple[int, ...]:
         return (2, 1, 1, 0, 1, 0)

@@ -6,9 +6,9 @@ canonical angles t of robot.arm, with e = t3 + bend for the elbow: behind the lo
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import product
-from math import cos, floor, pi, sin
+from math import floor, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,198 +20,59 @@ from trajopt_cli.robot import offset_wrist, parallel_arm
 from trajopt_cli.robot.arm import Arm, elbow_angle, wrist_section
 from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.structure import NO_CONFDATA
-from trajopt_cli.robot.turns import ON_LIMIT, broken_limits, close_at_pi, half_turn
+from trajopt_cli.robot.turns import ON_LIMIT, broken_limits
 
 if TYPE_CHECKING:
     from trajopt_cli.robot.model import RobotModel
 
 BRANCHES = 8
-_FACING = np.array([[1.0], [-1.0]])  # before and behind, along the axis a branch bit stands on
-_CHUNK = 512  # poses at once: work arrays of 16 kB stay in cache, and small enough for the heap to keep between calls
-_SINGULAR = 1e-12  # sin q5, or m of the wrist centre from axis 1: below, the angle is a convention
-_WEAK = 1e-3  # sin q5: above, q4 and q6 found each for itself are right to 1e-13
-_STRETCH = 1e-12  # how far |sin q3| may exceed 1 by rounding at the stretched or folded elbow
 _ON_QUADRANT = 1e-9  # rad below a multiple of 90 deg that still counts as on it
 _QUADRANT_DOUBT = 1e-6  # rad from a quadrant's or a branch's border within which RAPID's rounding may fall either way
 
 
-def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
+def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None, cfx: IndexArray | int | None = None) -> Array:
     """Joints (n, 8, 6) [rad] of flange poses X_WF (n, 4, 4), by branch: index cfx, NaN rows where there is none; 16
-    branches of a wrist with an offset, of which two have one cfx.
+    branches of a wrist with an offset, of which two have one cfx. Joints (n, 6) of one branch each with cfx (n,) or ().
 
     rail (n,): rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles, the lower end left
     out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
-    (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may.
+    (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may. Raises
+    ValueError for poses of another shape, a rail without positions and numbers that no branch has.
     """
-    X_WF = np.asarray(X_WF, dtype=np.float64)
+    X_WF, arm = np.asarray(X_WF, dtype=np.float64), robot.arm
     if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
         raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
-    n = len(X_WF)
-    X_WO = robot.X_WO0
-    if not robot.arm.canonical_flange:
-        X_WF = X_WF @ inverse_pose(robot.arm.X_KF)
-    p = X_WF[:, :3, 3].T - X_WO[:3, 3, None]
-    if robot.rail_axis_W is not None:
-        if rail is None:
-            raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
-        p = p - robot.rail_axis_W[:, None] * np.broadcast_to(np.asarray(rail, dtype=np.float64), (n,))
-    R_OW = X_WO[:3, :3].T
-    out = np.empty((BRANCHES if robot.arm.closed_form else 2 * BRANCHES, 6, n))
-    for start in range(0, n, _CHUNK):
-        part = slice(start, min(start + _CHUNK, n))
-        R_OK = R_OW @ X_WF[part, :3, :3].transpose(1, 2, 0).reshape(3, -1)
-        inverse_arm(robot.arm, R_OW @ p[:, part], R_OK.reshape(3, 3, -1), out[..., part])
-    return out.transpose(2, 0, 1)
-
-
-def inverse_arm(arm: Arm, p_OK: Array, R_OK: Array, out: Array) -> None:
-    """Put joints by cfx of canonical flange positions (3, n) [m] and rotations (3, 3, n), frame O, into out (8, 6, n).
-
-    Poses come last so that every step runs over contiguous blocks. Results go straight to out, and the two halves are
-    functions of their own so that their work arrays die early: memory given back to the system and fetched again page
-    by page costs as much as the arithmetic.
-    """
-    split = out.reshape(2, 2, 2, 6, -1)  # behind axis 1, behind the lower arm, t5 < 0; a view, axes are only split
+    ride = robot.rail_axis_W
+    if ride is not None and rail is None:
+        raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
+    d = np.broadcast_to(np.asarray(0.0 if ride is None else rail, dtype=np.float64), (len(X_WF),))
+    branches = BRANCHES if arm.closed_form else 2 * BRANCHES
+    one = None if cfx is None else np.broadcast_to(np.asarray(cfx, dtype=np.int64), (len(X_WF),))
+    if one is not None and np.any((one < 0) | (one >= branches)):
+        raise ValueError(f"branches {one.min()} to {one.max()}: they are 0 to {branches - 1}")
     if arm.closed_form:
-        with np.errstate(invalid="ignore", divide="ignore"):
-            w = p_OK - arm.c4 * R_OK[:, 2]
-            t1, radius, c1, s1 = _shoulder(arm, w)
-            if isinstance(arm, ParallelArm):
-                _parallel(arm, w, R_OK, (t1, radius, c1, s1), split)
-            else:
-                c23, s23 = _elbow(arm, t1, radius - arm.a1, w[2:] - arm.c1, split)
-                _wrist(R_OK, c1[:, None], s1[:, None], c23, s23, split)
-    else:
-        out[:] = offset_wrist.angles(arm, p_OK, R_OK, inverse_arm)
-    _as_joints(arm, out)
+        return closed_form(arm, X_WF, robot.X_WO0, ride, d, one)
+    t = offset_wrist.angles(arm, inverse_pose(robot.canonical_base(d)) @ X_WF @ inverse_pose(arm.X_KF), closed_form)
+    q = arm.joints(t)
+    q -= 2 * pi * np.ceil((q - arm.middles - pi) / (2 * pi))
+    return q if one is None else q[np.arange(len(q)), one]
 
 
-def _shoulder(arm: Arm, w: Array) -> tuple[Array, Array, Array, Array]:
-    """t1 (2, n) of wrist centres w (3, n), how far before axis 1 they are (2, n), and cos, sin t1 (2, n) or (1, n).
+def closed_form(
+    arm: Arm, X_WF: Array, X_WO: Array, ride: Array | None = None, rail: Array | None = None,
+    cfx: IndexArray | None = None,
+) -> Array:  # fmt: skip
+    """The same of an arm that has one, its canonical base at X_WO (4, 4) with the rail at 0; ride (3,): the rail's
+    direction in the world. Compiled: robot.inverse_loops."""
+    from trajopt_cli.native.loops import loops  # LLVM with it: not for who only loads a robot
 
-    Without an offset b the shoulder behind is the one before turned by half a turn: cos, sin t1 are then those before.
-    """
-    square = w[0] * w[0] + w[1] * w[1]
-    reach = np.sqrt(square)
-    if arm.b:
-        # The arm's plane passes axis 1 at b; the wrist centre lies in it, radius before axis 1 or behind it.
-        over = reach - abs(arm.b)
-        over[over < -_SINGULAR] = np.nan
-        radius = _FACING * np.sqrt(np.maximum(over, 0.0) * (reach + abs(arm.b)))
-        c1 = (radius * w[0] + arm.b * w[1]) / square
-        s1 = (radius * w[1] - arm.b * w[0]) / square
-        t1 = np.arctan2(s1, c1)
-        close_at_pi(t1)
-    else:
-        c1, s1 = w[0] / reach, w[1] / reach
-        on_axis = reach < _SINGULAR
-        if on_axis.any():
-            c1[on_axis], s1[on_axis] = 1.0, 0.0
-        radius = _FACING * reach
-        before = np.arctan2(s1, c1)
-        close_at_pi(before)
-        t1 = np.stack([before, half_turn(before)])
-        c1, s1 = c1[None], s1[None]
-    return t1, radius, c1, s1
-
-
-def _elbow(arm: Arm, t1: Array, ahead: Array, up: Array, out: Array) -> tuple[Array, Array]:
-    """Put t1, and t2 and t3 of wrist centres ahead and up of axis 2 in the arm's own plane, (2, n) or (1, n) of both
-    shoulders, into out; cos, sin of t2 + t3 (2, 2, n)."""
-    distance2 = ahead * ahead + up * up
-    s3 = (arm.c2**2 + arm.upper**2 - distance2) / (2 * arm.c2 * arm.upper)
-    s3[np.abs(s3) > 1 + _STRETCH] = np.nan
-    s3 = np.maximum(np.minimum(s3, 1.0), -1.0)
-    c3 = np.sqrt((1 - s3) * (1 + s3))
-    out[..., 0, :] = (t1 + 0 * s3)[:, None, None]  # NaN where the branch has no solution: its whole row says so
-    e = np.arctan2(s3, c3)
-    out[:, 0, :, 2] = (e - arm.bend)[:, None]
-    e = -pi - e
-    e[e <= -1.5 * pi] = 0.5 * pi  # -270 deg is +90 deg
-    out[:, 1, :, 2] = (e - arm.bend)[:, None]
-    along, ahead, up, s3, distance2 = (a[:, None] for a in (arm.c2 - arm.upper * s3, ahead, up, s3, distance2))
-    c3 = _FACING * c3[:, None]  # (2 shoulders, 2 elbows, n), as all that follows; the elbow's sign is cos e's
-    across = arm.upper * c3
-    y2, x2 = along * ahead - across * up, along * up + across * ahead
-    out[..., 1, :] = np.arctan2(y2, x2)[:, :, None]
-    y2 /= distance2
-    x2 /= distance2
-    if arm.bend:
-        cb, sb = cos(arm.bend), sin(arm.bend)
-        c3, s3 = c3 * cb + s3 * sb, s3 * cb - c3 * sb  # of t3
-    return x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
-
-
-def _parallel(arm: ParallelArm, w: Array, R_OK: Array, shoulder: tuple[Array, Array, Array, Array], out: Array) -> None:
-    """Put all joints of wrist centres w (3, n) and rotations (3, 3, n) into out: see robot.parallel_arm. shoulder: what
-    _shoulder found."""
-    for place, (ahead, up, t234, t5, t6) in enumerate(_both_sides(arm, w, R_OK, shoulder)):
-        part = out[:, :, place : place + 1]
-        _elbow(arm, shoulder[0], ahead, up, part)
-        t4 = t234[:, None, None] - part[..., 1, :] - part[..., 2, :]
-        part[..., 3, :] = t4 - 2 * pi * np.ceil((t4 - pi) / (2 * pi))
-        for i, t in ((4, t5), (5, t6)):
-            part[..., i, :] = t[:, None, None] + 0 * t4
-
-
-def _both_sides(
-    arm: ParallelArm, w: Array, R_OK: Array, shoulder: tuple[Array, Array, Array, Array]
-) -> Iterator[tuple[Array, Array, Array, Array, Array]]:
-    """What parallel_arm.bent finds on either side of axis 5."""
-    _, radius, c1, s1 = shoulder
-    if len(c1) == 1:
-        c1, s1 = _FACING * c1, _FACING * s1
-    up = np.broadcast_to(R_OK[2][:, None], (3, *c1.shape))
-    R_1K = np.stack([c1 * R_OK[0][:, None] + s1 * R_OK[1][:, None], c1 * R_OK[1][:, None] - s1 * R_OK[0][:, None], up])
-    centre = radius - arm.a1, np.broadcast_to(w[2] - arm.c1, radius.shape)
-    return (parallel_arm.bent(arm, R_1K, centre, side) for side in (1, -1))
-
-
-def _wrist(R_OK: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array) -> None:
-    """Put t4, t5, t6 into out. R_36 = (Rz(t1) Ry(t2 + t3))^T [z, y, -x] of the flange, which adds Ry(90 deg)."""
-    # The flange's axes x, y, z in the frame axis 1 carries: ahead (3, 2 shoulders, 1, n), up (3, n); z aside.
-    ahead = c1 * R_OK[0][:, None, None] + s1 * R_OK[1][:, None, None]
-    aside = c1 * R_OK[1, 2] - s1 * R_OK[0, 2]
-    facing = _FACING if len(c1) == 1 else np.ones((2, 1))
-    if len(c1) == 1:
-        ahead, aside = ahead * _FACING[:, None], aside * _FACING[:, None]
-    up = R_OK[2]
-    t4, t5, t6 = (out[:, :, 0, i] for i in (3, 4, 5))
-    bend = s23 * ahead[2] + c23 * up[2]
-    np.arctan2(aside, -bend, out=t4)
-    bend *= bend
-    bend += aside * aside
-    np.sqrt(bend, out=bend)
-    np.arctan2(bend, c23 * ahead[2] - s23 * up[2], out=t5)
-    np.arctan2(c23 * ahead[1] - s23 * up[1], s23 * up[0] - c23 * ahead[0], out=t6)
-    weak = bend < _WEAK
-    if weak.any():
-        # t4 and t6 are rounding here, each for itself, but exact in sum: take t6 from the turn that t4 leaves.
-        straight = bend[weak] < _SINGULAR
-        t4[weak] = np.where(straight, 0.0, t4[weak])
-        t5[weak] = np.where(straight, np.where(t5[weak] < 1, 0.0, pi), t5[weak])
-        shoulder, _, n = np.nonzero(weak)
-        s, c, s4, c4 = s23[weak], c23[weak], np.sin(t4[weak]), np.cos(t4[weak])
-        own = shoulder % len(c1)
-        sine, cosine = (
-            c4 * facing[shoulder, 0] * (c1[own, 0, n] * R_OK[1, i, n] - s1[own, 0, n] * R_OK[0, i, n])
-            + s4 * (s * ahead[i, shoulder, 0, n] + c * up[i, n])
-            for i in (0, 1)
-        )
-        t6[weak] = np.arctan2(sine, cosine)
-    np.negative(t5, out=out[:, :, 1, 4])
-    turns = out[:, :, 0, 3::2]  # t4 and t6
-    close_at_pi(turns)
-    out[:, :, 1, 3::2] = half_turn(turns)
-
-
-def _as_joints(arm: Arm, out: Array) -> None:
-    """Make joints of canonical angles (8, 6, n), in place, each within half a turn of its middle."""
-    if arm.coupled:
-        out[:, 2] += out[:, 1] - arm.offsets[1]
-    for i in arm.converted:
-        q = arm.signs[i] * (out[:, i] - arm.offsets[i])
-        out[:, i] = q - 2 * pi * np.ceil((q - arm.middles[i] - pi) / (2 * pi))
+    n = len(X_WF)
+    out = np.empty((n, BRANCHES if cfx is None else 1, 6))
+    which = np.broadcast_to(np.int64(-1), (n,)) if cfx is None else cfx
+    ride, rail = (np.zeros(3), np.zeros(n)) if ride is None or rail is None else (ride, rail)
+    fill = loops("trajopt_cli.robot.inverse_loops")["fill_joints"]
+    fill(arm.numbers, X_WO, ride, inverse_pose(arm.X_KF), X_WF, rail, which, np.empty((6, 6)), out)
+    return out if cfx is None else out[:, 0]
 
 
 def representatives(q: Array, lower: Array, upper: Array) -> Array:
@@ -374,8 +235,12 @@ def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> st
 def _out_of_reach_of_two(arm: ParallelArm, w: Array, R_OK: Array) -> str:
     """Where axis 4 would have to be, of the four places that wrist centre (3,) and flange leave it, the nearest to what
     axes 2 and 3 reach."""
-    shoulder = _shoulder(arm, w[:, None])
-    places = [np.hypot(ahead, up) for ahead, up, *_ in _both_sides(arm, w[:, None], R_OK[..., None], shoulder)]
+    radius = np.sqrt(w[0] ** 2 + w[1] ** 2 - arm.b**2) * np.array([1, -1, 1, -1])
+    c, s = (radius * w[0] + arm.b * w[1]), (radius * w[1] - arm.b * w[0])
+    R_1O = np.zeros((4, 3, 3))
+    R_1O[:, 0, 0], R_1O[:, 0, 1], R_1O[:, 1, 0], R_1O[:, 1, 1], R_1O[:, 2, 2] = c, s, -s, c, w[0] ** 2 + w[1] ** 2
+    centre = np.column_stack([radius - arm.a1, np.full(4, w[2] - arm.c1)])
+    places = parallel_arm.bent(arm, R_1O / R_1O[:, 2:, 2:] @ R_OK, centre, np.array([1.0, 1.0, -1.0, -1.0]))[:, :2]
     inner, outer = abs(arm.c2 - arm.c3), arm.c2 + arm.c3
-    far = min(np.ravel(places).tolist(), key=lambda r: max(inner - r, r - outer))
+    far = min(np.hypot(*places.T).tolist(), key=lambda r: max(inner - r, r - outer))
     return f"axis 4 outside the workspace: {far:.6g} m from axis 2 at best, in reach are {inner:.6g} to {outer:.6g} m"

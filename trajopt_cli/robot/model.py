@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, of_kind
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose, readonly
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
@@ -142,6 +142,10 @@ class RobotModel:
     def branches(self, X_WF: Array, rail: Array | None) -> Array:
         """Joints (k, 8, 6) by cfx of flange poses (k, 4, 4): see robot.inverse."""
         return closed_form.inverse(self, X_WF, rail)
+
+    def branch(self, X_WF: Array, rail: Array | None, cfx: IndexArray | int) -> Array:
+        """Joints (k, 6) of one branch each, cfx (k,), or of the same one."""
+        return closed_form.inverse(self, X_WF, rail, cfx)
 
     def walls(self, arm: Array) -> tuple[Array, Array]:
         """|sin| of the elbow, 1 when it is stretched and folded, and of axis 5, 0 at the stretched wrist.

@@ -23,7 +23,7 @@ _LARGEST = 0.3  # rad of one step of a joint
 _EXACT = 1e-11  # m and rad of the pose: farther off is no answer
 _DAMPED = 1e-14  # added to the squares of the Jacobian, so that a singular one has an inverse
 
-ClosedForm = Callable[[Arm, Array, Array, Array], None]
+ClosedForm = Callable[[Arm, Array, Array], Array]
 
 
 def plain(arm: Arm) -> Arm:
@@ -34,39 +34,36 @@ def plain(arm: Arm) -> Arm:
     )  # fmt: skip
 
 
-def angles(arm: Arm, p_OK: Array, R_OK: Array, closed_form: ClosedForm) -> Array:
-    """Canonical angles (16, 6, n) of canonical flange positions (3, n) [m] and rotations (3, 3, n), frame O; NaN where
-    there are none.
+def angles(arm: Arm, X_OK: Array, closed_form: ClosedForm) -> Array:
+    """Canonical angles (n, 16, 6) of canonical flange poses (n, 4, 4), frame O; NaN where there are none.
 
-    closed_form: inverse_arm of an arm with a spherical wrist. Branch cfx is that whose Jacobian's determinant has the
-    sign that a spherical wrist's has, branch 8 + cfx the other one with the same cfx.
+    closed_form: robot.inverse's. Branch cfx is that whose Jacobian's determinant has the sign that a spherical wrist's
+    has, branch 8 + cfx the other one with the same cfx.
     """
-    spherical, n = plain(arm), p_OK.shape[1]
+    spherical, n = plain(arm), len(X_OK)
     tried = np.arange(TRIES) * (2 * np.pi / TRIES)
-    c, s = np.cos(tried), np.sin(tried)
+    c, s = np.cos(tried)[:, None], np.sin(tried)[:, None]
     along_y, along_x = c * arm.wrist[1] + s * arm.wrist[2], s * arm.wrist[1] - c * arm.wrist[2]
-    shift = R_OK[:, 1, :, None] * along_y + R_OK[:, 0, :, None] * along_x  # (3, n, TRIES)
-    seeds = np.empty((8, 6, n * TRIES))
-    R = np.repeat(R_OK, TRIES, axis=2)
-    closed_form(spherical, (p_OK[:, :, None] - shift).reshape(3, -1), R, seeds)
-    seeds = seeds.reshape(8, 6, n, TRIES)
-    off = _wrapped(seeds[:, 5] - tried)
-    after = np.roll(off, -1, axis=2)
+    X = np.repeat(X_OK[:, None], TRIES, axis=1)
+    X[..., :3, 3] -= X[..., :3, 1] * along_y + X[..., :3, 0] * along_x
+    seeds = closed_form(spherical, X.reshape(-1, 4, 4), np.eye(4)).reshape(n, TRIES, 8, 6)
+    off = _wrapped(seeds[..., 5] - tried[:, None])
+    after = np.roll(off, -1, axis=1)
     with np.errstate(invalid="ignore"):
         crossed = (off * after <= 0) & (np.abs(off) + np.abs(after) < np.pi)
-    branch, pose, at = np.nonzero(crossed)
+    pose, at, branch = np.nonzero(crossed)
     here = np.abs(off[crossed]) <= np.abs(after[crossed])
-    t = seeds[branch, :, pose, np.where(here, at, (at + 1) % TRIES)]
-    return _by_branch(arm, spherical, *_exact(replace(spherical, wrist=arm.wrist), t, pose, p_OK, R_OK), n)
+    t = seeds[pose, np.where(here, at, (at + 1) % TRIES), branch]
+    return _by_branch(arm, spherical, *_exact(replace(spherical, wrist=arm.wrist), t, pose, X_OK), n)
 
 
 def _wrapped(angle: Array) -> Array:
     return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _exact(arm: Arm, t: Array, pose: IndexArray, p_OK: Array, R_OK: Array) -> tuple[Array, IndexArray]:
+def _exact(arm: Arm, t: Array, pose: IndexArray, X_OK: Array) -> tuple[Array, IndexArray]:
     """Angles (m, 6) near those given that have their poses exactly, and these poses' numbers (m,)."""
-    p, R = p_OK[:, pose].T, R_OK[:, :, pose].transpose(2, 0, 1)
+    p, R = X_OK[pose, :3, 3], X_OK[pose, :3, :3]
     off = np.full(len(t), np.inf)
     for _ in range(STEPS):
         move, off = _step(arm, t, p, R)
@@ -92,10 +89,10 @@ def _step(arm: Arm, t: Array, p: Array, R: Array) -> tuple[Array, Array]:
 
 
 def _by_branch(arm: Arm, spherical: Arm, t: Array, pose: IndexArray, n: int) -> Array:
-    """Angles (m, 6) of poses put where their branches are: (16, 6, n)."""
+    """Angles (m, 6) of poses put where their branches are: (n, 16, 6)."""
     before, lower, t5 = wrist_section(spherical, t)[0], np.cos(elbow_angle(spherical, t)), np.sin(t[:, 4])
     determinant = np.linalg.det(Differential.of(replace(spherical, wrist=arm.wrist), t).jacobian())
     usual = determinant * before * lower * t5 <= 0  # a spherical wrist's is minus c2 upper times these three
-    out = np.full((16, 6, n), np.nan)
-    out[8 * ~usual + 4 * (before < 0) + 2 * (lower < 0) + 1 * (t5 < 0), :, pose] = t
-    return np.asarray(out - 2 * np.pi * np.ceil((out - arm.natural_middles[:, None] - np.pi) / (2 * np.pi)))
+    out = np.full((n, 16, 6), np.nan)
+    out[pose, 8 * ~usual + 4 * (before < 0) + 2 * (lower < 0) + 1 * (t5 < 0)] = t
+    return np.asarray(out - 2 * np.pi * np.ceil((out - arm.natural_middles - np.pi) / (2 * np.pi)))

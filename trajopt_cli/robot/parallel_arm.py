@@ -14,11 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, pose, readonly
+from trajopt_cli.geometry import Array, pose, readonly
 from trajopt_cli.robot.arm import Arm, reach_section, wrist_section
-from trajopt_cli.robot.turns import close_at_pi
-
-_STRAIGHT = 1e-12  # sin t5: below, only the sum of t2, t3, t4 and t6 is given
 
 
 class ParallelArm(Arm):
@@ -63,36 +60,16 @@ def _turned(arm: Arm, c: Array, s: Array) -> tuple[Array, Array]:
     return c * arm.wrist[0] + s * arm.wrist[2], c * arm.wrist[2] - s * arm.wrist[0]
 
 
-def bent(arm: Arm, R_1K: Array, centre: tuple[Array, Array], side: int) -> tuple[Array, Array, Array, Array, Array]:
-    """On one side of axis 5 (1 or -1): where axis 4 is, ahead and up of axis 2, the sum t2 + t3 + t4, t5 and t6, each
-    (2, n) of both shoulders.
+def bent(arm: Arm, R_1K: Array, centre: Array, side: Array) -> Array:
+    """On sides (n,) of axis 5, 1 or -1: where axis 4 is, ahead and up of axis 2, the sum t2 + t3 + t4, t5 and t6, (n,
+    5).
 
-    R_1K (3, 3, 2, n): the canonical flange in the frame that axis 1 carries. centre: of the wrist, ahead and up of axis
-    2 (2, n). Where axis 6 is parallel to axis 4, t6 is 0 if axes 2 and 3 reach axis 4 so; else axis 4 stands where they
-    just reach it.
+    R_1K (n, 3, 3): the canonical flange in the frame that axis 1 carries. centre (n, 2): of the wrist, ahead and up of
+    axis 2. Where axis 6 is parallel to axis 4, t6 is 0 if axes 2 and 3 reach axis 4 so; else axis 4 stands where they
+    just reach it. Compiled: robot.inverse_loops.
     """
-    bend = np.hypot(R_1K[0, 2], R_1K[2, 2])
-    straight = bend < _STRAIGHT
-    over = np.copysign(1.0, R_1K[1, 2])
-    c, s = -side * R_1K[0, 2] / bend, side * R_1K[2, 2] / bend
-    if straight.any():
-        c, s = np.where(straight, side * over * R_1K[0, 0], c), np.where(straight, -side * over * R_1K[2, 0], s)
-        c, s = _within_reach(arm, centre, c, s, straight)
-    t5 = side * np.where(straight, np.where(over > 0, 0.0, np.pi), np.arctan2(bend, R_1K[1, 2]))
-    t6 = np.arctan2(-(s * R_1K[0, 0] + c * R_1K[2, 0]), -(s * R_1K[0, 1] + c * R_1K[2, 1]))
-    close_at_pi(t6)
-    along, up = _turned(arm, c, s)
-    return centre[0] - along, centre[1] - up, np.arctan2(s, c), t5, t6
+    from trajopt_cli.native.loops import loops
 
-
-def _within_reach(arm: Arm, centre: tuple[Array, Array], c: Array, s: Array, free: BoolArray) -> tuple[Array, Array]:
-    """Cosine and sine of t2 + t3 + t4, which is free at some places: as given where axes 2 and 3 reach axis 4 with it,
-    else nearest to their reach."""
-    along, up = _turned(arm, c, s)
-    away = np.hypot(centre[0] - along, centre[1] - up)
-    wanted = np.clip(away, abs(arm.c2 - arm.c3), arm.c2 + arm.c3)
-    far, length = np.hypot(*centre), float(np.hypot(*arm.wrist[[0, 2]]))
-    cosine = np.clip((far**2 + length**2 - wanted**2) / (2 * far * length), -1.0, 1.0)
-    turn = np.arctan2(arm.wrist[2], arm.wrist[0]) - (np.arctan2(centre[1], centre[0]) - np.arccos(cosine))
-    out = free & (away != wanted) & np.isfinite(turn)
-    return np.where(out, np.cos(turn), c), np.where(out, np.sin(turn), s)
+    out = np.empty((len(R_1K), 5))
+    loops("trajopt_cli.robot.inverse_loops")["fill_bent"](arm.numbers, R_1K, centre, side, out)
+    return out

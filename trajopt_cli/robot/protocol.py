@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.differential import Differential
@@ -74,6 +74,9 @@ class Robot(Protocol):
     def branches(self, X_WF: Array, rail: Array | None) -> Array:
         """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,); NaN where there is none.
         Joint limits are not applied."""
+
+    def branch(self, X_WF: Array, rail: Array | None, cfx: IndexArray | int) -> Array:
+        """Those (k, m) of one branch each, with the numbers cfx (k,), or of the same one."""
 
     def walls(self, arm: Array) -> tuple[Array, Array]:
         """How near joints (..., m) are to where branches meet: (...) of the reach, 1 when the arm is stretched or

@@ -238,7 +238,7 @@ class _Space:
         """Arm joints (n, m) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
         robot, leg = self.plant.robot, self.move.leg
         X_BF = self.tool(self.motion.at(t)[0]) @ inverse_pose(leg.X_FT)
-        found = robot.branches(X_BF, np.zeros(len(t)))[:, leg.cfx]
+        found = robot.branch(X_BF, np.zeros(len(t)), leg.cfx)
         return np.unwrap(np.vstack([leg.q_0[robot.layout.arm], found]), axis=0)[1:]
 
     def at(self, t: Array) -> tuple[Array, Array]:

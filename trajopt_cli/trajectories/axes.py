@@ -133,6 +133,10 @@ class Axes:
         """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,)."""
         return self.robot.branches(X_WF, rail)
 
+    def branch(self, X_WF: Array, rail: Array, cfx: IndexArray | int) -> Array:
+        """Joints (k, m) of one branch each, cfx (k,), or the same one."""
+        return self.robot.branch(X_WF, rail, cfx)
+
     def forward(self, q: Array) -> Array:
         """Flange poses (..., 4, 4) of axes (..., n)."""
         return self.robot.forward(q)

@@ -120,7 +120,7 @@ class PathLeg:
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, joints) at the nodes."""
         X_WT = self.segment.pose(self.s)
-        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d))[:, self.cfx, :]
+        arm = axes.branch(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d), self.cfx)
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
@@ -162,7 +162,7 @@ def on_ways(
     def placed(s: Array, d: Array) -> tuple[Array, Array, Array]:
         """Arm joints (m, joints) in whatever turn, twist and its rate by s (m, 6)."""
         X, twist, bend = along_all(segments, np.split(s, edges))
-        return axes.inverse(X @ X_TF, axes.layout.value(d))[np.arange(len(s)), cfx], twist, bend
+        return axes.branch(X @ X_TF, axes.layout.value(d), cfx), twist, bend
 
     arm, twist, bend = placed(s, d)
     numb = axes.robot.walls(arm)[1] < _NUMB
