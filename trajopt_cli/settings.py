@@ -1,8 +1,8 @@
 """Every number of the optimiser that somebody chose, as one frozen value that is passed with the plant.
 
 A comment says the unit, why a number has its value, and what was measured. Properties are derived from fields. Rounding
-of doubles (1e-9 and less around a comparison), constants that a cited algorithm publishes and bounds on iterations that
-no case reaches stand where they are used.
+of doubles (1e-9 and less around a comparison), constants that a cited algorithm publishes, bounds on iterations that no
+case reaches and numbers that one module alone reads and nobody varies stand where they are used.
 """
 
 from __future__ import annotations
@@ -65,6 +65,9 @@ class Settings:
     # gave the same motions, and 40 looks found no limit passed.
     corner_samples: int = 4  # times as many in a corner, where the tool's speed rises and falls within an interval.
     # Measured on 110 random programs with corners: without, 0.01 and 0.05 % of a cap were missed in two of them.
+    along_path_samples: int = 9  # times as many where the tool's acceleration along its path is limited: in a corner it
+    # rises and falls within an interval. Measured on an arc, a corner of 20 mm and a line at 0.8 m/s2: without, 0.803
+    # m/s2 were missed.
     most_samples: int = 1000  # within one interval. Not measured.
 
     # incumbent: a legal motion before any nonlinear program
@@ -105,7 +108,6 @@ class Settings:
     # solver's time for 0.07 and 0.04 % of the cycle.
     damping: float = 1e-07  # s per squared scaled acceleration, where many motions take the same time. Measured: 4e-7
     # cost 0.3 ms of hinge_cell, 1e-8, with 1e-7 for dwells, let hinge_line's solves fail.
-    scaled_rate: float = 50.0  # bound of a share's or rail's first derivative by scaled time. Not measured.
     damping_jerk: float = 1e-05  # s per second of a leg and squared share of a jerk limit, in each interval. Measured
     # on two joint moves: without it 150 iterations were not always enough; 2e-6, 1e-5 and 3e-5 gave 0.928, 0.928 and
     # 0.929 s.
@@ -208,11 +210,6 @@ class Settings:
     # measured.
 
     @property
-    def reach_grid(self) -> int:
-        """Rail positions on a stroke at least; 12.5 mm on one of 2.4 m."""
-        return round(2.4 / self.reach_spacing) + 1
-
-    @property
     def long_turn(self) -> float:
         """Rad, the same."""
         return 10 * self.long_line
@@ -224,11 +221,6 @@ class Settings:
         chains up to 3 % longer by estimate the four that won were at 0.1 to 0.5 % of their cycles, 9 to 34 ms;
         benchmarks/bench_chains.py tries other numbers."""
         return (self.near_best - 1) / 4
-
-    @property
-    def path_samples(self) -> int:
-        """Places on a joint move whose distances add up to the tool's way."""
-        return self.line_samples // 2
 
     @property
     def tie_candidates(self) -> int:
@@ -246,36 +238,14 @@ class Settings:
         return 4 * self.corner_nodes + 1
 
     @property
-    def fine_sample_step(self) -> float:
-        """S between two looks in a short interval, which has fewer than DENSE then."""
-        return self.sample_step / 5
-
-    @property
     def closed_form_excess(self) -> float:
         """Share by which a closed-form joint move may pass a cap before it goes on a grid."""
         return 100 * self.tolerance
 
     @property
-    def along_path_samples(self) -> int:
-        """Times as many samples where the tool's acceleration along its path is limited: in a corner it rises and falls
-        within an interval. Measured on an arc, a corner of 20 mm and a line at 0.8 m/s2: without, 0.803 m/s2 were
-        missed."""
-        return 2 * self.corner_samples + 1
-
-    @property
     def least_zone(self) -> float:
         """Share of a leg that each free zone of its grid lasts at least."""
         return 0.12 / self.free_zones
-
-    @property
-    def least_share(self) -> float:
-        """Of a margin is left at least in one round."""
-        return self.least_left
-
-    @property
-    def stop_to_stop_nodes(self) -> int:
-        """Intervals of a leg between two stops."""
-        return 3 * self.run_nodes
 
     @property
     def short_nodes(self) -> int:
@@ -339,69 +309,9 @@ class Settings:
         return 2 * self.first_grid
 
     @property
-    def least_time(self) -> float:
-        """S of a leg without a way, so that scaled time stays defined."""
-        return self.row_step
-
-    @property
-    def glide(self) -> float:
-        """S; in a shorter wait the rail goes on as it comes."""
-        return 10 * self.row_step
-
-    @property
     def least_start_time(self) -> float:
         """S of such a leg in the first draft."""
         return 2 * self.row_step
-
-    @property
-    def damping_dwell(self) -> float:
-        """The same while the tool rests."""
-        return 40 * self.damping
-
-    @property
-    def sharpest(self) -> float:
-        """Of the bound of a share's second derivative, where the tool's caps ask for more than SHARE_CURVE."""
-        return 20_000 * self.scaled_rate
-
-    @property
-    def share_curve(self) -> float:
-        """Of the second."""
-        return 10 * self.scaled_rate
-
-    @property
-    def typical_jerk(self) -> float:
-        """Of a share by scaled time, for that."""
-        return 2 * self.scaled_rate
-
-    @property
-    def share_jerk(self) -> float:
-        """Of the third, where jerk is limited."""
-        return 1000 * self.scaled_rate
-
-    @property
-    def joint_jerk(self) -> float:
-        """The same of a joint."""
-        return 2000 * self.scaled_rate
-
-    @property
-    def joint_rate(self) -> float:
-        """Bound of a joint's first derivative on a grid."""
-        return 2 * self.scaled_rate
-
-    @property
-    def joint_curve(self) -> float:
-        """Of the second."""
-        return 20 * self.scaled_rate
-
-    @property
-    def far(self) -> float:
-        """M instead, on a leg whose first answer went deep into something."""
-        return 3 * self.near
-
-    @property
-    def clearance_sample_step(self) -> float:
-        """S between two of them at most."""
-        return 10 * self.sample_step
 
     @property
     def rough_tolerance(self) -> float:
@@ -424,24 +334,9 @@ class Settings:
         return (1 + self.start_jerk) / 2
 
     @property
-    def smooth_nodes(self) -> int:
-        """Intervals of a course whose derivatives say where a profile is begun."""
-        return self.run_nodes // 2
-
-    @property
-    def effort_nodes(self) -> int:
-        """Intervals of a leg on which the law of least effort is looked for."""
-        return self.run_nodes
-
-    @property
     def exact(self) -> float:
         """The same for joints that move by polynomials on the grid: exact between nodes."""
         return 1 - self.tolerance
-
-    @property
-    def hardly(self) -> float:
-        """Times as long as found, where rows pass a limit: first."""
-        return 2 - self.start
 
     @property
     def switches_apart(self) -> float:
@@ -449,60 +344,9 @@ class Settings:
         return 1.1 * self.least_row_step
 
     @property
-    def longer(self) -> float:
-        """S that a joint move is lengthened per attempt to keep its switches apart."""
-        return 0.4 * self.least_row_step
-
-    @property
-    def active_limit_samples(self) -> int:
-        """Per motion of 0.4 s and more, one per LOOK of shorter ones."""
-        return 10 * self.dense_samples
-
-    @property
-    def fewest_samples(self) -> int:
-        """Of a motion at least."""
-        return self.dense_samples
-
-    @property
     def bound_coarse(self) -> int:
         """Rail intervals per cell at the first level, halved per level down to one."""
         return 1 << (self.bound_levels - 1)
-
-    @property
-    def most_pairs(self) -> int:
-        """Of cells per leg; a finer level is not begun beyond."""
-        return 15 * self.bound_pairs
-
-    @property
-    def few_pairs(self) -> int:
-        """Of cells per leg; below, the next level aims at the incumbent itself."""
-        return 3 * self.bound_pairs
-
-    @property
-    def jumped(self) -> float:
-        """Share by which first order may be off before it is told from half of that."""
-        return 3 * self.small_change
-
-    @property
-    def clearance_step(self) -> float:
-        """M: what moves no farther to either side of a place is looked at there alone."""
-        return self.clearance_margin
-
-    @property
-    def clearance_check_step(self) -> float:
-        """S between two places of a motion that is looked at: at 40 rad/s2 and 0.5 m it leaves the straight way between
-        them by 0.06 mm."""
-        return 5 * self.sample_step
-
-    @property
-    def detour_pocket(self) -> int:
-        """Of them after which a tree with fewer places than that is in a pocket."""
-        return self.detour_tree // 3
-
-    @property
-    def detour_failures(self) -> int:
-        """Of them in a whole program that may find none."""
-        return self.detours_per_motion
 
 
 DEFAULT = Settings()

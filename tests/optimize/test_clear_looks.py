@@ -15,6 +15,7 @@ from trajopt_cli.shapes import Capsule, Solid
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles, Pieces, sample_times
 
 DAY = 86_400.0
+STEP = 5e-3  # s between two looks
 POST = Solid(Capsule("post", np.array([0.45, 0.3, 0.0]), np.array([0.45, 0.3, 0.7]), 0.05))
 
 
@@ -30,18 +31,18 @@ def rest(T: float, n: int = 7) -> JointProfiles:
 
 
 def test_a_way_and_a_days_rest_is_looked_at_as_the_way_alone() -> None:
-    alone, first = sample_times(way(1.0), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
-    t, begins = sample_times(Pieces((way(1.0), rest(DAY))), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
+    alone, first = sample_times(way(1.0), STEP, 1, DEFAULT.most_samples)
+    t, begins = sample_times(Pieces((way(1.0), rest(DAY))), STEP, 1, DEFAULT.most_samples)
     np.testing.assert_array_equal(t[: len(alone)], alone)
     np.testing.assert_array_equal(t[len(alone) :], [1.0 + DAY])
     np.testing.assert_array_equal(t[begins], [0.0, 0.25, 0.75, 1.0])
-    assert np.diff(alone).max() <= DEFAULT.clearance_check_step * (1 + 1e-9)
+    assert np.diff(alone).max() <= STEP * (1 + 1e-9)
     assert len(alone) == 201
     np.testing.assert_array_equal(first, [0, 50, 150])
 
 
 def test_a_motion_of_a_day_is_looked_at_so_often_and_no_more() -> None:
-    t, begins = sample_times(way(DAY), DEFAULT.clearance_check_step, 1, DEFAULT.most_samples)
+    t, begins = sample_times(way(DAY), STEP, 1, DEFAULT.most_samples)
     assert len(t) == 3 * DEFAULT.most_samples + 1
     np.testing.assert_allclose(t[begins], [0.0, 0.25 * DAY, 0.75 * DAY])
     assert (t[0], t[-1]) == (0.0, DAY)

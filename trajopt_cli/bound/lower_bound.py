@@ -28,6 +28,8 @@ from trajopt_cli.robot.enclosure import Enclosure, Range
 from trajopt_cli.trajectories.axes import Axes
 
 _BOUND_SPEEDS = 4  # velocity ranges from -V to V at the first level, doubled per level.
+_MOST_PAIRS = 1_500_000  # of cells per leg; a finer level is not begun beyond. Not measured.
+_FEW_PAIRS = 300_000  # of them; below, the next level aims at the incumbent itself. Not measured.
 _BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest.
 
 
@@ -189,7 +191,7 @@ class _Refinement:
             if any(not len(c.key) for c in cells):
                 return aim, reached
             pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
-            if level and pairs > settings.most_pairs:
+            if level and pairs > _MOST_PAIRS:
                 break
             parents = [
                 (np.zeros(len(c.key)) if ends is None else at_first)
@@ -218,7 +220,7 @@ class _Refinement:
             )
             if ends is not None and next_pairs > settings.bound_pairs:
                 break
-            if best < lower_aim < aim and next_pairs > settings.few_pairs:
+            if best < lower_aim < aim and next_pairs > _FEW_PAIRS:
                 aim = lower_aim
         return best, reached
 

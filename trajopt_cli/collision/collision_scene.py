@@ -143,7 +143,7 @@ class _Scene:
         owner = np.flatnonzero(out)
         low, high = first[owner].astype(float), last[owner].astype(float)
         batch = self._settings.batch // 2
-        alive = gone[last[owner]] - gone[first[owner]] > 2 * self._settings.clearance_step
+        alive = gone[last[owner]] - gone[first[owner]] > 2 * self._settings.clearance_margin
         while True:
             some = alive.any(axis=1) & out[owner]
             owner, low, high, alive = owner[some], low[some], high[some], alive[some]
@@ -166,7 +166,7 @@ class _Scene:
         alive &= self.near.bound(X) - self.wanted < half
         rows, pairs = np.nonzero(alive)
         distance = self.distance(X, rows, pairs)
-        alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > self._settings.clearance_step)
+        alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > self._settings.clearance_margin)
         out[owner[rows[distance < 0]]] = False
 
 

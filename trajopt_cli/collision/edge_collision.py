@@ -126,7 +126,9 @@ class EdgeCollision:
     def _given_up(self, leg: Leg) -> bool:
         """Whether no more ways are looked for in a leg's motion."""
         settings = self._axes.settings
-        return self._plans.get(leg.motion, 0) >= settings.detours_per_motion or self._fails >= settings.detour_failures
+        return (
+            self._plans.get(leg.motion, 0) >= settings.detours_per_motion or self._fails >= settings.detours_per_motion
+        )
 
     def _finder(self, leg: Leg, q_0: Array) -> Roadmap:
         """What finds ways from q_0; the rail stays there where the leg holds it."""

@@ -14,6 +14,10 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, sample_times, samples
 
+# s between two places of a motion that is looked at, besides its breaks: at 40 rad/s2 and 0.5 m it leaves the straight
+# way between them by 0.06 mm.
+_CHECK_STEP = 5e-3
+
 
 def touching(axes: Axes, problem: Problem, draft: Iterate) -> tuple[int, ...]:
     """The numbers of the legs whose motion is not clear, in order; none where there is nothing to touch."""
@@ -61,7 +65,7 @@ def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArra
     """Places (N, n) along motions, one after the other, and the first and last row of each."""
     settings = axes.settings
     # at their breaks, and often enough between them for straight ways in between
-    looks = (sample_times(one, settings.clearance_check_step, 1, settings.most_samples)[0] for one in motions)
+    looks = (sample_times(one, _CHECK_STEP, 1, settings.most_samples)[0] for one in motions)
     times = [np.clip(t, 0.0, one.T) for t, one in zip(looks, motions, strict=True)]
     ends = np.cumsum([len(t) for t in times])
     q = np.empty((ends[-1] if len(ends) else 0, axes.n))

@@ -116,12 +116,12 @@ class Roadmap:
     def _by_trees(self, q_0: Array, q_1: Array) -> Array | None:
         """Trees from both ends that grow by many places at once, each in turn towards places anywhere and then towards
         the other."""
-        settings = self._axes.settings
-        trees = [_Tree(q_0), _Tree(q_1)]
-        for number in range(settings.detour_tree):
+        growths, trees = self._axes.settings.detour_tree, [_Tree(q_0), _Tree(q_1)]
+        pocket = growths // 3  # a tree with fewer places after as many growths is in one
+        for number in range(growths):
             checkpoint()
             one, other = trees[number % 2], trees[1 - number % 2]
-            if number == settings.detour_pocket and min(len(tree.q) for tree in trees) < settings.detour_pocket:
+            if number == pocket and min(len(tree.q) for tree in trees) < pocket:
                 return None  # there is hardly a way out of where it begins or ends
             goals = self._random_free(_WAY_LOOKS)
             if not len(goals):

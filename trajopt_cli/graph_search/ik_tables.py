@@ -35,6 +35,7 @@ from trajopt_cli.trajectories.route import IkBranch
 
 _FEWEST_NODES = 3  # of them on a short line.
 
+_REACH_GRID = 193  # rail positions on a stroke at least; 12.5 mm apart on one of 2.4 m. Not measured.
 _PLACES = 5  # in a message
 _SAME = 1e-12  # m or 1: poses
 _FAR = np.pi / 2  # rad from node to node of a line: it may have been the other way round
@@ -422,7 +423,7 @@ def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible
         d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
         if (table := station_table(axes, problem, first, last, d)).labels and table.serves_lines:
             return None
-    d = grid_in_reach(axes, problem, first, last, settings.reach_grid, settings.reach_spacing)
+    d = grid_in_reach(axes, problem, first, last, _REACH_GRID, settings.reach_spacing)
     table = station_table(axes, problem, first, last, d)
     if not table.labels:  # else one configuration reaches all of its waypoints
         return _first_failure(axes, problem, first, last, d)
@@ -444,7 +445,7 @@ def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasi
         if problem.legs[k].kind is not LegKind.LINE:
             continue
         first, last = next(station for station in problem.stations if station[0] <= k < station[1])
-        d = grid_in_reach(axes, problem, first, last, settings.reach_grid, settings.reach_spacing)
+        d = grid_in_reach(axes, problem, first, last, _REACH_GRID, settings.reach_spacing)
         if (out := _broken_line(axes, problem, k, d, ())) is not None:
             return out
     return None

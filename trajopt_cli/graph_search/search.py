@@ -27,6 +27,7 @@ from trajopt_cli.trajectories.clearance_queries import EdgeChecks, States
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.route import IkBranch, OtherPart, Route
 
+_PATH_SAMPLES = 6  # places on a joint move whose distances add up to the tool's way. Not measured.
 _WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long.
 _SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time.
 _CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration.
@@ -123,7 +124,7 @@ def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> E
 
     if not problem.coordinated:
         return Lazy(T, doubt.astype(np.int8), (sure,))
-    shares = np.linspace(0, 1, axes.settings.path_samples)[1:-1]
+    shares = np.linspace(0, 1, _PATH_SAMPLES)[1:-1]
     return Lazy(T, 2 * doubt.astype(np.int8), (through(shares[len(shares) // 2 :][:1]), through(shares)))
 
 

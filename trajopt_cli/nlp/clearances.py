@@ -26,6 +26,8 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, Pat
 # 0.01, in 1.2 to 1.6 times the time.
 _SHALLOW = 0.03
 _MORE_ROOM = 1.2  # times what bodies come nearer between two nodes that the nodes keep from then on.
+_FAR = 0.3  # m within which pairs have rows, in place of `near`, on a leg whose first answer went deep into something.
+_SAMPLE_STEP = 0.01  # s between two looks at the distances at most. Not measured.
 _CLEAR_LOOKS = 3  # at the distances within an interval at least.
 
 
@@ -99,7 +101,7 @@ class Clearances:
                 else motion.q
             )
             fixed = [node for node, i in ((0, k), (motion.N, k + 1)) if self._given(i)]
-            within = settings.far if k in self._through else settings.near
+            within = _FAR if k in self._through else settings.near
             found = Tangents.about(self._scene, leg, q, m.room, settings, fixed, within, k in self._touched)
             if found is not None or k in self._beside:
                 self._beside.add(k)
@@ -159,7 +161,7 @@ class Clearances:
             return known
         assert self._scene is not None
         settings = self._axes.settings
-        t, first = sample_times(motion, settings.clearance_sample_step, _CLEAR_LOOKS + 1, settings.most_samples)
+        t, first = sample_times(motion, _SAMPLE_STEP, _CLEAR_LOOKS + 1, settings.most_samples)
         q = motion.sample(self._axes, t).q
         there = np.isfinite(q).all(axis=1)
         found = np.full(len(t), -np.inf)

@@ -33,7 +33,7 @@ def read(program: Transcription, x: Array) -> Iterate:
         k = leg.start
         if motion is None:
             legs.append(None)
-        elif var is None and glides(leg, axes.settings):
+        elif var is None and glides(leg):
             assert isinstance(motion, PathLeg)
             legs.append(_glide(axes, motion, q[k : k + 2]))
         elif var is None:  # a dwell in which nothing moves, or no time for it

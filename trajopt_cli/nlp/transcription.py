@@ -22,7 +22,6 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Passage, Problem
-from trajopt_cli.settings import Settings
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts
@@ -37,6 +36,17 @@ _MOST_ZONES = 0.6  # and at most.
 _DAMPED_AS_MUCH = 1.25
 
 _FASTEST = 50.0  # m/s or rad/s: no tool goes along a path so fast.
+_LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined.
+_GLIDE = 0.01  # s; in a shorter wait the rail goes on as it comes. Not measured.
+_DAMPING_DWELL = 4e-6  # s per squared scaled acceleration of the rail while the tool rests.
+
+# Bounds of variables, by the scaled time of a leg. Not measured.
+_SHARE_RATE = 50.0  # of the first derivative of a share and of the rail.
+_SHARE_CURVE = 500.0  # of the second one; of a share more where the tool's caps ask for it, up to
+_SHARPEST = 1e6
+_SHARE_JERK = 5e4  # of the third one, where jerk is limited.
+_TYPICAL_JERK = 100.0  # of a share: in its place in the damping of jerks.
+_JOINT_RATE, _JOINT_CURVE, _JOINT_JERK = 100.0, 1000.0, 1e5  # of the three derivatives of a joint on a grid.
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
@@ -93,9 +103,9 @@ def at_once(motion: LegMotion | None) -> bool:
     return motion is not None and motion.T == 0.0
 
 
-def glides(leg: Leg, settings: Settings) -> bool:
+def glides(leg: Leg) -> bool:
     """Whether a leg is a wait so short that the rail goes on as it comes."""
-    return leg.kind is LegKind.DWELL and leg.rail_moves and leg.duration is not None and leg.duration < settings.glide
+    return leg.kind is LegKind.DWELL and leg.rail_moves and leg.duration is not None and leg.duration < _GLIDE
 
 
 def path_rate(axes: Axes, passage: Passage, q: Array, qd: Array) -> float:
@@ -258,7 +268,7 @@ class Transcription:
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
         if motion is None or at_once(motion) or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
-        if glides(leg, self.axes.settings) and not self._smooth:
+        if glides(leg) and not self._smooth:
             self._glide(leg)
             return None
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (self.least(leg), INF)
@@ -293,7 +303,7 @@ class Transcription:
 
     def least(self, leg: Leg) -> float:
         """What a leg takes at least [s]; a joint move what the tool takes straight from stop to stop."""
-        shortest = max(self.axes.settings.least_time, leg.least)
+        shortest = max(_LEAST_TIME, leg.least)
         if leg.kind is not LegKind.JOINT:
             return shortest
         points = self.problem.waypoints[leg.start : leg.start + 2]
@@ -376,11 +386,10 @@ class Transcription:
     def _path_parameter(self, leg: Leg, motion: PathLeg, curve: float, out: LegVariables) -> None:
         """Variables of the path parameter going from 0 to 1, at rest at both ends but where these are passed, never
         backwards; curve: bound of its second derivative."""
-        settings = self.axes.settings
         N = motion.N
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
         low_s[-1], high_s[0] = 1.0, 0.0
-        high_v = np.full(N + 1, settings.scaled_rate)
+        high_v = np.full(N + 1, _SHARE_RATE)
         passed = {node: k for node, k in ((0, leg.start), (-1, leg.start + 1)) if k in self.waypoint_rate}
         high_v[[node for node in (0, -1) if node not in passed]] = 0.0
         out.s = self.nlp.variables(motion.s, low_s, high_s)
@@ -395,7 +404,7 @@ class Transcription:
         most[[0, -1]] = 0.0
         between = np.r_[0.0, (motion.a[1:] + motion.a[:-1]) / 2, 0.0]
         out.a = self.nlp.variables(between, -most, most)
-        out.j = self.nlp.variables(np.diff(between) / np.diff(motion.grid), -settings.share_jerk, settings.share_jerk)
+        out.j = self.nlp.variables(np.diff(between) / np.diff(motion.grid), -_SHARE_JERK, _SHARE_JERK)
 
     def rate_share(self, leg: Leg, node: int, k: int) -> float:
         """How much of the short line of waypoint k one s of a leg is, at its node 0 or -1."""
@@ -423,38 +432,33 @@ class Transcription:
         low, high = self._rail_range(margins.position[1:-1, layout.rail])
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
         out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
-        fast, sharp = (
-            bound[layout.rail] for bound in self._most(leg, motion, settings.scaled_rate, settings.share_curve)
-        )
+        fast, sharp = (bound[layout.rail] for bound in self._most(leg, motion, _SHARE_RATE, _SHARE_CURVE))
         out.w = nlp.variables(motion.w, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, layout.r)
         most = np.tile(sharp, (M, 1))
         guess = motion.b
         if self._smooth:
             guess = np.vstack([guess[:1], (guess[1:] + guess[:-1]) / 2, guess[-1:]])
             steps = np.diff(motion.grid)[:, None]
-            out.y = nlp.variables(np.diff(guess, axis=0) / steps, -settings.share_jerk, settings.share_jerk).reshape(
-                N, layout.r
-            )
+            out.y = nlp.variables(np.diff(guess, axis=0) / steps, -_SHARE_JERK, _SHARE_JERK).reshape(N, layout.r)
         elif leg.kind is LegKind.DWELL and leg.duration is not None:
             most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
         out.b = nlp.variables(np.clip(guess, -most, most), -most.ravel(), most.ravel()).reshape(M, layout.r)
         for j in range(layout.r):
             self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j], out.y[:, j] if self._smooth else NONE)
-        self._damp(out.b, settings.damping if leg.kind is LegKind.LINE else settings.damping_dwell)
+        self._damp(out.b, settings.damping if leg.kind is LegKind.LINE else _DAMPING_DWELL)
         if self.axes.jerk is not None:
             self._damp_jerk(out.y, self.axes.jerk[layout.rail] * motion.T**3, motion.T)
         self._linked(leg, layout.rail, out.w, out.b, out.T)
 
     def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
-        settings = self.axes.settings
         out.h = self._zones(motion)
         line = leg.kind is LegKind.LINE
         if line:
             sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow path has short ramps
-            self._path_parameter(leg, motion, max(settings.share_curve, min(sharp, settings.sharpest)), out)
+            self._path_parameter(leg, motion, max(_SHARE_CURVE, min(sharp, _SHARPEST)), out)
             self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
             if self._smooth:
-                self._damp_jerk(out.j[:, None], np.array([settings.typical_jerk]), motion.T)
+                self._damp_jerk(out.j[:, None], np.array([_TYPICAL_JERK]), motion.T)
         fixed = line and self.problem.coordinated
         tied = fixed and self.axes.layout.r > 0  # without a rail it is the same node
         if not tied:
@@ -535,15 +539,13 @@ class Transcription:
         out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
         if self.axes.couplings:
             self._hold(self.formulation.sums(), {"q": out.q[1:-1]}, {"room": margins.position[1:-1]})
-        fast, sharp = self._most(leg, motion, settings.joint_rate, settings.joint_curve)
+        fast, sharp = self._most(leg, motion, _JOINT_RATE, _JOINT_CURVE)
         out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
         if self._smooth:
             steps = np.diff(motion.grid)[:, None]
             guess = np.vstack([motion.a[:1], (motion.a[1:] + motion.a[:-1]) / 2, motion.a[-1:]])
             out.qa = nlp.variables(guess, -np.tile(sharp, N + 1), np.tile(sharp, N + 1)).reshape(N + 1, n)
-            out.qj = nlp.variables(np.diff(guess, axis=0) / steps, -settings.joint_jerk, settings.joint_jerk).reshape(
-                N, n
-            )
+            out.qj = nlp.variables(np.diff(guess, axis=0) / steps, -_JOINT_JERK, _JOINT_JERK).reshape(N, n)
         else:
             out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
         for indices, step in zip(out.qa, np.diff(motion.grid), strict=False):

@@ -189,7 +189,7 @@ def _timed_runs(
             out[run] = passed_smoothly(axes, problem, run, q, cfx) or NotDriven(run)
         else:
             left.append(run)
-    nodes = [settings.stop_to_stop_nodes if last == first + 1 else settings.run_nodes for first, last in left]
+    nodes = [3 * settings.run_nodes if last == first + 1 else settings.run_nodes for first, last in left]
     paths = dict(zip(left, sample_paths(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
     for run, path in paths.items():
         try:

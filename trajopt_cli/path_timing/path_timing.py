@@ -69,7 +69,7 @@ class PathMargins:
             for k, order in enumerate((1, 2) if limit.name in used else ()):
                 ratio = seen.by_name[limit.name][:, limit.orders == order].max(axis=1, initial=0.0)
                 over, margin = ratio > limit.safe, self.by_name[limit.name][:, k]
-                active = np.clip(used[limit.name][:, k], margin * settings.least_share, margin)
+                active = np.clip(used[limit.name][:, k], margin * settings.least_left, margin)
                 margin[over] = active[over] * (limit.safe - settings.beyond) / ratio[over]
                 changed |= over
         return changed

@@ -67,7 +67,7 @@ def _along(axes: Axes, problem: Problem, k: int, q: Array, cfx: Sequence[int]) -
     """One profile along the path, with the ratio of its constants that was found best."""
     settings = axes.settings
     leg = problem.legs[k]
-    path = sample_path(axes, problem, (k, k + 1), q, cfx, settings.smooth_nodes)
+    path = sample_path(axes, problem, (k, k + 1), q, cfx, settings.run_nodes // 2)
     if path is None:
         return None
     rows = stacked(rows_on(axes, problem, path, but_torques(axes)))

@@ -135,7 +135,7 @@ def _min_effort_motions(
 ) -> dict[int, LegMotion]:
     """A span's motions by the law of least effort; none where no gentler one is found."""
     settings = axes.settings
-    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, settings.effort_nodes)
+    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, settings.run_nodes)
     if path is None:
         return {}
 

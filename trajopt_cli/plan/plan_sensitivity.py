@@ -48,6 +48,7 @@ from trajopt_cli.trajectory import hermite
 _LATER = 0.001
 # m of rail that are tried in turn where a place was moved out of the arm's reach.
 _SHIFTS = (0.0, 0.002, -0.002, 0.005, -0.005, 0.01, -0.01, 0.02, -0.02, 0.05, -0.05)
+_JUMPED = 0.3  # share by which first order may be off before it is told from half of that. Not measured.
 _AT_END = 0.998  # share of half an axis' range from which it stands at an end.
 
 Changed = Callable[[float], tuple[Program, Plant]]
@@ -171,11 +172,7 @@ class PlanSensitivity:
                 except (NotConverged, NotDriven) as no:
                     why = why or part.why(no)
             predicted = _predicted_gain(slopes, settings.small_change)
-            if (
-                predicted is not None
-                and abs(predicted - gain) > settings.jumped * max(abs(predicted), abs(gain))
-                and not why
-            ):
+            if predicted is not None and abs(predicted - gain) > _JUMPED * max(abs(predicted), abs(gain)) and not why:
                 nearer = self._changed(
                     *changed(settings.small_change / 2)
                 )  # a law may jump where a corner takes another size

@@ -99,7 +99,7 @@ def with_legal_rows(axes: Axes, problem: Problem, draft: Iterate, patience: Pati
             return Mended(draft, (trajectory, bounds), notes)
         legs = np.unique(np.searchsorted(bounds, over, side="right") - 1).tolist()
         for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs}):
-            share = (axes.settings.hardly - 1) * 2.0 ** rounds[span]
+            share = (1 - axes.settings.start) * 2.0 ** rounds[span]
             rounds[span] += 1
             found = _gentler(axes, problem, draft, span, [k for k in legs if span[0] <= k < span[1]], share, patience)
             if found is None:

@@ -14,6 +14,7 @@ from trajopt_cli.trajectories.leg_trajectories import LegMotion, sampled
 from trajopt_cli.trajectories.limits import limits_of
 
 _STILL = 1e-09  # rad or m: no way to go.
+_FEWEST_SAMPLES, _MOST_SAMPLES = 40, 400  # of a motion; between, one per `sample_step`. Not measured.
 
 
 def binding_limits(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[str]:
@@ -22,10 +23,7 @@ def binding_limits(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]
     settings = axes.settings
     out = [leg.waits_for if leg.least else "programmed duration" for leg in legs]
     asked = [i for i, leg in enumerate(legs) if leg.duration is None]
-    counts = [
-        int(np.clip(motions[i].T / settings.sample_step, settings.fewest_samples, settings.active_limit_samples))
-        for i in asked
-    ]
+    counts = [int(np.clip(motions[i].T / settings.sample_step, _FEWEST_SAMPLES, _MOST_SAMPLES)) for i in asked]
     behind = np.cumsum(counts)
     for _, group in groupby(range(len(asked)), key=lambda j: int(behind[j]) // (6 * settings.batch)):
         some = [*group]

@@ -21,6 +21,8 @@ from trajopt_cli.trajectories.leg_trajectories import LegMotion, Sample, sampled
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples
 
+_SHORT_STEP = 2e-4  # s between two looks in a short interval, which has fewer than `dense_samples` then. Not measured.
+
 
 @dataclass(frozen=True, eq=False)
 class Ratios:
@@ -109,7 +111,7 @@ def _sample_times(motion: LegMotion, times: int, settings: Settings) -> tuple[Ar
     breaks = motion.breaks()
     steps = np.diff(breaks)
     most = int(np.clip(np.max(steps) / settings.sample_step, settings.dense_samples, settings.most_samples))
-    samples = np.clip(np.ceil(steps / settings.fine_sample_step).astype(int), settings.least_samples, most) * times
+    samples = np.clip(np.ceil(steps / _SHORT_STEP).astype(int), settings.least_samples, most) * times
     starts = np.concatenate([[0], np.cumsum(samples + 2)])
     inside = np.arange(starts[-1]) - np.repeat(starts[:-1], samples + 2) - 0.5
     u = np.clip(inside / np.repeat(samples, samples + 2), 1e-9, 1 - 1e-9)

@@ -13,7 +13,8 @@ from trajopt_cli.settings import Settings
 from trajopt_cli.timing.double_integrator import cruise_profile, gentlest_profile, shortest_time, trapezoid_time
 from trajopt_cli.trajectories.leg_trajectories import JointProfiles
 
-_ATTEMPTS = 245  # of them: less than a millisecond in all.
+_LONGER = 4e-6  # s that a joint move is lengthened at a time, until its switches stand apart.
+_ATTEMPTS = 245  # of these: less than a millisecond in all.
 _SAME_SWITCH = 1e-10  # s; switches nearer than this are one.
 # shares of its top acceleration that an axis with time to spare tries in turn.
 _GENTLER = (
@@ -51,7 +52,7 @@ def profiles(
         way = np.maximum(np.abs(q_1 - q_0), 1e-12)
         T = max(T, float(trapezoid_time(1.0, np.min(V / way), np.min(A / way))))
     for attempt in range(_ATTEMPTS):
-        longer = T + attempt * settings.longer
+        longer = T + attempt * _LONGER
         found = (
             _common(q_0, q_1, V, A, longer, settings.switches_apart)
             if common
