@@ -10,7 +10,6 @@ from places import ARMS
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.robot.model import RobotModel, load_robot
-from trajopt_cli.robot.protocol import Robot
 
 
 @pytest.fixture(scope="module", params=ARMS)
@@ -35,10 +34,9 @@ def pin_pose(robot: RobotModel, q: Array) -> Array:
     return data.oMf[robot.pin_model.getFrameId("tool0")].homogeneous
 
 
-def test_a_shipped_robot_is_a_robot(robot: RobotModel) -> None:
-    protocol: Robot = robot
-    assert protocol.layout.n == len(protocol.axis_names)
-    assert not np.any(protocol.turns[0])
+def test_every_axis_has_a_name_and_no_turn_is_tried_first(robot: RobotModel) -> None:
+    assert robot.layout.n == len(robot.axis_names)
+    assert not np.any(robot.turns[0])
 
 
 def test_the_branches_of_a_pose_hold_the_joints_it_came_from(robot: RobotModel) -> None:

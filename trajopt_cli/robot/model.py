@@ -34,7 +34,7 @@ from trajopt_cli.scenario import Settling
 from trajopt_cli.shapes import Capsule
 
 if TYPE_CHECKING:
-    from trajopt_cli.robot.symbolic import Expressions
+    from trajopt_cli.robot.symbolic_inverse import ArmExpressions
 
 __all__ = ["Arm", "RobotModel", "Structure", "load_robot", "robot_names"]
 
@@ -184,7 +184,8 @@ class RobotModel:
         return closed_form.confdata_admits(self, conf, arm)
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
-        """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
+        """The first three joints and their rates over the intervals between rail positions (k + 1,); twist (6,): of the
+        flange on its way through the pose, world axes."""
         X_OW = inverse_pose(self.X_WO0)
         e = np.zeros(3) if self.rail_axis_W is None else X_OW[:3, :3] @ self.rail_axis_W
         lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
@@ -193,7 +194,7 @@ class RobotModel:
         return enclose(self.arm, X_OW @ X_WF, e, rail, lower, upper, twist_O)
 
     @cached_property
-    def expressions(self) -> Expressions:
+    def expressions(self) -> ArmExpressions:
         """Forward kinematics and the inverse on one branch as CasADi expressions."""
         from trajopt_cli.robot.symbolic_inverse import ArmExpressions
 

@@ -6,7 +6,7 @@ first, as in RobotModel. Casadi drops products with exact zeros and ones, so pla
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -23,19 +23,6 @@ class Reached(NamedTuple):
     q: ca.SX
     elbow: ca.SX
     wrist: ca.SX
-
-
-class Expressions(Protocol):
-    """A robot's kinematics as CasADi expressions of its n axes."""
-
-    def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Flange position (3,) [m] and rotation (3, 3) in the world at axes q (n,)."""
-
-    def branch(self, number: int) -> Array:
-        """The parameters (3,) that stand for a branch in inverse."""
-
-    def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
-        """Joints of a flange pose in the arm's base frame, on a branch, within half a turn of joints near (m,)."""
 
 
 def forward(model: pin.Model, q: ca.SX, X_FT: Array | None = None) -> tuple[ca.SX, ca.SX]:

@@ -46,15 +46,15 @@ class ArmExpressions:
     chain_axes: Callable[[ca.SX], ca.SX]
 
     def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Flange position (3,) and rotation (3, 3) in the world."""
+        """Flange position (3,) [m] and rotation (3, 3) in the world at axes q (n,)."""
         return forward(self.chain, self.chain_axes(q))
 
     def branch(self, number: int) -> Array:
-        """The signs (3,) of a cfx."""
+        """The signs (3,) of a cfx, which stand for a branch in inverse."""
         return BranchSigns.from_cfx(number).vector()
 
     def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
-        """See inverse_arm."""
+        """Joints of a flange pose in the arm's base frame, on a branch, within half a turn of joints near (6,)."""
         arm = self.arm
         if not arm.closed_form:
             raise ValueError("a wrist with an offset has no closed form")

@@ -13,7 +13,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.layout import AxisLayout
-from trajopt_cli.robot.protocol import Robot
+from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.settings import Settings
 
 
@@ -46,7 +46,7 @@ class Axes:
     of it motions must keep are `limits_of` the axes."""
 
     plant: Plant
-    robot: Robot
+    robot: RobotModel
     layout: AxisLayout
     names: tuple[str, ...]
     lower: Array
@@ -61,7 +61,7 @@ class Axes:
     def of(cls, plant: Plant) -> Axes:
         """The axes of a plant."""
         limits = plant.limits
-        robot: Robot = plant.robot
+        robot = plant.robot
         X_WB0 = robot.X_WB0
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
