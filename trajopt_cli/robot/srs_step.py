@@ -1,7 +1,7 @@
 """SrsRobot's kinematics for one sample in plain floats: what a control loop at 1 ms calls.
 
-The same algebra as robot.srs and robot.srs_inverse, written once more because NumPy costs a microsecond per operation,
-however short the array. Tests hold the two against each other.
+The inverse is the algebra of robot.srs_inverse, written once more because NumPy costs a microsecond per operation,
+however short the array; forward kinematics and Jacobian are pinocchio's. Tests hold both against the vectorised ones.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.robot.chain import checked_pose
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import NEAR, STRETCH, ArmAngle, elbow_side, flips
+from trajopt_cli.robot.urdf import FLANGE
 
 Floats3 = tuple[float, float, float]
 Floats7 = tuple[float, float, float, float, float, float, float]
 Floats9 = tuple[float, float, float, float, float, float, float, float, float]
-Jacobian = tuple[Floats7, Floats7, Floats7, Floats7, Floats7, Floats7]
-_Frame = tuple[float, float, float, float, float, float, float, float, float]  # axes x, y, z in the base, one by one
+Jacobian = tuple[tuple[float, ...], ...]  # (6, 7)
 
 
 class SrsStep:
@@ -48,28 +48,33 @@ class SrsStep:
         self._bs = robot.lengths.bs
         side = elbow_side(definition, configuration)
         self._swivel = side * cos(arm_angle), side * sin(arm_angle)
-        self._R_WB, self._p_WB = _nine(robot.X_WB[:3, :3]), _three(robot.X_WB[:3, 3])
-        self._R_BW = _nine(robot.X_WB[:3, :3].T)
-        self._R_FT, self._R_TF = _nine(X_FT[:3, :3]), _nine(X_FT[:3, :3].T)
+        self._R_BW, self._p_WB = _nine(robot.X_WB[:3, :3].T), _three(robot.X_WB[:3, 3])
+        self._R_TF = _nine(X_FT[:3, :3].T)
         self._base_straight = bool(np.array_equal(robot.X_WB[:3, :3], np.eye(3)))
         self._tool_straight = bool(np.array_equal(X_FT[:3, :3], np.eye(3)))
         from_wrist = X_FT[:3, 3] + [0.0, 0.0, robot.lengths.wf]
-        self._wrist_to_tcp = _three(from_wrist)  # flange axes
         self._tcp_to_wrist = _three(-(X_FT[:3, :3].T @ from_wrist))  # the TCP's axes
+        import pinocchio as pin
+
+        self._pin, self._model = pin, pin.Model(robot.pin_model)  # a copy: the TCP must not stay in the robot's model
+        flange = self._model.frames[self._model.getFrameId(FLANGE)]
+        tcp = pin.Frame("trajopt tcp", flange.parentJoint, flange.placement * pin.SE3(np.array(X_FT)), pin.OP_FRAME)
+        self._tcp = self._model.addFrame(tcp)
+        self._data = self._model.createData()
 
     def joints(self, R: Floats9, p: Floats3) -> Floats7 | None:
         """Joints [rad] that put the TCP at R, p; None where the wrist centre is out of reach. No limits are applied.
 
         Angles and singular cases as robot.srs_inverse.inverse has them.
         """
-        u0, u1, u2 = _turn(R, self._tcp_to_wrist)
+        u0, u1, u2 = turned(R, self._tcp_to_wrist)
         w0, w1, w2 = self._p_WB
         u0, u1, u2 = u0 + p[0] - w0, u1 + p[1] - w1, u2 + p[2] - w2
         if not self._tool_straight:
-            R = _product(R, self._R_TF)
+            R = product(R, self._R_TF)
         if not self._base_straight:
-            u0, u1, u2 = _turn(self._R_BW, (u0, u1, u2))
-            R = _product(self._R_BW, R)
+            u0, u1, u2 = turned(self._R_BW, (u0, u1, u2))
+            R = product(self._R_BW, R)
         u2 -= self._bs
         ahead = hypot(u0, u1)
         d = hypot(ahead, u2)
@@ -119,73 +124,15 @@ class SrsStep:
 
     def forward(self, q: Floats7) -> tuple[Floats9, Floats3]:
         """The TCP's rotation and position of joints q."""
-        (x0, x1, x2, y0, y1, y2, z0, z1, z2), _, (w0, w1, w2), _ = self._walk(q)
-        a, b, c = self._wrist_to_tcp
-        p = (w0 + a * x0 + b * y0 + c * z0, w1 + a * x1 + b * y1 + c * z1, w2 + a * x2 + b * y2 + c * z2)
-        R = (x0, y0, z0, x1, y1, z1, x2, y2, z2)
-        if not self._tool_straight:
-            R = _product(R, self._R_FT)
-        if not self._base_straight:
-            R, p = _product(self._R_WB, R), _turn(self._R_WB, p)
-        w0, w1, w2 = self._p_WB
-        return R, (p[0] + w0, p[1] + w1, p[2] + w2)
+        self._pin.forwardKinematics(self._model, self._data, np.array(q))
+        X = self._pin.updateFramePlacement(self._model, self._data, self._tcp)
+        return _nine(X.rotation), _three(X.translation)
 
     def jacobian(self, q: Floats7) -> Jacobian:
         """Geometric Jacobian at the TCP in world axes, linear rows first."""
-        (x0, x1, x2, y0, y1, y2, z0, z1, z2), (e0, e1, e2), (w0, w1, w2), axes = self._walk(q)
-        a, b, c = self._wrist_to_tcp
-        l0, l1, l2 = a * x0 + b * y0 + c * z0, a * x1 + b * y1 + c * z1, a * x2 + b * y2 + c * z2
-        wrist = (l0, l1, l2)
-        elbow = (w0 - e0 + l0, w1 - e1 + l1, w2 - e2 + l2)
-        shoulder = (w0 + l0, w1 + l1, w2 - self._bs + l2)
-        columns = []
-        for axis, (r0, r1, r2) in zip(axes, (shoulder,) * 3 + (elbow,) + (wrist,) * 3, strict=True):
-            a0, a1, a2 = axis
-            lever = (a1 * r2 - a2 * r1, a2 * r0 - a0 * r2, a0 * r1 - a1 * r0)
-            if not self._base_straight:
-                lever, axis = _turn(self._R_WB, lever), _turn(self._R_WB, axis)
-            columns.append(lever + axis)
-        rows: Jacobian = tuple(zip(*columns, strict=True))
-        return rows
-
-    def _walk(self, q: Floats7) -> tuple[_Frame, Floats3, Floats3, tuple[Floats3, ...]]:
-        """In the base: the flange's axes, the elbow, the wrist centre, and the seven joint axes."""
-        q1, q2, q3, q4, q5, q6, q7 = q
-        c, s = cos(q1), sin(q1)
-        x0, x1, x2, y0, y1, y2 = c, s, 0.0, -s, c, 0.0
-        a2 = (y0, y1, y2)
-        c, s = cos(q2), sin(q2)
-        x0, x1, x2, z0, z1, z2 = c * x0, c * x1, -s, s * x0, s * x1, c
-        a3 = (z0, z1, z2)
-        c, s = cos(q3), sin(q3)
-        x0, x1, x2, y0, y1, y2 = (
-            c * x0 + s * y0, c * x1 + s * y1, c * x2, c * y0 - s * x0, c * y1 - s * x1, -s * x2,
-        )  # fmt: skip
-        se, ew = self._se, self._ew
-        e0, e1, e2 = se * z0, se * z1, self._bs + se * z2
-        a4 = (-y0, -y1, -y2)
-        c, s = cos(q4), -sin(q4)
-        x0, x1, x2, z0, z1, z2 = (
-            c * x0 - s * z0, c * x1 - s * z1, c * x2 - s * z2, c * z0 + s * x0, c * z1 + s * x1, c * z2 + s * x2,
-        )  # fmt: skip
-        w0, w1, w2 = e0 + ew * z0, e1 + ew * z1, e2 + ew * z2
-        a5 = (z0, z1, z2)
-        c, s = cos(q5), sin(q5)
-        x0, x1, x2, y0, y1, y2 = (
-            c * x0 + s * y0, c * x1 + s * y1, c * x2 + s * y2, c * y0 - s * x0, c * y1 - s * x1, c * y2 - s * x2,
-        )  # fmt: skip
-        a6 = (y0, y1, y2)
-        c, s = cos(q6), sin(q6)
-        x0, x1, x2, z0, z1, z2 = (
-            c * x0 - s * z0, c * x1 - s * z1, c * x2 - s * z2, c * z0 + s * x0, c * z1 + s * x1, c * z2 + s * x2,
-        )  # fmt: skip
-        a7 = (z0, z1, z2)
-        c, s = cos(q7), sin(q7)
-        x0, x1, x2, y0, y1, y2 = (
-            c * x0 + s * y0, c * x1 + s * y1, c * x2 + s * y2, c * y0 - s * x0, c * y1 - s * x1, c * y2 - s * x2,
-        )  # fmt: skip
-        axes = ((0.0, 0.0, 1.0), a2, a3, a4, a5, a6, a7)
-        return (x0, x1, x2, y0, y1, y2, z0, z1, z2), (e0, e1, e2), (w0, w1, w2), axes
+        frame = self._pin.LOCAL_WORLD_ALIGNED
+        rows = self._pin.computeFrameJacobian(self._model, self._data, np.array(q), self._tcp, frame).tolist()
+        return tuple(map(tuple, rows))
 
 
 def _placed(angle: float, half: bool) -> float:
@@ -195,12 +142,14 @@ def _placed(angle: float, half: bool) -> float:
     return angle if angle > -pi else pi
 
 
-def _turn(R: Floats9, v: Floats3) -> Floats3:
+def turned(A: Floats9, v: Floats3) -> Floats3:
+    """A v."""
     a, b, c = v
-    return R[0] * a + R[1] * b + R[2] * c, R[3] * a + R[4] * b + R[5] * c, R[6] * a + R[7] * b + R[8] * c
+    return A[0] * a + A[1] * b + A[2] * c, A[3] * a + A[4] * b + A[5] * c, A[6] * a + A[7] * b + A[8] * c
 
 
-def _product(A: Floats9, B: Floats9) -> Floats9:
+def product(A: Floats9, B: Floats9) -> Floats9:
+    """A B."""
     a, b, c, d, e, f, g, h, i = A
     j, k, m, n, o, p, q, r, s = B
     return (

@@ -14,13 +14,13 @@ from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.iiwa.controller.forces import SMALLEST, ForceMap, SingularArm, TorqueErrors, clamped, zero
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
 from trajopt_cli.iiwa.controller.pose_regulator import pose_regulator
-from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, product, rotation, transpose, turned
+from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, rotation, transpose
 from trajopt_cli.iiwa.task.model import BETA_LIMIT, Change, Clamps, RotationLaw
 from trajopt_cli.iiwa.task.world import Measured, Seven, Six
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import arm_angle, configuration
-from trajopt_cli.robot.srs_step import SrsStep
+from trajopt_cli.robot.srs_step import SrsStep, product, turned
 
 _SOON = 1e-9  # s: a change or push this little after a period's start begins with it
 

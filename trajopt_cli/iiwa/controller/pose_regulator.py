@@ -13,13 +13,13 @@ from trajopt_cli.iiwa.controller.rotations import (
     angles,
     exponential,
     logarithm,
-    product,
     rotation,
     spin,
     transpose,
 )
 from trajopt_cli.iiwa.task.model import Compliance, Feed, RotationLaw
 from trajopt_cli.iiwa.task.world import Six
+from trajopt_cli.robot.srs_step import product
 
 
 class PoseRegulator(ABC):

@@ -19,9 +19,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.iiwa.controller.rotations import Nine, Three, exponential, logarithm, nine, product, transpose
+from trajopt_cli.iiwa.controller.rotations import Nine, Three, exponential, logarithm, nine, transpose
 from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration
 from trajopt_cli.iiwa.task.world import Six
+from trajopt_cli.robot.srs_step import product
 
 Coefficients = tuple[float, float, float, float, float, float]
 

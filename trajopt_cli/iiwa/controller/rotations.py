@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import atan2, cos, hypot, pi, remainder, sin, sqrt
 
-Three = tuple[float, float, float]
-Nine = tuple[float, float, float, float, float, float, float, float, float]
+from trajopt_cli.robot.srs_step import Floats3, Floats9
+
+Three = Floats3
+Nine = Floats9
 
 
 def nine(row: Iterable[float]) -> Nine:
@@ -18,34 +20,10 @@ def nine(row: Iterable[float]) -> Nine:
     return (a, b, c, d, e, f, g, h, i)
 
 
-def product(A: Nine, B: Nine) -> Nine:
-    """A B."""
-    a, b, c, d, e, f, g, h, i = A
-    j, k, m, n, o, p, q, r, s = B
-    return (
-        a * j + b * n + c * q,
-        a * k + b * o + c * r,
-        a * m + b * p + c * s,
-        d * j + e * n + f * q,
-        d * k + e * o + f * r,
-        d * m + e * p + f * s,
-        g * j + h * n + i * q,
-        g * k + h * o + i * r,
-        g * m + h * p + i * s,
-    )
-
-
 def transpose(A: Nine) -> Nine:
     """The inverse of a rotation."""
     a, b, c, d, e, f, g, h, i = A
     return (a, d, g, b, e, h, c, f, i)
-
-
-def turned(A: Nine, v: Three) -> Three:
-    """A v."""
-    a, b, c, d, e, f, g, h, i = A
-    x, y, z = v
-    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
 
 def rotation(alpha: float, beta: float, gamma: float) -> Nine:
