@@ -58,6 +58,9 @@ class RailLast:
         inner = self.robot.differential(q[..., FIRST], X_FT)
 
         class Differential:
+            def pose(self) -> Array:
+                return inner.pose()
+
             def jacobian(self) -> Array:
                 return inner.jacobian()[..., LAST]
 

@@ -85,7 +85,7 @@ def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> E
     V, A = axes.velocity_on(leg), axes.usual_acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
     slow = _slowest_axes(a, b, V, A, axes.settings.slowest_states) if moving else list(range(axes.n))
-    p_a, p_b = (_tool_points(axes, leg, x.q) for x in (a, b))
+    p_a, p_b = (axes.tool_points(x.q, leg.X_FT) for x in (a, b))
     bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
     rows = max(1, (3 * axes.settings.batch) // len(b.q))
     for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
@@ -159,12 +159,6 @@ def _axis_time(a: _Layer, b: _Layer, V: Array, A: Array, i: slice, k: slice, j: 
     return alone(b.q[None, k, j] - a.q[i, None, j], a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
 
 
-def _tool_points(axes: Axes, leg: Leg, q: Array) -> Array:
-    """The tool centre point (..., 3) of axes (..., n)."""
-    X_WF = axes.forward(q)
-    return np.asarray(X_WF[..., :3, :3] @ leg.X_FT[:3, 3] + X_WF[..., :3, 3])
-
-
 def _chord_time(leg: Leg, p_a: Array, p_b: Array) -> Array:
     """What the tool takes straight from places (n_a, 3) to places (n_b, 3)."""
     chord = np.zeros((len(p_a), len(p_b)))
@@ -180,7 +174,7 @@ def _tool_path_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_
     rows = max(1, (3 * axes.settings.batch) // (16 * len(shares)))
     for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
         checkpoint()
-        tool = _tool_points(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
+        tool = axes.tool_points(q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]), leg.X_FT)
         steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
         out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
     return trapezoid_time(out, leg.v_tcp, mean_ramp(*leg.ramps))

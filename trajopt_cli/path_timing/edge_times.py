@@ -145,7 +145,7 @@ def least_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> float:
 def _own_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
     """Least times (m,) of joint moves in which every axis has its own profile; the tool's caps enter by the chord."""
     T = np.max(trapezoid_time(np.abs(q_1 - q_0), axes.velocity_on(leg), axes.acceleration_on(leg)), axis=-1)
-    tool_0, tool_1 = ((axes.forward(q) @ leg.X_FT)[:, :3, 3] for q in (q_0, q_1))
+    tool_0, tool_1 = (axes.tool_points(q, leg.X_FT) for q in (q_0, q_1))
     chord = np.linalg.norm(tool_1 - tool_0, axis=1)
     return np.asarray(np.maximum(T, trapezoid_time(chord, leg.v_tcp, mean_ramp(*leg.ramps))))
 

@@ -131,7 +131,9 @@ def but_torques(axes: Axes) -> list[Limit]:
 def stacked(rows: Mapping[str, PathRows]) -> PathRows:
     """The columns of all limits side by side."""
     every = [*rows.values()]
-    return PathRows(*(np.concatenate([getattr(one, x.name) for one in every], axis=-1) for x in fields(PathRows)))
+    top, slopes, bends = (np.hstack([getattr(one, name) for one in every]) for name in ("top", "slopes", "bends"))
+    none = not any(one.rests.any() for one in every)
+    return PathRows(top, slopes, bends, PathRows.no_rests(slopes) if none else np.hstack([one.rests for one in every]))
 
 
 def rows_on(

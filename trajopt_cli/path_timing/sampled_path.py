@@ -495,7 +495,7 @@ def _distinct(cuts: set[float]) -> list[float]:
 def _reaching(axes: Axes, move: JointSegment, X_FT: Array, point: Array, radius: float, end: bool) -> float:
     """Which part of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
     fraction = np.linspace(0, 0.5, axes.settings.zone_samples)
-    away = np.linalg.norm((axes.forward(move.axes(1 - fraction if end else fraction)) @ X_FT)[:, :3, 3] - point, axis=1)
+    away = np.linalg.norm(axes.tool_points(move.axes(1 - fraction if end else fraction), X_FT) - point, axis=1)
     outside = np.flatnonzero(away > radius)
     if not len(outside):
         return 0.5

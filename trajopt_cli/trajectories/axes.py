@@ -141,6 +141,10 @@ class Axes:
         """Flange poses (..., 4, 4) of axes (..., n)."""
         return self.robot.forward(q)
 
+    def tool_points(self, q: Array, X_FT: Array) -> Array:
+        """The tool centre point (..., 3) of axes (..., n)."""
+        return self.differential(q, X_FT).pose()[..., :3, 3]
+
     def jacobian(self, q: Array, X_FT: Array) -> Array:
         """Geometric Jacobian (..., 6, n) at the TCP, world axes."""
         return self.robot.jacobian(q, X_FT)

@@ -94,7 +94,12 @@ class PathRows:
     @classmethod
     def of_acceleration(cls, slopes: Array, bends: Array, rests: Array | None = None) -> PathRows:
         """A limit linear in u and x."""
-        return cls(slopes[..., :0], slopes, bends, np.zeros_like(slopes) if rests is None else rests)
+        return cls(slopes[..., :0], slopes, bends, cls.no_rests(slopes) if rests is None else rests)
+
+    @staticmethod
+    def no_rests(slopes: Array) -> Array:
+        """Rests that are 0 of slopes (m, c), in no memory: most have none."""
+        return np.broadcast_to(0.0, slopes.shape)
 
 
 @dataclass(frozen=True, eq=False)

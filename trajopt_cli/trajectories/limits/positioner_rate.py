@@ -49,7 +49,7 @@ class PositionerRate(Limit):
         with np.errstate(divide="ignore"):
             top = 1 / path.positioner_use[..., :1]
         slopes = path.positioner_use[..., 1:]
-        return PathRows(top, slopes, np.zeros_like(slopes), np.zeros_like(slopes))
+        return PathRows(top, slopes, np.zeros_like(slopes), PathRows.no_rests(slopes))
 
     def node_kind(self, leg: Leg) -> Hashable:
         """See Limit."""

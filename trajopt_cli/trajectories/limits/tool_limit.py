@@ -9,9 +9,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.native.loops import loops
 from trajopt_cli.problem.problem import Leg, LegKind
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
+from trajopt_cli.trajectories.limits.limit import (
+    INF,
+    Limit,
+    MotionSamples,
+    NodeMotion,
+    PathRows,
+    PathSamples,
+    Row,
+)
 
 # of the tool's acceleration on a half circle; the polygon passes the limit by 2 % at its corners, which the dense check
 # takes back where it is used.
@@ -49,7 +58,7 @@ class ToolLimit(Limit):
     def __init__(self, axes: Axes, angles: Array = _ANGLES):
         """angles: of the polygon's sides that path_rows draws about the circle of the acceleration [rad]."""
         super().__init__(axes)
-        self._angles = angles
+        self._sides = np.column_stack([np.cos(angles), np.sin(angles)])
 
     @property
     def orders(self) -> Array:
@@ -82,22 +91,14 @@ class ToolLimit(Limit):
     def path_rows(self, path: PathSamples) -> PathRows:
         """See Limit. The acceleration's limit is a circle in the plane of path and bend, with a polygon drawn about it;
         then, where limited by itself, the acceleration along the path: the only column with a rest."""
-        caps = path.caps
-        size = np.linalg.norm(path.v, axis=-1, keepdims=True)
-        turning = np.linalg.norm(path.w, axis=-1)
-        with np.errstate(divide="ignore"):
-            top = np.stack([caps.v_tcp / size[..., 0], caps.v_ori / turning], axis=-1)
-        ahead = path.v / np.maximum(size, 1e-12)
-        forward = np.sum(path.bend * ahead, axis=-1, keepdims=True)
-        aside = np.linalg.norm(path.bend - forward * ahead, axis=-1, keepdims=True)
-        c, s = (of(self._angles) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
-        slopes, bends = size * c, forward * c + aside * s
-        rests = np.zeros_like(slopes)
-        if caps.along:
-            ramps = np.minimum(caps.ramps, _NO_RAMP)
-            half, tilt = np.sum(ramps, axis=1, keepdims=True) / 2, -np.diff(ramps, axis=1) / 2
-            slopes, bends = np.hstack([slopes, size / half]), np.hstack([bends, forward / half])
-            rests = np.hstack([rests, -tilt / half])
+        caps, m, along = path.caps, len(path.v), path.caps.along
+        top, slopes, bends = (np.empty((m, k)) for k in (2, *[len(self._sides) + along] * 2))
+        rests = np.zeros(slopes.shape) if along else PathRows.no_rests(slopes)
+        fill = loops("trajopt_cli.trajectories.limits.tool_loops")["fill_rows"]
+        ramps = np.minimum(caps.ramps, _NO_RAMP)
+        fill(
+            path.v, path.w, path.bend, caps.v_tcp, caps.a_tcp, caps.v_ori, ramps, self._sides, top, slopes, bends, rests
+        )
         return PathRows(top, slopes, bends, rests)
 
     # ---- nonlinear program
