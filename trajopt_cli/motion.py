@@ -26,8 +26,7 @@ class Span(NamedTuple):
     end: int
 
 
-@dataclass(frozen=True)
-class Written:
+class Written(NamedTuple):
     """Where an instruction's parts stand in the text, so that an export can edit them in place.
 
     statement reaches from the instruction's name to its semicolon. target: the argument in the statement; of a wait in

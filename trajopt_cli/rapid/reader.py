@@ -187,7 +187,7 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
 
 
 def _unused_marks(run: Execution) -> list[ProgramWarning]:
-    seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, Move)}
-    unused = sorted(run.optional - seen)
+    moves = (one for one in run.motions if isinstance(one, Move)) if run.optional else ()
+    unused = sorted(run.optional - {(one.written.statement.file, one.written.statement.start) for one in moves})
     text = "marked as optional, but no move ran there"
     return [ProgramWarning(WarningKind.UNUSED, text, run.files[file].source(start)) for file, start in unused]

@@ -19,7 +19,7 @@ _new = object.__new__
 def made(kind: type[_Thing], parts: dict[str, Any]) -> _Thing:
     """An instance of a frozen dataclass without slots from its fields; arrays among them must be read-only.
 
-    A field that is left out must be set before anybody else sees the instance.
+    A field that is left out has its default, or must be set before anybody else sees the instance.
     """
     thing = _new(kind)
     thing.__dict__.update(parts)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import fields
 from itertools import pairwise
 
 import numpy as np
@@ -132,8 +133,8 @@ def _period(keys: Sequence[object], marks: Sequence[int]) -> int | None:
 
 def _key(motion: Motion) -> tuple[object, ...]:
     """Equal for two runs of one statement that ask for the same."""
-    fields = {**vars(motion), "written": motion.written.statement}
-    return tuple(_digits(value) for value in fields.values())
+    names = (field.name for field in fields(motion) if field.name != "written")
+    return motion.written.statement, *(_digits(getattr(motion, name)) for name in names)
 
 
 def _digits(value: object) -> object:

@@ -129,7 +129,7 @@ def _held(run: Context, entries: Sequence[_Entry]) -> dict[int, Hold]:
     around = Around([entry.spans for entry in entries])
     used: set[int] = set()
     out: dict[int, Hold] = {}
-    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True)):
+    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True) if entries else ()):
         if not isinstance(motion, SignalEvent) and (found := around(link)):
             used |= found
             out[index] = entries[min(found)].hold  # the program's own marks come first
@@ -153,8 +153,7 @@ def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:
         elif isinstance(motion, SignalEvent):
             since = 0.0 if motion.delay <= _AFTER_OUTPUT else since
         else:
-            before = [event.time for event in motion.events if _near_end(event)]
-            since = min(before, default=None)
+            since = min((one.time for one in motion.events if _near_end(one)), default=None) if motion.events else None
 
 
 def _near_end(event: PathEvent) -> bool:

@@ -208,7 +208,7 @@ def to_pose(
         shown = ", ".join(f"{value:.6g}" for value in placed[0])
         raise run.error(point, f"{run.text(point)} has no position: trans is [{shown}] mm")
     settings = run.settings
-    parts = {
+    parts = {  # fields at their defaults aside
         "source": run.source(node),
         "written": written(run, node, point),
         "target": run.text(point),
@@ -217,18 +217,13 @@ def to_pose(
         "extax": extax,
         "duration": duration,
         "optional": marked(run, node),
-        "detour": (),
         "marked": run.ways.get((run.file, node.start), ()) if run.ways else (),
         "settings": settings,
         "events": events,
         "process": process,
-        "hold": None,
-        "constant_speed": False,
-        "beside": 0.0,
         "units": units,
         "identity": number,
         "partner": partner,
-        "as_written": False,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,
@@ -305,17 +300,11 @@ def _check_circle(
 def written(run: Context, node: ProcedureCall, point: Expression) -> Written:
     """Where the parts of an instruction stand in the text."""
     file = run.file
-    return made(
-        Written,
-        {
-            "statement": _span((file, node.start, node.end)),
-            "target": _span((file, point.start, point.end)),
-            "counters": run.frame.counters,
-        },
-    )
+    statement, target = _span((file, node.start, node.end)), _span((file, point.start, point.end))
+    return _written((statement, target, run.frame.counters))
 
 
-_span = maker(Span)
+_span, _written = maker(Span), maker(Written)
 
 
 def marked(run: Context, node: ProcedureCall) -> bool:
