@@ -111,4 +111,5 @@ def test_where_measures_differ_the_answer_is_not_sure() -> None:
     X_WF = plant.robot.forward(q)
     for turns, sure in (([0, 0, 0], True), ([75, -30, 80], True), ([75, -30, 100], False), ([0, 0, 180], False)):
         assert is_sure(plant, X_WF, None, q + np.radians([0, 0, 0, *turns])) == sure
-    np.testing.assert_allclose(nearest(plant, X_WF, None, q[None] + np.radians([0, 0, 0, 75, -30, 100]))[0], q)
+    found = nearest(plant, X_WF, None, q[None] + np.radians([0, 0, 0, 75, -30, 100]))[0]
+    np.testing.assert_allclose(found, q, rtol=0, atol=1e-12)

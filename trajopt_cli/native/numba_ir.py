@@ -17,7 +17,6 @@ from pathlib import Path
 from platform import python_version
 
 import llvmlite.binding as llvm
-from numba import config
 
 from trajopt_cli.native.loops import digest_line
 
@@ -33,6 +32,8 @@ def made_by() -> str:
 
 def written(name: str) -> str:
     """The file of a module, in a process that has not compiled by numba for this computer."""
+    from numba import config
+
     config.CPU_NAME, config.CPU_FEATURES = "generic", ""
     config.DISABLE_JIT, config.BOUNDSCHECK = 0, None  # whatever the environment says
     source = import_module(name)
