@@ -50,6 +50,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("pipeline", "iiwa"),
     # the widest composition: everything the pipeline can do, many times over
     ("study",),
+    # families of programs and cells: points and programs by the hundred
+    ("parameter_study",),
     ("cli",),
 )
 # The plain data on floors 0 and 1 is a short stack of its own.

@@ -84,6 +84,10 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
         assert count
         (folder / "programs" / name).write_text(text)
     (folder / "log.csv").write_text(log())
+    backup = folder / "backups/line_1/RAPID/TASK1"
+    backup.mkdir(parents=True)
+    (backup / "hinge_cell.mod").write_text(SMALL)
+    shutil.copy(cell, folder / "backups" / "line_1.yaml")
     text, count = re.subn(r" +- {name: c, .*\n(?: +- .*\n)*", "", task("iiwa_cube", "iiwa7"))  # one side of the square
     assert count == 1
     (folder / "programs" / "iiwa_cube.yaml").write_text(text)

@@ -309,8 +309,8 @@ ARM:
 
 def _read_moc(path: Path) -> object:
     """The cell file that is made of it can be read."""
+    from trajopt_cli.adopt.backup import cell_from_backup
     from trajopt_cli.cell.loader import parse_cell
-    from trajopt_cli.cli.new_from import cell_from_backup
 
     text, _, _ = cell_from_backup(path.parents[1], path.parents[2] / "fuzz", None)
     return parse_cell(text, "fuzz.yaml")

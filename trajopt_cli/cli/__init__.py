@@ -38,6 +38,7 @@ from typer.main import get_command
 from trajopt_cli import __version__
 from trajopt_cli.cli import (
     analyse,
+    batch,
     check,
     compare,
     doctor,
@@ -80,6 +81,7 @@ _COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
         "sensitivity": (sensitivity.sensitivity, "What to change first: seconds per limit, speed, wait, place."),
         "place": (place.place, "Where base, rail or a work object should stand."),
         "order": (order.order, "The fastest order of parts that allow any order."),
+        "batch": (batch.batch, "Optimise every program of a folder of backups."),
         "parse": (parse.parse, "List a program's motions with file:line."),
         "analyse": (analyse.analyse, "Add up a program's times as written, without ramps."),
         "identify": (identify.identify, "Speed, acceleration and jerk limits from controllers' logs."),

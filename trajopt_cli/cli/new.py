@@ -53,7 +53,7 @@ def new(
     place = name.with_suffix("") if name.suffix.lower() in (".mod", ".yaml") else name
     told: tuple[ProgramWarning, ...] = ()
     if backup is not None:
-        from trajopt_cli.cli.new_from import cell_from_backup
+        from trajopt_cli.adopt.backup import cell_from_backup
 
         if rail:
             raise InputError("--rail: the backup says what the robot stands on; leave --rail out")

@@ -1,4 +1,4 @@
-"""The cell file that `trajopt new NAME --from BACKUP` writes: what the controller's MOC.cfg says, with its lines."""
+"""The cell file that is made of a backup: what the controller's MOC.cfg says, with its lines."""
 
 from __future__ import annotations
 

@@ -1,0 +1,324 @@
+"""Every program below a folder, each optimised in a process of its own: what `trajopt batch` does."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, as_completed
+from contextlib import suppress
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from trajopt_cli import __version__
+from trajopt_cli.adopt.backup import cell_from_backup
+from trajopt_cli.cell.loader import load_cell
+from trajopt_cli.errors import InputError, printable
+from trajopt_cli.job import cell_path_for
+from trajopt_cli.page.document import Section, document
+from trajopt_cli.page.encode import text
+from trajopt_cli.page.tables import Tile, head, points, table
+from trajopt_cli.rapid.language.text import read_text
+from trajopt_cli.rapid.program_list import read_list
+from trajopt_cli.rapid.sources import LIST_SUFFIX, MAX_ENTRIES, is_module, modules_at, syspar_of
+from trajopt_cli.robot.model import load_robot
+from trajopt_cli.runs import REPORT, RUN
+from trajopt_cli.runs.files import write_file
+from trajopt_cli.runs.record import as_json, parse_record
+from trajopt_cli.table import TextTable, percent, seconds, tabulate
+
+RECORD, INDEX, CELLS = "batch.json", "index.html", "cells"
+"""Of a batch's folder: every row, the page of them, the cell files made of backups."""
+_MAIN = re.compile(r"(?:\A|[\r\n;])\s*(LOCAL\s+)?PROC\s+main\s*\(", re.IGNORECASE)
+_NOISE = ("home", "syspar", "backinfo")  # of a backup
+Row = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class BatchProgram:
+    """A program below the folder. name: of its results, unlike all others. paths: what optimize is given. cell: where
+    its cell file stands, or would be made. why_not: what keeps it from being tried."""
+
+    name: str
+    paths: tuple[Path, ...]
+    cell: Path
+    why_not: str = ""
+
+
+def programs_below(folder: Path, output: Path) -> tuple[list[BatchProgram], list[str]]:
+    """The programs below a folder in the order of their paths, and what is left out, in words.
+
+    A folder with RAPID or PROGMOD in it is one program, of several tasks with a PROC main one each. Elsewhere a program
+    list is one, and so is each module with a PROC main; where only one of a folder has it, the others belong to it.
+    Hidden folders, links and folders that trajopt wrote are not entered. Raises InputError where folder is none.
+    """
+    if not folder.is_dir():
+        raise InputError("is no folder; give the one that the programs or backups lie in", file=str(folder))
+    places, left, waiting, count = list[tuple[Path, ...]](), list[str](), [folder], 0
+    while waiting:
+        here = waiting.pop()
+        entries = sorted(one for one in here.iterdir() if not one.name.startswith(".") and not one.is_symlink())
+        count += len(entries)
+        if count > MAX_ENTRIES:
+            raise InputError(f"holds more than {MAX_ENTRIES} files and folders; give a smaller one", file=str(folder))
+        folders = {one.name.lower(): one for one in entries if one.is_dir()}
+        if "rapid" in folders or "progmod" in folders:
+            tasks = [
+                one for one in folders.get("rapid", here).iterdir() if one.is_dir() and _has_main(modules_at([one]))
+            ]
+            places += [(one,) for one in tasks] if "rapid" in folders and len(tasks) > 1 else [(here,)]
+            continue
+        kept = [one for name, one in folders.items() if name not in _NOISE]
+        waiting += [one for one in kept if not (one / RUN).exists() and not (one / RECORD).exists()]
+        places += _loose([one for one in entries if one.is_file()], left)
+    names = set[str]()
+    found = [_named(folder, paths, output, names) for paths in sorted(places)]
+    return found, left
+
+
+def _loose(files: Sequence[Path], left: list[str]) -> Iterator[tuple[Path, ...]]:
+    """The programs among the files of one folder. left: is told which modules belong to none."""
+    lists = [one for one in files if one.suffix.lower() == LIST_SUFFIX]
+    listed = set[str]()
+    for one in lists:
+        with suppress(InputError):  # said where the program is read
+            listed |= {name.lower() for name, _ in read_list(one)}
+        yield (one,)
+    modules = [one for one in files if is_module(one) and one.name.lower() not in listed]
+    mains = [one for one in modules if _has_main([one])]
+    rest = [one for one in modules if one not in mains]
+    if len(mains) == 1 and not lists:
+        yield (*mains, *rest)
+        return
+    yield from ((one,) for one in mains)
+    left += [f"{one}: not tried, it holds no PROC main" for one in rest]
+
+
+def _has_main(modules: Any) -> bool:
+    for one in modules:
+        with suppress(InputError):  # said where the program is read
+            if is_module(one) and _MAIN.search(read_text(one).text):
+                return True
+    return False
+
+
+def _named(folder: Path, paths: tuple[Path, ...], output: Path, names: set[str]) -> BatchProgram:
+    """A program with a name that is not among names, and its cell file: beside it, or made of its backup."""
+    own = paths[0].with_suffix("") if paths[0].is_file() else paths[0]
+    name = base = re.sub(r"[^\w.-]+", "_", "_".join(own.relative_to(folder).parts) or folder.resolve().name)
+    i = 1
+    while name.lower() in names | {CELLS}:
+        name, i = f"{base}_{i + 1}", i + 1
+    names.add(name.lower())
+    try:
+        beside = cell_path_for(paths)
+    except InputError as error:
+        return BatchProgram(name, paths, output / CELLS / f"{name}.yaml", str(error))
+    shared = paths[0].parent / "cell.yaml"
+    if paths[0].is_file() and not beside.exists() and shared.exists():
+        beside = shared
+    if beside.exists() or syspar_of(paths[0]) is not None:
+        return BatchProgram(name, paths, beside if beside.exists() else output / CELLS / f"{name}.yaml")
+    return BatchProgram(name, paths, beside, f"has no cell file {beside}, and no backup's MOC.cfg to make one of")
+
+
+def batch(
+    programs: Sequence[BatchProgram],
+    output: Path,
+    executor: Executor,
+    options: Sequence[str] = (),
+    jobs: int = 1,
+    tell: Callable[[Row, int], None] = lambda row, left: None,
+) -> list[Row]:
+    """A row for every program, in their order: from a process of its own, or as batch.json in output has it of the same
+    inputs. batch.json and the page are written anew behind every program.
+
+    executor: of concurrent.futures, or a cluster's. options: of trajopt optimize, besides. jobs: worker processes
+    of each program. tell: hears each new row and how many are left. Raises InputError where output
+    holds something else.
+    """
+    known = _known(output)
+    rows, waiting = dict[str, Row](), {}
+    for one in programs:
+        cell_made = one.cell.parent == output / CELLS
+        row: dict[str, Any] = {"program": one.name, "paths": [str(path) for path in one.paths], "cell": str(one.cell)}
+        try:
+            if one.why_not:
+                raise InputError(one.why_not, file=str(one.paths[0]))
+            if cell_made and not one.cell.exists():  # a cell file that the user has corrected stays
+                write_file(one.cell, cell_from_backup(one.paths[0], one.cell, None)[0].encode())
+        except InputError as error:
+            rows[one.name] = {**row, **_failed(str(error))}
+            continue
+        row |= {"cell_made": cell_made, "inputs": _digest(one, options)}
+        if known.get(one.name, {}).get("inputs") == row["inputs"] and (output / one.name / RUN).is_file():
+            rows[one.name] = known[one.name]
+            continue
+        words = ["optimize", *row["paths"], "--cell", row["cell"], "--output", str(output / one.name)]
+        waiting[executor.submit(run_command, [*words, "--json", "--jobs", str(jobs), *options], str(Path.cwd()))] = (
+            one.name,
+            row,
+        )
+    left = len(waiting)
+    _write(output, programs, rows)
+    for done in as_completed(waiting):
+        name, row = waiting[done]
+        rows[name] = {**row, **outcome(*done.result())}
+        left -= 1
+        _write(output, programs, rows)
+        tell(rows[name], left)
+    return [rows[one.name] for one in programs]
+
+
+_running = set[subprocess.Popen[str]]()
+
+
+def run_command(words: Sequence[str], folder: str) -> tuple[int, str, str]:
+    """Run trajopt in a process of its own, in a folder; its exit code, stdout and stderr. Ctrl-C does not reach it."""
+    if not Path(folder).is_dir():
+        return 2, "", f"{folder}: this worker does not see the folder; batch needs one that all workers share"
+    command = [sys.executable, "-m", "trajopt_cli.cli", *words]
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with subprocess.Popen(command, cwd=folder, text=True, start_new_session=True, **pipes) as process:  # type: ignore[call-overload]
+        _running.add(process)
+        try:
+            out, err = process.communicate()
+        finally:
+            _running.discard(process)
+    return process.returncode, out, err
+
+
+def stop_commands() -> None:
+    """End the processes that run_command waits for in this process. What they were to write appears whole or not."""
+    for one in tuple(_running):
+        one.terminate()
+
+
+def outcome(code: int, out: str, err: str) -> dict[str, Any]:
+    """What a run of `optimize --json` came to: status, times [s], and why it failed, in one line."""
+    record = parse_record(out.encode(), "optimize --json") if out.strip() else {}
+    if code < 0 or code == 130:
+        return _failed(f"ended by signal {-code}" if code < 0 else "interrupted")
+    if code:
+        lines = record.get("why") or err.strip().splitlines() or [f"exit code {code}"]
+        return _failed(lines[0].removesuffix(":"))
+    before = record["as_written"]["cycle_time_s"]
+    rapid, stream = (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream"))
+    remark = f"no RAPID text: {record['no_rapid']}" if record["no_rapid"] else ""
+    remark = remark or (f"as written: {record['as_written']['why_not']}" if before is None else "")
+    saved = None if before is None else before - rapid
+    share = saved / before if saved is not None and before > 0 else None
+    times = {"as_written_s": before, "rapid_s": rapid, "stream_s": stream, "saved_s": saved, "saved": share}
+    return {"status": "ok", **times, "reason": remark}
+
+
+def _failed(why: str) -> dict[str, Any]:
+    none = dict.fromkeys(("as_written_s", "rapid_s", "stream_s", "saved_s", "saved"))
+    return {"status": "failed", **none, "reason": printable(why)}
+
+
+def failed(rows: Sequence[Row]) -> list[Row]:
+    """The rows without an answer."""
+    return [row for row in rows if row["status"] != "ok"]
+
+
+def made_cells(rows: Sequence[Row]) -> list[str]:
+    """A line on the cell files that were made of backups, if any were."""
+    names = ", ".join(f"{row['program']}.yaml" for row in rows if row.get("cell_made"))
+    return [f"made of MOC.cfg, check every line: {CELLS}/ {names}"] if names else []
+
+
+def batch_line(rows: Sequence[Row]) -> str:
+    """How many were done, and what that saves."""
+    shares = [row["saved"] for row in rows if row["saved"] is not None]
+    said = f"; RAPID plans save {percent(median(shares))} (median), {percent(max(shares))} at most" if shares else ""
+    return f"{len(rows) - len(failed(rows))} of {len(rows)} programs optimised, {len(failed(rows))} failed{said}"
+
+
+def batch_table(folder: str, rows: Sequence[Row]) -> TextTable:
+    """A row per program."""
+    columns: dict[str, Callable[[Row], str]] = {
+        "~program": lambda row: row["program"],
+        ">as written [s]": lambda row: seconds(row["as_written_s"]),
+        ">rapid [s]": lambda row: seconds(row["rapid_s"], row["status"]),
+        ">saves [s]": lambda row: seconds(row["saved_s"]),
+        ">of it": lambda row: percent(row["saved"]),
+        ">stream [s]": lambda row: seconds(row["stream_s"]),
+    }
+    return tabulate(f"programs below {folder}", rows, columns)
+
+
+def batch_page(rows: Sequence[Row]) -> bytes:
+    """The page of all programs, the largest saving first, with a link to each one's own."""
+    done, bad = [row for row in rows if row["status"] == "ok"], failed(rows)
+    shares = [row["saved"] for row in done if row["saved"] is not None]
+    most = max([*shares, 0.0]) or 1.0
+
+    def bar(row: Row) -> str:
+        width = 100 * max(row["saved"] or 0.0, 0.0) / most
+        return (
+            '<svg class="time" viewBox="0 0 100 10" aria-hidden="true" preserveAspectRatio="none">'
+            f'<rect y="1" width="{width:.2f}" height="8"/></svg>'
+        )
+
+    columns: dict[str, Callable[[Row], str]] = {
+        "program": lambda row: f'<a href="{text(row["program"])}/{REPORT}">{text(row["program"])}</a>',
+        ">saving": lambda row: percent(row["saved"]),
+        "": bar,
+        ">saved [s]": lambda row: seconds(row["saved_s"]),
+        ">as written [s]": lambda row: seconds(row["as_written_s"]),
+        ">rapid [s]": lambda row: seconds(row["rapid_s"]),
+        ">stream [s]": lambda row: seconds(row["stream_s"]),
+        "remark": lambda row: text(row["reason"]),
+    }
+    made = tabulate("Programs that are optimised", sorted(done, key=lambda row: -(row["saved"] or 0.0)), columns)
+    tiles = [Tile("optimised", f"{len(done)} of {len(rows)}", "programs", "after")]
+    if shares:
+        tiles.append(Tile("saving", percent(median(shares)), "of the time as written, median of the RAPID plans"))
+        tiles.append(Tile("largest saving", percent(max(shares)), "by a RAPID plan"))
+    body = table(made.title, made.heads, made.rows, html=True) + points(made_cells(rows))
+    sections = [Section("programs", "Programs", body, "The largest saving first. A name leads to its own page.")]
+    why = points(f"{row['program']}: {row['reason']}" for row in bad)
+    sections += [Section("failed", "Failed", why, "Called again, these alone are tried again.")] if bad else []
+    top = head("All programs", "trajopt batch", tiles, [f"{len(bad)} failed"] if bad else [])
+    return document("All programs · trajopt", top, sections, {}, ("cycle.css",))
+
+
+def _digest(one: BatchProgram, options: Sequence[str]) -> str:
+    """Of all that the answer depends on: version, options, and every file's path and bytes."""
+    files = [*modules_at(one.paths), one.cell]
+    syspar = syspar_of(one.paths[0])
+    files += [path for path in sorted(syspar.iterdir()) if path.name.lower() == "moc.cfg"] if syspar else []
+    with suppress(InputError):  # an answer by itself, from the files above
+        cell = load_cell(one.cell)
+        files += [*cell.mesh_files, *cell.robot_files()]
+        files += cell.robot_files(load_robot(cell.robot).files)
+    made = sha256(json.dumps([__version__, *options]).encode())
+    for path in dict.fromkeys(files):
+        made.update(f"\0{path}\0".encode(errors="surrogateescape"))
+        made.update(path.read_bytes() if path.is_file() else b"")
+    return made.hexdigest()
+
+
+def _known(output: Path) -> dict[str, Any]:
+    """The rows of the batch that output holds, by program."""
+    record = output / RECORD
+    if not output.exists() or not any(output.iterdir()):
+        return {}
+    if not record.is_file():
+        raise InputError(f"is not empty and holds no {RECORD}; choose another folder by --output", file=str(output))
+    rows = parse_record(record.read_bytes(), str(record)).get("programs")
+    if not isinstance(rows, list) or not all(isinstance(row, dict) and "program" in row for row in rows):
+        raise InputError("was not written by trajopt batch; move it away", file=str(record))
+    return {row["program"]: row for row in rows if row.get("status") == "ok"}
+
+
+def _write(output: Path, programs: Sequence[BatchProgram], rows: Mapping[str, Row]) -> None:
+    there = [rows[one.name] for one in programs if one.name in rows]
+    write_file(output / RECORD, as_json({"trajopt": __version__, "programs": there}))
+    write_file(output / INDEX, batch_page(there))
