@@ -25,7 +25,7 @@ from trajopt_cli.path_timing.sampled_path import SampledPath, sample_paths
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Coupling, Problem
-from trajopt_cli.settings import Settings
+from trajopt_cli.trajectories import dense_check
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
@@ -85,7 +85,7 @@ def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatc
     set_defaults(monkeypatch, path_interval_samples=12)
     set_defaults(monkeypatch, corner_samples=1)
     set_defaults(monkeypatch, least_samples=12)
-    monkeypatch.setattr(Settings, "fine_sample_step", 1e3)
+    monkeypatch.setattr(dense_check, "_SHORT_STEP", 1e3)
     axes, problem, chain = chain_of()
     for course in courses(axes, problem, chain):
         law = time_optimal_law(axes, problem, course, PathMargins.full(axes, len(course.part)))

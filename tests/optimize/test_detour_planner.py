@@ -15,6 +15,7 @@ from clear_of import least_along
 from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 from unrefined import set_defaults
 
+from trajopt_cli.collision import edge_collision
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.collision.edge_collision import EdgeCollision
 from trajopt_cli.collision.roadmap import Roadmap, about
@@ -28,7 +29,6 @@ from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import RailUnit, Scenario
-from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.trajectories.axes import Axes
 
@@ -217,7 +217,7 @@ def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     set_defaults(monkeypatch, detour_tree=10)
-    monkeypatch.setattr(Settings, "detour_failures", 2)
+    monkeypatch.setattr(edge_collision, "_AVOID_FAILURES", 2)
     wall = box("wall", (3.0, 0.1, 3.0), (0.0, 0.35, 0.5))  # across the rail
     found = plan("there", Target.RAPID, wall)
     assert isinstance(found, Infeasible)

@@ -24,6 +24,7 @@ from trajopt_cli.trajectories.leg_trajectories import unwound
 _AVOID_LOOKS = 64  # pairs of states of a leg that are looked at together, the best ones first.
 _AVOID_APART = 0.05  # s that a straight way that is not clear costs until a way around is known.
 _AVOID_ALIKE = 0.5  # s more between states of the same branches as some between which none was found.
+_AVOID_FAILURES = 5  # ways that are looked for in vain in a whole program before no more are. Not measured.
 _AVOID_WAYS = 8  # ways found that are tried between other states.
 
 _HELD = 1e-9  # m of a rail that stands
@@ -126,9 +127,7 @@ class EdgeCollision:
     def _given_up(self, leg: Leg) -> bool:
         """Whether no more ways are looked for in a leg's motion."""
         settings = self._axes.settings
-        return (
-            self._plans.get(leg.motion, 0) >= settings.detours_per_motion or self._fails >= settings.detours_per_motion
-        )
+        return self._plans.get(leg.motion, 0) >= settings.detours_per_motion or self._fails >= _AVOID_FAILURES
 
     def _finder(self, leg: Leg, q_0: Array) -> Roadmap:
         """What finds ways from q_0; the rail stays there where the leg holds it."""
