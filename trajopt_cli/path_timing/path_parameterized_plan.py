@@ -25,8 +25,6 @@ from trajopt_cli.trajectories.leg_trajectories import JointNodes, JointProfiles,
 from trajopt_cli.trajectories.profiles import hold, profiles
 from trajopt_cli.trajectories.route import Route
 
-_MOST_MARKS = 6  # stops and fly-bys beside joint moves that a part of a run may span where stopping is tried.
-
 _SAME = 1e-9  # m between rail positions that are one
 
 Run = tuple[int, int]  # its first waypoint and its last
@@ -77,12 +75,9 @@ def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int
 def _fastest(
     axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
 ) -> list[dict[int, LegMotion] | NotDriven]:
-    """Each run's motions in one go or, where axes are free or jerk is limited, in parts between stops if that is
-    faster; or why it is not driven."""
-    if axes.jerk is None:
-        cuts = _stops(axes, problem, runs, q, cfx)
-    else:
-        cuts = [[(k, k + 1) for k in range(*run)] for run in runs]
+    """Each run's motions in one go or, where jerk is limited, from stop to stop if that is faster; or why it is not
+    driven."""
+    cuts = [[run] if axes.jerk is None else [(k, k + 1) for k in range(*run)] for run in runs]
     asked = [*dict.fromkeys(part for run, parts in zip(runs, cuts, strict=True) for part in (run, *parts))]
     timed_runs = dict(zip(asked, _timed_runs(axes, problem, asked, q, cfx), strict=True))
     out: list[dict[int, LegMotion] | NotDriven] = []
@@ -100,13 +95,6 @@ def _fastest(
     return out
 
 
-def stopping(axes: Axes, problem: Problem, chain: Route) -> Problem:
-    """The problem with a stop at every fly-by where the timed chain stops."""
-    cfx = tuple(label.cfx for label in chain.labels)
-    ends = {last for parts in _stops(axes, problem, problem.runs, chain.q, cfx) for _, last in parts}
-    return _with_stops(problem, ends)
-
-
 def stopped(problem: Problem) -> Problem:
     """The problem with a stop at every fly-by but those between short lines, which no stop at each would resemble."""
     passing = [short(problem, k) for k in range(len(problem.legs))]
@@ -122,32 +110,6 @@ def stopped_at_joint_moves(problem: Problem) -> Problem:
 def _with_stops(problem: Problem, at: Set[int]) -> Problem:
     points = (replace(point, fly_by=None) if k in at else point for k, point in enumerate(problem.waypoints))
     return replace(problem, waypoints=tuple(points))
-
-
-def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]) -> list[list[Run]]:
-    """Each run in parts between stops, if stopping at a fly-by beside a joint move is faster: between stops axes that
-    are free need not keep to one progress."""
-    marks = []
-    for first, last in runs:
-        joint = [problem.legs[k].kind is LegKind.JOINT and not problem.coordinated for k in range(first, last)]
-        marks.append([first, *(first + k for k in range(1, last - first) if joint[k - 1] or joint[k]), last])
-    spans = [
-        [(start, end) for at, end in enumerate(own) for start in own[max(0, at - _MOST_MARKS) : at]]
-        if len(own) > 2
-        else []
-        for own in marks
-    ]
-    asked = [*dict.fromkeys(span for own in spans for span in own)]
-    times = dict(zip(asked, about(axes, problem, asked, [q] * len(asked), cfx), strict=True))
-    out = []
-    for run, own in zip(runs, spans, strict=True):
-        best: dict[int, tuple[float, list[Run]]] = {run[0]: (0.0, [])}
-        for start, end in own:
-            T, parts = best[start]
-            best[end] = min(best.get(end, (np.inf, [])), (T + times[start, end], [*parts, (start, end)]))
-        T, parts = best.get(run[1], (np.inf, []))
-        out.append(parts if np.isfinite(T) else [run])
-    return out
 
 
 def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:

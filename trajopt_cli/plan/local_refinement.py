@@ -6,7 +6,7 @@ little is gained; equal ones are solved once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -22,7 +22,7 @@ from trajopt_cli.graph_search.search import search
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, first_iterate, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
-from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, stopping, timed
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, stopped_at_joint_moves, timed
 from trajopt_cli.plan.initial_plan import InitialPlan, add
 from trajopt_cli.plan.opened_corners import OpenedProblem, opened, with_even_zones
 from trajopt_cli.plan.subproblems import Seam, Span, Window, ends_held, red_black
@@ -86,28 +86,27 @@ def refine(
         return problem, merged, (why,)
     sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
     solved, best, chain = problem, merged, None
-    bases: Iterable[tuple[Problem, Iterate]] = [(problem, merged)]
+    base: tuple[Problem, Iterate] | None = problem, merged
     start = perf_counter()
     try:
         if any(problem.passes(k) for k in range(len(problem.waypoints))):
+            base = None
             if axes.jerk is None and (runs := _opened(axes, legal, problem, merged)) is not None:
                 found = sweeps.run(*runs, report, partial(_tell_best, tell, duration(best)))
                 gained = duration(found) < duration(best) - axes.settings.least_gain
                 if gained and clear(axes, problem, runs[0].closed(axes, found)):
                     solved, best = runs[0], found
-            stopping_starts = _stopping_starts(axes, legal.problem, legal.chain)
-            bases = (merge_via_points(axes, *one, legal.detours) for one in stopping_starts)
-            if report.stopped or (best is not merged and not report.failed):
-                bases = []
+            if not report.stopped and (best is merged or report.failed):
+                base = _stopping_start(axes, legal)
         elif axes.layout.has_rail and problem.freedom.through_stops:
             chain = search(axes, problem)
             add(seconds, "search", perf_counter() - start)
     except Stopped:
         report.stopped = True
-    for one, base in bases:
-        found = sweeps.run(one, base, report, partial(_tell_best, tell, duration(best)), chain)
+    if base is not None:
+        found = sweeps.run(*base, report, partial(_tell_best, tell, duration(best)), chain)
         if duration(found) < duration(best) - axes.settings.least_gain:
-            solved, best = one, found
+            solved, best = base[0], found
     return solved, best, tuple(report.notes(best is not merged, patience))
 
 
@@ -153,15 +152,14 @@ def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -
     return None
 
 
-def _stopping_starts(axes: Axes, problem: Problem, chain: Route) -> Iterator[tuple[Problem, Iterate]]:
-    """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
-    for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
-        try:
-            draft = timed(axes, one, chain)
-            if clear(axes, one, draft):
-                yield with_fixed_runs(one, chain), draft
-        except NotDriven:
-            continue
+def _stopping_start(axes: Axes, legal: InitialPlan) -> tuple[Problem, Iterate] | None:
+    """The problem with stops at all fly-bys beside joint moves, and its motion; None where that is not driven."""
+    stopping = stopped_at_joint_moves(legal.problem)
+    with suppress(NotDriven):
+        draft = timed(axes, stopping, legal.chain)
+        if clear(axes, stopping, draft):
+            return merge_via_points(axes, with_fixed_runs(stopping, legal.chain), draft, legal.detours)
+    return None
 
 
 def with_fixed_runs(problem: Problem, chain: Route) -> Problem:
