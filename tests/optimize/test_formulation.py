@@ -17,7 +17,7 @@ from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.symbolic_dynamics import load_parameters
-from trajopt_cli.robot.symbolic_inverse import BranchSigns
+from trajopt_cli.robot.symbolic_inverse import branch_signs
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.joint_torque import JointTorque
 from trajopt_cli.trajectories.limits.tool_limit import ToolCap, ToolKind, ToolLimit
@@ -66,7 +66,7 @@ def parameters(axes: Axes, X_0: Array, X_1: Array, cfx: int, near: Array) -> dic
     R = (T_0 @ inverse_pose(X_FT))[:3, :3]
     chord = T_1[:3, 3] - T_0[:3, 3]
     path = np.concatenate([T_0[:3, 3], chord, R.T.ravel(), X_FT[:3, :3] @ axis, [angle], X_FT[:3, 3]])
-    return {"path": path, "branch": BranchSigns.from_cfx(cfx).vector(), "near": near}
+    return {"path": path, "branch": branch_signs(cfx), "near": near}
 
 
 def at_node(V: Array, A: Array, room: Array) -> dict[str, object]:
@@ -138,7 +138,7 @@ def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
         qd = inverse_velocity(axes.robot, q, twist * v / T, w / T, X_FT)
         qdd = inverse_acceleration(axes.robot, q, qd, (twist * a + bend * v**2) / T**2, b / T**2, X_FT)
         A = forward_acceleration(axes.robot, q, qd, qdd, X_FT)[:3]
-        p = {"path": arc.parameters(inverse_pose(axes.X_WB0), X_FT), "branch": BranchSigns.from_cfx(cfx).vector()}
+        p = {"path": arc.parameters(inverse_pose(axes.X_WB0), X_FT), "branch": branch_signs(cfx)}
         p |= {"near": q[axes.layout.arm]}
         z = {"s": s, "v": v, "d": rails(axes, d), "w": rails(axes, w), "a_l": a, "b_l": rails(axes, b), "T": T}
         got = node.value(z, {**p, **at_node(axes.velocity, axes.acceleration, np.ones(k))})

@@ -9,7 +9,7 @@ from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.robot.differential import Differential
-from trajopt_cli.robot.symbolic_inverse import BranchSigns, inverse_arm
+from trajopt_cli.robot.symbolic_inverse import branch_signs, inverse_arm
 from trajopt_cli.trajectories.axes import Axes
 
 TURN = 2 * np.pi
@@ -39,7 +39,7 @@ def test_all_branches_and_turns_equal_the_numeric_inverse(axes: Axes, symbolic: 
             seen[cfx] += 1
             wanted = q + TURN * rng.integers(-1, 2, 6)
             reference = wanted + rng.uniform(-0.98, 0.98, 6) * np.pi
-            got, s3 = symbolic(X[i, :3, 3], X[i, :3, :3], BranchSigns.from_cfx(cfx).vector(), reference)
+            got, s3 = symbolic(X[i, :3, 3], X[i, :3, :3], branch_signs(cfx), reference)
             np.testing.assert_allclose(np.ravel(got), wanted, rtol=0, atol=1e-10, err_msg=f"pose {i} cfx {cfx}")
             assert float(s3) == pytest.approx(np.sin(q[2]), abs=1e-12)
     assert seen.min() > 30
@@ -50,14 +50,14 @@ def test_the_answer_reaches_the_pose(axes: Axes, symbolic: ca.Function) -> None:
     arms = safe_arm(rng, axes, 50)
     for X, q in zip(Differential.of(axes.robot.arm, arms).pose(), arms, strict=True):
         cfx = int(np.nanargmin(np.abs(np.sin((axes.inverse(X[None], np.zeros(1))[0] - q) / 2)).sum(axis=1)))
-        got = np.ravel(symbolic(X[:3, 3], X[:3, :3], BranchSigns.from_cfx(cfx).vector(), q)[0])
+        got = np.ravel(symbolic(X[:3, 3], X[:3, :3], branch_signs(cfx), q)[0])
         np.testing.assert_allclose(got, q, rtol=0, atol=1e-10)
 
 
 def test_sine_of_the_elbow_says_how_far_out_of_reach_a_pose_is(axes: Axes, symbolic: ca.Function) -> None:
     """sin q3 = (L2^2 + L4^2 - r^2) / (2 L2 L4) with r from axis 2 to the wrist centre, not clamped."""
     arm = axes.robot.arm
-    signs = BranchSigns.from_cfx(0).vector()
+    signs = branch_signs(0)
     for far in (0.5, arm.c2 + arm.c3, 1.2, 2.0):
         wrist = np.array([arm.a1 + 0.6 * far, 0.0, arm.c1 + 0.8 * far])
         R = rotation_about([0.0, 1.0, 0.0], 2.0)
@@ -84,7 +84,7 @@ def test_slopes_equal_those_through_the_jacobian(name: str) -> None:
         B = axes.in_base(X)
         R = (ca.SX.eye(3) + ca.sin(s) * K + (1 - ca.cos(s)) * (K @ K)) @ B[:3, :3]
         p = B[:3, 3] + s * (R_BW @ v) - (rail + s * rail_rate) * axes.rail_axis[:, 0]
-        out, _ = inverse_arm(axes.robot.arm, p, R, ca.DM(BranchSigns.from_cfx(cfx).vector()), ca.DM(q))
+        out, _ = inverse_arm(axes.robot.arm, p, R, ca.DM(branch_signs(cfx)), ca.DM(q))
         d1 = ca.jacobian(out, s)
         f = ca.Function("f", [s], [out, d1, ca.jacobian(d1, s)])
         value, slope, curve = (np.ravel(x) for x in f(0.0))
@@ -103,7 +103,7 @@ def test_slopes_equal_those_through_the_jacobian(name: str) -> None:
 
 
 def test_signs_follow_the_bits_of_cfx() -> None:
-    table = {cfx: tuple(BranchSigns.from_cfx(cfx).vector()) for cfx in range(8)}
+    table = {cfx: tuple(branch_signs(cfx)) for cfx in range(8)}
     assert table[0] == (1, 1, 1)
     assert table[1] == (1, 1, -1)
     assert table[2] == (1, -1, 1)

@@ -19,22 +19,9 @@ from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.symbolic import Reached, exact, forward
 
 
-@dataclass(frozen=True)
-class BranchSigns:
-    """ABB cfx as three signs: +1 wrist centre before axis 1, before the lower arm, axis 5 >= 0; else -1."""
-
-    shoulder: float
-    elbow: float
-    wrist: float
-
-    @classmethod
-    def from_cfx(cls, cfx: int) -> BranchSigns:
-        """The signs of branch number cfx in 0..7."""
-        return cls(*(-1.0 if cfx & bit else 1.0 for bit in (4, 2, 1)))
-
-    def vector(self) -> Array:
-        """(3,): shoulder, elbow, wrist."""
-        return np.array([self.shoulder, self.elbow, self.wrist])
+def branch_signs(cfx: int) -> Array:
+    """ABB cfx in 0..7 as signs (3,): +1 wrist centre before axis 1, before the lower arm, axis 5 >= 0; else -1."""
+    return np.array([-1.0 if cfx & bit else 1.0 for bit in (4, 2, 1)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +38,7 @@ class ArmExpressions:
 
     def branch(self, number: int) -> Array:
         """The signs (3,) of a cfx, which stand for a branch in inverse."""
-        return BranchSigns.from_cfx(number).vector()
+        return branch_signs(number)
 
     def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
         """Joints of a flange pose in the arm's base frame, on a branch, within half a turn of joints near (6,)."""
@@ -72,7 +59,7 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
     """Joints q (6,) [rad] of flange pose p_BF (3,) [m], R_BF (3, 3) in the arm's base frame, and what says that it is
     in reach (1,), or (2,) for an arm with an offset b.
 
-    signs (3,): see BranchSigns. reference (6,): angles within half a turn of the answer; they choose the turns. The
+    signs (3,): see branch_signs. reference (6,): angles within half a turn of the answer; they choose the turns. The
     wrist centre is in reach where the sine of the elbow, unclamped, is between -1 and 1, and (b / r)^2 below 1 with r
     from axis 1 to the wrist centre.
     """
