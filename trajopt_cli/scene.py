@@ -21,7 +21,7 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.shapes import Box, Capsule, MeshFile, Shape, Solid
+from trajopt_cli.shapes import Box, Capsule, Shape
 from trajopt_cli.trajectory import Trajectory, hermite
 
 BASE, WORLD = -1, -2
@@ -141,8 +141,8 @@ def scene_of_plant(plant: Plant, moving: Iterable[str] = ()) -> Scene:
     because a cycle has them as parts."""
     left_out, rail = set(moving), plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
-    obstacles = [_loaded(solid) for solid in plant.obstacles if solid.name not in left_out]
-    return scene_of_robot(plant.robot, obstacles, [_loaded(solid) for solid in plant.attached], stroke)
+    obstacles = [solid.loaded for solid in plant.obstacles if solid.name not in left_out]
+    return scene_of_robot(plant.robot, obstacles, [solid.loaded for solid in plant.attached], stroke)
 
 
 def scene_of_robot(
@@ -193,7 +193,7 @@ def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = No
         if not tools or not np.array_equal(tools[-1][1], motion.tool.X_FT):
             tools.append((planned.t_0 if tools else 0.0, motion.tool.X_FT))
             solids = () if plant is None else tool_capsule(motion.tool, plant.tool_radius)
-            capsules.append((tools[-1][0], _loaded(solids[0]) if solids else None))
+            capsules.append((tools[-1][0], solids[0].loaded if solids else None))
         if isinstance(motion, PathMove) and planned.t_1 > planned.t_0:
             if driven and driven[-1][1] == planned.t_0:
                 driven[-1] = (driven[-1][0], planned.t_1)
@@ -242,7 +242,7 @@ def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[
     for time, index in moments:
         bodies = bodies_on(plant, program, index)
         for frame, solids in ((flange, bodies.carried), (WORLD, bodies.standing)):
-            for shape in (_loaded(solid) for solid in solids if solid.name in names):
+            for shape in (solid.loaded for solid in solids if solid.name in names):
                 before = under.get(shape.name)
                 if before is None or before[2] is not shape:
                     if before is not None and time > before[0]:
@@ -250,11 +250,6 @@ def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[
                     under[shape.name] = time, frame, shape
     for since, frame, shape in under.values():
         yield Body(shape, frame, PART, since)
-
-
-def _loaded(solid: Solid) -> Shape:
-    assert not isinstance(solid.shape, MeshFile)  # a plant has them loaded
-    return solid.shape
 
 
 def _bones(chain: Sequence[Joint]) -> Iterator[Body]:

@@ -109,6 +109,12 @@ class Solid:
         """The shape's name."""
         return self.shape.name
 
+    @property
+    def loaded(self) -> Shape:
+        """The shape of a plant's solid: build_plant loads meshes."""
+        assert not isinstance(self.shape, MeshFile)
+        return self.shape
+
 
 @dataclass(frozen=True)
 class Cue:

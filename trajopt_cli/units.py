@@ -8,6 +8,11 @@ MM = 1e-3
 DEG = pi / 180.0
 
 
+def unit_of(axis: str) -> tuple[float, str]:
+    """SI per shown unit, and the unit's sign, of an axis by name."""
+    return (MM, "mm") if axis == "rail" else (DEG, "deg")
+
+
 def decimal(text: str) -> float:
     """The number that a text spells as files do: float() also takes 1_0 and the digits of other scripts.
 

@@ -13,7 +13,7 @@ from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.table import TextTable
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, unit_of
 
 
 def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
@@ -160,15 +160,10 @@ class _Footnotes:
             yield f"[{number}] {source}"
 
 
-def _unit(axis: str) -> tuple[float, str]:
-    """How many SI units one shown unit has, and its name."""
-    return (MM, "mm") if axis == "rail" else (DEG, "deg")
-
-
 def _ranges(limits: JointLimits, notes: _Footnotes) -> TextTable:
     rows: list[tuple[str, ...]] = []
     for i, axis in enumerate(limits.names):
-        factor, unit = _unit(axis)
+        factor, unit = unit_of(axis)
         low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
         marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
         rows.append((axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1]))

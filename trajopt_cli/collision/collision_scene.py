@@ -21,7 +21,7 @@ from trajopt_cli.problem.problem import Problem
 from trajopt_cli.proximity.near import WORLD, NearPairs
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.settings import Settings
-from trajopt_cli.shapes import MeshFile, Shape, Solid, outline
+from trajopt_cli.shapes import Shape, Solid, outline
 from trajopt_cli.trajectories.clearance_queries import Contacts
 
 _FLANGE = 7  # number of the flange behind base and six links
@@ -80,7 +80,7 @@ class _Pair:
     @property
     def shapes(self) -> tuple[Shape, int, Shape, int]:
         """Both with their frames."""
-        other = self.other.shape if isinstance(self.other, _Body) else _shape(self.other)
+        other = self.other.shape if isinstance(self.other, _Body) else self.other.loaded
         return self.body.shape, self.body.frame, other, self.frame
 
 
@@ -351,7 +351,7 @@ def _levers(robot: RobotModel, shape: Shape, frame: int) -> Array:
 
 def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pair]:
     """What is held against what: bodies that an axis moves against those that stand, and the robot against itself."""
-    held = [_Body(one.name, _shape(one), _FLANGE, _levers(plant.robot, _shape(one), _FLANGE)) for one in bodies.carried]
+    held = [_Body(one.name, one.loaded, _FLANGE, _levers(plant.robot, one.loaded, _FLANGE)) for one in bodies.carried]
     for solid in bodies.standing:
         for body in (*links, *held):
             if body.name not in solid.ignore and (body.frame > 0 or plant.robot.has_rail):
@@ -360,11 +360,6 @@ def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pa
     for first, second in plant.self_pairs:
         if second in by_name:  # else it is not carried now
             yield _Pair(by_name[second], by_name[first], plant.settings.clearance_margin)
-
-
-def _shape(solid: Solid) -> Shape:
-    assert not isinstance(solid.shape, MeshFile)  # build_plant loads them
-    return solid.shape
 
 
 def _gradients(

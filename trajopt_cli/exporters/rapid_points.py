@@ -8,9 +8,7 @@ from dataclasses import dataclass
 from trajopt_cli.exporters.rapid_text import Edits
 from trajopt_cli.motion import Hold, MoveAbsJ, MoveJ, Span
 from trajopt_cli.problem.detours import JointMove
-from trajopt_cli.problem.move_call import read_move
-from trajopt_cli.rapid.language.parser import parse_statement
-from trajopt_cli.rapid.language.syntax import ProcedureCall
+from trajopt_cli.problem.move_call import parsed, read_move
 from trajopt_cli.rapid.marks import HOLD, way_around
 
 _MARKED = re.compile(r"[ \t]*!\s*trajopt\s*:", re.IGNORECASE)
@@ -55,7 +53,7 @@ def point_lines(point: Point, own: JointMove, written: str, now: str, fast: bool
     def word(part: Span | None) -> str:
         return "" if part is None else written[part.start - span.start : part.end - span.start]
 
-    given, then = _parsed(written, span), _parsed(now, span)
+    given, then = parsed(written, span), parsed(now, span)
     place = next(i for i, arg in enumerate(given.args) if span.start + arg.start == call.speed.start)
     speed = "vmax" if fast else now[then.args[place].start : then.args[place].end]
     if not fast and any((arg.name or "").lower() == "v" for arg in then.args):
@@ -78,9 +76,3 @@ def put_above(edits: Edits, span: Span, lines: list[str]) -> None:
         edits.insert(span.file, above[0], "".join(f"{indent}{line}{end}" for line in lines))
     else:
         edits.insert(span.file, span.start, "".join(f"{line}{end}{indent}" for line in lines))
-
-
-def _parsed(text: str, span: Span) -> ProcedureCall:
-    call = parse_statement(text, span.file)
-    assert isinstance(call, ProcedureCall)  # every motion's statement is one
-    return call

@@ -21,22 +21,23 @@ class Circle(NamedTuple):
 
 def circle_through(start: Point, via: Point, end: Point) -> Circle | None:
     """The arc from start through via to end; None for points on one line or in one place."""
-    u, v = _minus(via, start), _minus(end, start)
-    n = _cross(u, v)
+    u, v = minus(via, start), minus(end, start)
+    n = cross(u, v)
     size = sqrt(_dot(n, n))
     uu, vv = _dot(u, u), _dot(v, v)
     if size <= _STRAIGHT * sqrt(uu) * sqrt(vv):
         return None
     axis = (n[0] / size, n[1] / size, n[2] / size)
-    a, b = _cross(n, u), _cross(v, n)
+    a, b = cross(n, u), cross(v, n)
     scale = 2 * size * size
     out = ((vv * a[0] + uu * b[0]) / scale, (vv * a[1] + uu * b[1]) / scale, (vv * a[2] + uu * b[2]) / scale)
     centre = (start[0] + out[0], start[1] + out[1], start[2] + out[2])
-    first, last = _minus(start, centre), _minus(end, centre)
-    return Circle(centre, axis, atan2(_dot(axis, _cross(first, last)), _dot(first, last)) % (2 * pi))
+    first, last = minus(start, centre), minus(end, centre)
+    return Circle(centre, axis, atan2(_dot(axis, cross(first, last)), _dot(first, last)) % (2 * pi))
 
 
-def _minus(a: Point, b: Point) -> Point:
+def minus(a: Point, b: Point) -> Point:
+    """a - b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
@@ -44,5 +45,6 @@ def _dot(a: Point, b: Point) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _cross(a: Point, b: Point) -> Point:
+def cross(a: Point, b: Point) -> Point:
+    """Vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

@@ -23,7 +23,7 @@ from trajopt_cli.motion import (
     Wait,
 )
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, MeshFile, Shape, Solid, moved
+from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, Solid, moved
 
 RESTS = 1e-3
 """m: a part nearer than this to another body, or nearer than the clearance wanted, stands on it."""
@@ -190,7 +190,7 @@ class _Parts:
         for grip in self._plant.grips:
             held = next((solid for solid in self.held if solid.name == grip.part), None)
             if held is not None and grip.detach is not None and fires(grip.detach, motion):
-                here = replace(held, shape=moved(_shape(held), _known(X_WF, motion, grip)))
+                here = replace(held, shape=moved(held.loaded, _known(X_WF, motion, grip)))
                 self.held = tuple(solid for solid in self.held if solid is not held)
                 self.standing = (*self.standing, here)
                 out.append(_Change(grip.part, False, self._rests_on(here)))
@@ -199,7 +199,7 @@ class _Parts:
                 here = self._first.setdefault(grip, stands)
                 self.standing = tuple(solid for solid in self.standing if solid is not stands)
                 out.append(_Change(grip.part, True, self._rests_on(here)))
-                shape = moved(_shape(here), inverse_pose(_known(X_WF, motion, grip)))
+                shape = moved(here.loaded, inverse_pose(_known(X_WF, motion, grip)))
                 self.held = (*self.held, replace(here, shape=shape))
         return out
 
@@ -207,16 +207,11 @@ class _Parts:
         from trajopt_cli.proximity.near import WORLD, NearPairs
 
         others = [solid for solid in self.standing if solid is not part]
-        pairs = NearPairs([(_shape(part), 0, _shape(one), WORLD) for one in others])
+        pairs = NearPairs([(part.loaded, 0, one.loaded, WORLD) for one in others])
         numbers = np.arange(len(others))
         distance = pairs.nearest(np.eye(4)[None, None], 0 * numbers, numbers).distance
         near = max(RESTS, self._plant.clearance)
         return frozenset(one.name for one, apart in zip(others, distance, strict=True) if apart <= near)
-
-
-def _shape(solid: Solid) -> Shape:
-    assert not isinstance(solid.shape, MeshFile)  # build_plant loads them
-    return solid.shape
 
 
 def _known(X_WF: Array | None, motion: Motion, grip: Grip) -> Array:

@@ -39,7 +39,7 @@ class MoveCall:
 def read_move(move: Move, text: str) -> MoveCall:
     """The call that a move's statement is; text is the statement."""
     span = move.written.statement
-    call = _parsed(text, span)
+    call = parsed(text, span)
     required = [arg for arg in call.args if arg.name is None]
     options = {arg.name.lower(): arg for arg in call.args if arg.name is not None}
     target = move.written.target
@@ -63,11 +63,12 @@ def read_move(move: Move, text: str) -> MoveCall:
 
 def last_argument(motion: Motion, text: str) -> str:
     """How the last argument of a motion's statement is written: a WaitTime's duration, an output's value."""
-    last = _parsed(text, motion.written.statement).args[-1]
+    last = parsed(text, motion.written.statement).args[-1]
     return text[last.start : last.end]
 
 
-def _parsed(text: str, span: Span) -> ProcedureCall:
+def parsed(text: str, span: Span) -> ProcedureCall:
+    """The statement of a motion."""
     call = parse_statement(text, span.file)
     assert isinstance(call, ProcedureCall)  # every motion's statement is one
     return call

@@ -34,7 +34,7 @@ from trajopt_cli.report.style import (
     settle,
 )
 from trajopt_cli.trajectories.plan_series import PlanSeries, programmed_speed, target_flange, torques_along
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, unit_of
 
 TIME = "time [s]"
 _LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
@@ -233,11 +233,6 @@ def draw_xyz(axes: Axes, t: Array, values: Array) -> None:
 def xyz_handles(labels: tuple[str, str, str] = ("x", "y", "z")) -> list[Line2D]:
     """What the legend shows for draw_xyz."""
     return [Line2D([], [], color=c, linestyle=s, label=n) for n, (c, s) in zip(labels, AXIS_STYLES, strict=True)]
-
-
-def unit_of(axis: str) -> tuple[float, str]:
-    """SI per shown unit, and the unit's sign, of an axis by name."""
-    return (MM, "mm") if axis == "rail" else (DEG, "deg")
 
 
 def number(value: float) -> str:

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from math import atan2, cos, hypot, sin, sqrt
 
+from trajopt_cli.path.circle import cross
+
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 Frame = tuple[Vector, Quaternion]
@@ -41,11 +43,6 @@ def product(a: Quaternion, b: Quaternion) -> Quaternion:
 def conjugate(q: Quaternion) -> Quaternion:
     """The reverse rotation of a unit quaternion."""
     return (q[0], -q[1], -q[2], -q[3])
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """Vector product."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def rotate(q: Quaternion, p: Vector) -> Vector:

@@ -6,6 +6,7 @@ import operator as op
 from collections.abc import Callable
 from math import copysign, fmod, trunc
 
+from trajopt_cli.path.circle import cross
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
     DNUM,
@@ -100,7 +101,7 @@ def vectors(run: Context, node: Binary, left: Value, right: Value) -> Value | No
         if operator == "-":
             return computed(run, node, POS, (p[0] - q[0], p[1] - q[1], p[2] - q[2]))
         if operator == "*":
-            return computed(run, node, POS, frames.cross(p, q))
+            return computed(run, node, POS, cross(p, q))
     elif (left.type is POS and is_number(right.type)) or (is_number(left.type) and right.type is POS):
         factor, p = (b, a) if left.type is POS else (a, b)
         if operator == "*":

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.path.circle import cross, minus
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import NUM, ORIENT, POS, POSE, ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
@@ -80,13 +81,13 @@ def _three_points(run: Context, nodes: Sequence[Expression], origin: int, call: 
     """
     points: list[frames.Vector] = [run.evaluate(node, ROBTARGET).data[0] for node in nodes]
     first, second, third = points
-    x = _unit(_difference(second, first))
-    across = _difference(third, first)
-    z = None if x is None else _unit(frames.cross(x, across))
+    x = _unit(minus(second, first))
+    across = minus(third, first)
+    z = None if x is None else _unit(cross(x, across))
     if x is None or z is None:
         names = ", ".join(run.text(node) for node in nodes)
         raise run.fault(call, "ERR_FRAME", f"{call.name}: the points {names} lie on one line, so they give no frame")
-    y = frames.cross(z, x)
+    y = cross(z, x)
     along = sum(a * b for a, b in zip(across, x, strict=True))
     start = {
         1: first,
@@ -98,10 +99,6 @@ def _three_points(run: Context, nodes: Sequence[Expression], origin: int, call: 
     R = np.array([x, y, z]).T
     w, i, j, k = (float(part) for part in wxyz_from_rotation(R))
     return start[origin], (w, i, j, k)
-
-
-def _difference(a: frames.Vector, b: frames.Vector) -> frames.Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def _unit(v: frames.Vector) -> frames.Vector | None:
