@@ -180,7 +180,7 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
     number = np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
     samples = samples_of(axes, [problem.legs[one.k] for one in pairs], number, along)
     found = stacked(path_rows(but_torques(axes), samples))
-    top = found.top.min(axis=-1).reshape(B, -1)
+    top = found.rate.reshape(B, -1)
     slopes, bends, rests = (x.reshape(B, len(s), -1) for x in (found.slopes, found.bends, found.rests))
     ok = np.asarray(ok & np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(bends).all(axis=(1, 2)))
     T = np.full(B, np.inf)
@@ -191,8 +191,8 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
         rates = [
             np.repeat([np.inf if problem.passes(one.k + end) else 0.0 for one in pairs], counts)[ok] for end in (0, 1)
         ]
-        slopes, bends = slopes[ok], bends[ok]
-        rows = (slopes, bends, rests[ok]) if rests.any() else (slopes, bends)
+        kept = slice(None) if ok.all() else ok
+        rows = tuple(x[kept] for x in ((slopes, bends, rests) if rests.any() else (slopes, bends)))
         begins, ends = tuple(x[:, :-1] for x in rows), tuple(x[:, 1:] for x in rows)
         T[ok] = fastest_laws(s, top[ok], begins, ends, *rates).durations
     return T

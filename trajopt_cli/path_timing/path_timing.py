@@ -153,8 +153,9 @@ def used_by(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw) -> di
     for name, rows in rows_on(axes, problem, path).items():
         out[name] = np.zeros((len(u), 2))
         for row, rate in ((path.first, law.rates[:-1, None]), (path.first + 1, law.rates[1:, None])):
-            pushed = of_room(rows.slopes[row] * u[:, None] + rows.bends[row] * rate**2, rows.rests[row])
-            used = [np.max(x, axis=1, initial=0.0) for x in (rate / rows.top[row], pushed)]
+            at = rows.at(row)
+            pushed = of_room(at.slopes * u[:, None] + at.bends * rate**2, at.rests)
+            used = [np.max(x, axis=1, initial=0.0) for x in (rate / at.top, pushed)]
             out[name] = np.maximum(out[name], np.column_stack(used))
     return out
 
@@ -165,14 +166,14 @@ def in_force(axes: Axes, problem: Problem, path: SampledPath, margins: PathMargi
     found = rows_on(axes, problem, path)
     top, sides = np.full(len(path.part) + 1, np.inf), list[Rows]()
     for row, at in ((path.first, slice(None, -1)), (path.first + 1, slice(1, None))):
-        of = [(rows, margins.by_name[name]) for name, rows in found.items()]
-        tops = [np.min(rows.top[row], axis=1, initial=np.inf) * margin[:, 0] for rows, margin in of]
+        of = [(rows.at(row), margins.by_name[name]) for name, rows in found.items()]
+        tops = [rows.rate * margin[:, 0] for rows, margin in of]
         top[at] = np.min([top[at], margins.rate, *tops], axis=0)
         sides.append(
             (
-                np.hstack([rows.slopes[row] / margin[:, 1:] for rows, margin in of]),
-                np.hstack([rows.bends[row] / margin[:, 1:] for rows, margin in of]),
-                np.hstack([rows.rests[row] for rows, _ in of]),
+                np.hstack([rows.slopes / margin[:, 1:] for rows, margin in of]),
+                np.hstack([rows.bends / margin[:, 1:] for rows, margin in of]),
+                np.hstack([rows.rests for rows, _ in of]),
             )
         )
     top[[*path.rests]] = 0.0
@@ -274,7 +275,7 @@ def _resolved(axes: Axes, problem: Problem, path: SampledPath) -> SampledPath | 
 
 def _too_coarse(axes: Axes, problem: Problem, path: SampledPath) -> tuple[BoolArray, BoolArray]:
     """Which intervals (N,) want a node in the middle, and which say nothing of what happens in them."""
-    top = stacked(rows_on(axes, problem, path, but_torques(axes))).top.min(axis=1)
+    top = stacked(rows_on(axes, problem, path, but_torques(axes))).rate
     row, along = path.first, path.along
     low, high = np.minimum(top[row], top[row + 1]), np.maximum(top[row], top[row + 1])
     step = np.diff(path.sigma)[:, None]

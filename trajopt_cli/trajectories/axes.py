@@ -36,7 +36,7 @@ class AxisLimits:
 
     def at(self, places: IndexArray) -> AxisLimits:
         """Those of some of the places, in any order."""
-        return AxisLimits(*(getattr(self, one.name)[places] for one in fields(self)))
+        return AxisLimits(*(np.take(getattr(self, one.name), places, axis=0) for one in fields(self)))
 
 
 @dataclass(frozen=True, eq=False)
