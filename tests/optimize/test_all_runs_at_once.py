@@ -148,6 +148,38 @@ def test_shifts_at_corners_gain() -> None:
     assert duration(timed(axes, problem, found)) < duration(timed(axes, problem, chain))
 
 
+def test_no_shift_of_neighbours_across_stops_gains() -> None:
+    """Neither of one point nor of up to four together by the last step, timed with joints of the robot's own."""
+    axes, problem, chain = chain_of(BODY.replace("v300, fine", "v300, z_t"))
+    cfx = [label.cfx for label in chain.labels]
+    q = refine_corner_rail(axes, problem, chain).q
+    free = [k for k, point in enumerate(problem.waypoints) if point.q is None]
+
+    def time(q: Array) -> float:
+        return float(about(axes, problem, problem.runs, [q] * len(problem.runs), cfx).sum())
+
+    for i in range(len(free)):
+        for group in (free[i : i + count] for count in range(1, 5)):
+            for way in (axes.settings.polish_last, -axes.settings.polish_last):
+                shifted = q.copy()
+                for k in group:
+                    rail = q[k, :1] + way
+                    arm = axes.inverse(problem.waypoints[k].X_WF[None], rail)[0, cfx[k]]
+                    shifted[k] = np.r_[rail, arm + 2 * np.pi * np.round((q[k, 1:] - arm) / (2 * np.pi))]
+                assert not time(shifted) < time(q) - 2e-5
+
+
+def test_the_rail_is_shifted_where_it_stands_in_a_wait() -> None:
+    """Both ends of the wait alike, which takes no more."""
+    axes, problem, chain = chain_of(BODY.replace("MoveL p_low, v500, fine, tool0;", "WaitTime 0.2;"))
+    wait = next(k for k, leg in enumerate(problem.legs) if leg.duration)
+    legs = [replace(leg, rail_moves=k != wait) for k, leg in enumerate(problem.legs)]
+    chain.q[wait + 1] = chain.q[wait]
+    found = refine_corner_rail(axes, replace(problem, legs=tuple(legs)), chain).q
+    np.testing.assert_allclose(found[wait + 1], found[wait], rtol=0, atol=1e-9)
+    assert abs(found[wait, 0] - chain.q[wait, 0]) > axes.settings.polish_last / 2
+
+
 def test_points_that_are_carried_along_are_not_shifted() -> None:
     """Nor those around them, where these are fewer."""
     ways = [f"MoveL Offs(p_low,{5 * np.sin(i):.3f},{3 * i},0), v200, z1, tool0;" for i in range(1, 9)]

@@ -371,8 +371,7 @@ def _with_detours(
 
     def shifted(problem: Problem, chain: Route) -> list[Route]:
         near = refine_rail(axes, problem, chain, known, collision_scene_of(problem))
-        polish = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
-        return [near, refine_corner_rail(axes, problem, near)] if polish else [near]
+        return [*dict.fromkeys([near, refine_corner_rail(axes, problem, near)])]
 
     for problem in problems:
         try:
@@ -422,8 +421,7 @@ def _and_other_chain(
     with suppress(Stopped):
         better = None if patience.over else with_better_parts(axes, problem, chain, tried[0], known)
     if better is not None:
-        passing = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
-        yield refine_corner_rail(axes, problem, better) if passing else better
+        yield refine_corner_rail(axes, problem, better)
 
 
 def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
