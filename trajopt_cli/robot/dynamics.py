@@ -1,4 +1,4 @@
-"""Torques and accelerations of an arm and its tool as rigid bodies, by pinocchio.
+"""Torques of an arm and its tool as rigid bodies, by pinocchio.
 
 No friction; rotors where their inertia is given: the masses are those of the URDF, whose source and grade the robot's
 YAML gives.
@@ -103,19 +103,8 @@ class Dynamics:
         out = [np.array(self._pin.computeGeneralizedGravity(self._model, self._data, row)) for row in rows]
         return np.array(out).reshape(np.shape(q))
 
-    def acceleration(self, q: Array, qd: Array, tau: Array) -> Array:
-        """Joint accelerations (k,) [rad/s2] under joint torques tau (k,) [Nm] at q, qd (k,): forward dynamics."""
-        state = self._one(q, "q"), self._one(qd, "qd"), self._one(tau, "tau")
-        return np.array(self._pin.aba(self._model, self._data, *state), dtype=np.float64)
-
     def _rows(self, values: Array, name: str) -> Array:
         k, values = self._model.nv, np.asarray(values, dtype=np.float64)
         if values.ndim not in (1, 2) or values.shape[-1] != k:
             raise ValueError(f"{name} has shape {values.shape}, wanted ({k},) or (n, {k})")
         return values.reshape(-1, k)
-
-    def _one(self, values: Array, name: str) -> Array:
-        k, values = self._model.nv, np.asarray(values, dtype=np.float64)
-        if values.shape != (k,):
-            raise ValueError(f"{name} has shape {values.shape}, wanted ({k},)")
-        return values
