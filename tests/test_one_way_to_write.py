@@ -13,6 +13,7 @@ ALLOWED = {
     "runs/files.py": "the way itself",
     "runs/transaction.py": "the way of several files at once",
     "runs/rows.py": "files without a name, gone with their process",
+    "native/numba_ir.py": "a developer's command that writes sources of the package",
     "native/store.py": "a cache, that may be lost at any time, on the floor below",
     "proximity/meshes.py": "a copy of a mesh for the library, in a temporary folder",
     "cli/health.py": "a trial run in a temporary folder",
