@@ -78,7 +78,8 @@ class Settings:
     refine_step: float = 0.03  # m, the first step: the search's grid. Not measured.
     refine_last: float = 0.0002  # m, the last. Measured: 4e-4 gave one of 30 random programs 0.06 % more time.
     polished_legs: int = 3500  # legs of runs with corners that are timed while the rail is shifted at their points.
-    # Measured on 24 such programs: 2500 gave one of them 0.12 % more time, 5000 and 8000 the same as each other.
+    # Measured with 2500, 5000 and 8000: 2500 gave bench_peers 3011 0.12 % more time, bench_corners 4016 and 4013 0.19
+    # and 0.11 % from one start; 8000 gave 4016 0.03 % less than 5000. This value was not compared.
     carry_length: float = 0.05  # m of short lines over which the rail goes in proportion to the tool's way. Measured on
     # 400 points of z1: 5.642 s in 9.9 s of processor time; a rail position for every point 6.681 s in 42.7 s.
     range_shares: tuple[float, ...] = (1.0, 0.99, 0.97, 0.93)  # shares of the axes' ranges that are tried in turn. Not

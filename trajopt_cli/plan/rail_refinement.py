@@ -32,7 +32,8 @@ _LEAST_POLISH = 1e-05  # s that a shift must save.
 # 5 mm gave up to 0.03 % more time, 0.007 % on average, in 0.8 of the time.
 _REFINE_OFFSETS = (-2.0, -1.0, 0.0, 1.0, 2.0)
 _CALM = 0.001  # s per metre of it and squared slope of the rail that is charged there.
-# Measured on five programs: only those of one run gave up to 0.49 % more time, 3 likewise; 5 the same within 0.01 %.
+# Measured from seven starts of four programs: only those of one run gave up to 0.49 % more time, 3 likewise; 5 the
+# same within 0.01 %.
 _TOGETHER = 4  # neighbouring points at most that are shifted together, across stops too.
 _CARRY_LOOKS = 6  # of the lines between two such positions that are timed at most.
 # steps by which both ends of a leg are shifted otherwise at most. Measured on ten programs: 0.002 % faster on average
