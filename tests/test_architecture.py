@@ -94,6 +94,9 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "toppra": ("judge/libraries.py",),
     "qdldl": ("nlp/interior_point.py",),
     "ruckig": ("timing/*", "judge/libraries.py"),
+    "dask": ("parameter_study/cluster.py",),
+    "distributed": ("parameter_study/cluster.py", "parameter_study/run.py", "cli/study.py"),  # the latter for types
+    "psutil": ("parameter_study/guard.py",),
     "scipy": (
         "limits.py",
         "adopt/*",
@@ -106,6 +109,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
         "trajectories/*",
         "timing/*",
         "measured/*",
+        "parameter_study/sampling.py",
         "iiwa/controller/*",
         "iiwa/task/arm_plan.py",
         "report/obstacles.py",
@@ -123,13 +127,22 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
         "runs/*",
         "iiwa/task/*",
         "iiwa/job/folder.py",
+        "parameter_study/cell_keys.py",
+        "parameter_study/study_file.py",
         "validation.py",
         "yaml_file.py",
     ),
-    "pydantic_core": ("cell/*", "runs/*", "quantity.py", "validation.py", "yaml_file.py"),
+    "pydantic_core": (
+        "cell/*",
+        "parameter_study/study_file.py",
+        "runs/*",
+        "quantity.py",
+        "validation.py",
+        "yaml_file.py",
+    ),
     "ruamel": ("robot/*", "yaml_file.py"),
     "mcap_ros2": ("exporters/mcap.py",),
-    "pyarrow": ("exporters/parquet.py",),
+    "pyarrow": ("exporters/parquet.py", "parameter_study/results.py"),
     "numpy": ("*",),
 }
 

@@ -16,6 +16,7 @@ ALLOWED = {
     "native/numba_ir.py": "a developer's command that writes sources of the package",
     "native/store.py": "a cache, that may be lost at any time, on the floor below",
     "proximity/meshes.py": "a copy of a mesh for the library, in a temporary folder",
+    "parameter_study/point.py": "the files of a robot's own, in a temporary folder of a worker",
     "cli/health.py": "a trial run in a temporary folder",
     "cli/__init__.py": "opens /dev/null where stdout is closed",
 }

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind, printable
 from trajopt_cli.file_kinds import kind_of, refuse_other
-from trajopt_cli.motion import Move, Program
+from trajopt_cli.motion import Move, Program, TextFile
 from trajopt_cli.runs import RUN
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
@@ -156,12 +156,6 @@ def read_job(
     """
     start = perf_counter()
     from trajopt_cli.cell.model import minimal_cell
-    from trajopt_cli.problem.collision_objects import bodies_on, never
-    from trajopt_cli.problem.configurations import at_cycle
-    from trajopt_cli.problem.controller import differences
-    from trajopt_cli.problem.plannable import check_plannable, target_doubts
-    from trajopt_cli.problem.plant import build_plant, unwatched
-    from trajopt_cli.problem.programmed import PlantKinematics
     from trajopt_cli.rapid.language.text import read_text
     from trajopt_cli.rapid.sources import is_module, modules_at, refuse_results
     from trajopt_cli.robot.model import robot_names
@@ -178,11 +172,41 @@ def read_job(
         made = f"{command} makes one of the backup's MOC.cfg; or " if (command := from_backup(paths)) else ""
         message = f"{paths[0]} has no cell file; {made}save these lines there and adapt them:"
         raise InputError(message, file=str(path), excerpt=text, kind=ErrorKind.CELL)
-    loaded = _with_robot(path, robot)
+    return job_on(_with_robot(path, robot), paths, path, entry, assume_identity, start=start)
+
+
+def job_on(
+    loaded: Cell,
+    paths: tuple[Path, ...],
+    cell_path: Path,
+    entry: str = MAIN,
+    assume_identity: Sequence[str] = (),
+    files: Sequence[TextFile] | None = None,
+    start: float | None = None,
+) -> Job:
+    """A program on a cell that is read already.
+
+    files: the program's texts where they are at hand, too; paths: where they are from. start: when the reading began.
+    Raises InputError as read_job does.
+    """
+    start = perf_counter() if start is None else start
+    from trajopt_cli.problem.collision_objects import bodies_on, never
+    from trajopt_cli.problem.configurations import at_cycle
+    from trajopt_cli.problem.controller import differences
+    from trajopt_cli.problem.plannable import check_plannable, target_doubts
+    from trajopt_cli.problem.plant import build_plant, unwatched
+    from trajopt_cli.problem.programmed import PlantKinematics
+    from trajopt_cli.rapid.reader import run_program
+
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
     scenario = replace(scenario, settle=loaded.settling(plant.robot.settle))
-    flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
+    kinematics = PlantKinematics(plant)
+    flat = (
+        read_flat(paths, scenario, entry, kinematics)
+        if files is None
+        else run_program(files, scenario, entry, kinematics)
+    )
     plant = at_cycle(flat, plant)
     if not any(isinstance(motion, Move) for motion in flat.motions):
         from trajopt_cli.rapid.startable import moves_nothing
@@ -205,7 +229,7 @@ def read_job(
         plant=plant,
         scenario=scenario,
         paths=paths,
-        cell_path=path,
+        cell_path=cell_path,
         assume_identity=tuple(sorted({name.strip().lower() for name in assume_identity})),
         read_seconds=perf_counter() - start,
     )

@@ -6,7 +6,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
 from pydantic_core import PydanticCustomError
@@ -51,10 +51,12 @@ _Read = TypeVar("_Read")
 
 @dataclass(frozen=True, eq=False)
 class Reader(Generic[_Read]):
-    """A validator that also says what it takes, as JSON schema for editors, who look before it is read."""
+    """A validator that also says what it takes, as JSON schema for editors, who look before it is read; units: of the
+    number or numbers that it reads, by factor, empty where it reads something else."""
 
     read: Callable[[Any], _Read]
     takes: dict[str, Any]
+    units: Mapping[str, float] = field(default_factory=dict)
 
     def __call__(self, value: Any) -> _Read:
         """What read makes of value; raises its PydanticCustomError."""
@@ -165,7 +167,7 @@ def number(units: Mapping[str, float]) -> Reader[float]:
         except OverflowError:
             raise complain(f"needs a finite number, not {shown(value)}") from None
 
-    return Reader(validate, takes_number(units))
+    return Reader(validate, takes_number(units), units)
 
 
 def numbers(units: Mapping[str, float], count: int | None = None) -> Reader[tuple[float, ...]]:
@@ -188,7 +190,7 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Reader[tupl
             raise complain(f"needs {count} numbers, not {len(items)}")
         return tuple(one(item) for item in items)
 
-    return Reader(validate, takes_numbers(one.takes, units, count))
+    return Reader(validate, takes_numbers(one.takes, units, count), units)
 
 
 def above_zero(value: float) -> float:
@@ -207,12 +209,12 @@ def not_negative(value: float) -> float:
 
 def positive(units: Mapping[str, float]) -> Reader[float]:
     """A validator: as number, above zero."""
-    return Reader(lambda value: above_zero(number(units)(value)), takes_number(units, exclusiveMinimum=0))
+    return Reader(lambda value: above_zero(number(units)(value)), takes_number(units, exclusiveMinimum=0), units)
 
 
 def from_zero(units: Mapping[str, float]) -> Reader[float]:
     """A validator: as number, zero or more."""
-    return Reader(lambda value: not_negative(number(units)(value)), takes_number(units, minimum=0))
+    return Reader(lambda value: not_negative(number(units)(value)), takes_number(units, minimum=0), units)
 
 
 def option_value(text: str, units: Mapping[str, float], option: str) -> float:

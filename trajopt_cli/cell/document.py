@@ -343,7 +343,7 @@ def _settling(value: Any) -> float:
     return seconds
 
 
-SettlingTime = Annotated[float, BeforeValidator(Reader(_settling, from_zero(TIME).takes))]
+SettlingTime = Annotated[float, BeforeValidator(Reader(_settling, from_zero(TIME).takes, TIME))]
 
 
 class SettleSection(_Section):
@@ -371,7 +371,7 @@ Length3 = Annotated[Triple, BeforeValidator(numbers(LENGTH, 3))]
 class BoxSection(FrameSection):
     """A box: size along its own axes [m], its centre's frame."""
 
-    size: Annotated[tuple[float, ...], BeforeValidator(Reader(_sizes, numbers(LENGTH, 3).takes))]
+    size: Annotated[tuple[float, ...], BeforeValidator(Reader(_sizes, numbers(LENGTH, 3).takes, LENGTH))]
 
 
 class CapsuleSection(_Section):
@@ -564,17 +564,17 @@ class CellDocument(_Section):
     attach: tuple[AttachSection, ...] = ()
     may_touch: tuple[Annotated[tuple[str, str], BeforeValidator(_pair)], ...] = ()
     clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
-    tool_radius: Annotated[float, BeforeValidator(Reader(_thickness, from_zero(LENGTH).takes))] = TOOL_RADIUS
+    tool_radius: Annotated[float, BeforeValidator(Reader(_thickness, from_zero(LENGTH).takes, LENGTH))] = TOOL_RADIUS
     signals: dict[StrictStr, SignalValues] = Field(default_factory=dict)
     answers: dict[StrictStr, Answers] = Field(default_factory=dict)
     data: dict[
         StrictStr, Annotated[DataSection, BeforeValidator(_data, json_schema_input_type=DataSection | Answers)]
     ] = Field(default_factory=dict)
-    waits: dict[StrictStr, Annotated[float | FreeRail | None, BeforeValidator(Reader(_least, {"anyOf": _WAIT}))]] = (
-        Field(default_factory=dict)
-    )
+    waits: dict[
+        StrictStr, Annotated[float | FreeRail | None, BeforeValidator(Reader(_least, {"anyOf": _WAIT}, TIME))]
+    ] = Field(default_factory=dict)
     partner: dict[
-        Annotated[int, Field(ge=0)], Annotated[float, BeforeValidator(Reader(_time, from_zero(TIME).takes))]
+        Annotated[int, Field(ge=0)], Annotated[float, BeforeValidator(Reader(_time, from_zero(TIME).takes, TIME))]
     ] = Field(default_factory=dict)
     searches: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_share, _or("never", RATIO)))]] = Field(
         default_factory=dict

@@ -57,7 +57,12 @@ def load_cell(path: str | Path) -> Cell:
 @of_kind(ErrorKind.CELL)
 def parse_cell(text: str, file: str) -> Cell:
     """The Cell in a cell file's text; file is its name in messages. Raises InputError as load_cell does."""
-    content, lines = parse(text, file, "at least robot and start are needed")
+    return cell_of(*parse(text, file, "at least robot and start are needed"), file)
+
+
+@of_kind(ErrorKind.CELL)
+def cell_of(content: Mapping[str, Any], lines: Mapping[str, int], file: str) -> Cell:
+    """The Cell in what yaml_file.parse gives of a cell file. Raises InputError as load_cell does."""
     document = validated(CellDocument, content, lines, file, _WANTED)
     return replace(_cell(document, file, lines), doubts=suspected(content, CELL, lines, file))
 

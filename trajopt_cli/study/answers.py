@@ -4,18 +4,44 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Source
 from trajopt_cli.pipeline.optimize import inputs_of
 from trajopt_cli.pipeline.planning import judge
+from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import held_against
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.runs.folder import write_run
 from trajopt_cli.runs.record import Inputs, RunRecord
 from trajopt_cli.runs.rows import RowsFile
+
+if TYPE_CHECKING:
+    from trajopt_cli.plan import PlanCache
+
+
+def plan_of(
+    job: Job,
+    target: Target,
+    changes: Changes,
+    patience: Patience | None,
+    freedom: Freedom = EVERYTHING,
+    memory: PlanCache | None = None,
+) -> Plan | Infeasible:
+    """The plan of a target, without a bound; without patience its first legal motion, which nothing refines. memory: as
+    in optimize. Raises NoCleanPlan where the planner fails."""
+    from trajopt_cli.plan import optimize
+
+    if patience is None:
+        patience = Patience()
+        patience.interrupt()
+    return optimize(
+        job.program, job.plant, target, freedom, bounded=False, changes=changes, memory=memory, patience=patience
+    )
 
 
 def why_illegal(plant: Plant, program: Program, plan: Plan, target: Target) -> tuple[str, Source | None] | None:

@@ -20,7 +20,7 @@ from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped
-from trajopt_cli.study.answers import why_illegal
+from trajopt_cli.study.answers import plan_of, why_illegal
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
 from trajopt_cli.workers import cores, in_turns
@@ -347,7 +347,7 @@ def score(one: Tried, target: Target) -> float:
 
 def tried(site: Site, offset: Offset, target: Target, patience: Patience | None, known: Tried | None = None) -> Tried:
     """One place: its first legal motion or, with patience, its full plan, judged. known: what is known of it."""
-    from trajopt_cli.plan import NoCleanPlan, optimize, search_estimate
+    from trajopt_cli.plan import NoCleanPlan, search_estimate
 
     try:
         job = site.at(offset)
@@ -355,10 +355,7 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
         if agreed.infeasible is not None:
             return _refused(offset, agreed.infeasible)
         changes = agreed.changes[target]
-        limit = patience or Patience()
-        if patience is None:
-            limit.interrupt()
-        plan = optimize(job.program, job.plant, target, bounded=False, changes=changes, patience=limit)
+        plan = plan_of(job, target, changes, patience)
     except (InputError, NoCleanPlan) as no:
         return Tried(offset, why=str(no))
     if isinstance(plan, Infeasible):

@@ -1,0 +1,101 @@
+"""Studies that go wrong on the way end in the same bytes as one that does not: nothing lost, nothing twice."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from distributed import Client
+from pyarrow import parquet
+from tiny import STUDY, at_once, greedy, in_a_moment, killed_once, written
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.parameter_study.cluster import Evaluate
+from trajopt_cli.parameter_study.results import POINTS, new_or_same
+from trajopt_cli.parameter_study.run import run_study
+from trajopt_cli.parameter_study.study_file import Study, read_study
+
+
+@pytest.fixture
+def study(tmp_path: Path) -> Study:
+    return read_study(written(tmp_path))
+
+
+def undisturbed(study: Study, folder: Path, work: Evaluate = at_once) -> bytes:
+    """The file of all rows, made one after the other in this process."""
+    results = new_or_same(folder, study)
+    results.write_part([work(study.inputs, study.design.point(i)) for i in range(len(study.design))], [])
+    results.finish()
+    return (folder / POINTS).read_bytes()
+
+
+def test_a_cluster_gives_the_bytes_that_this_process_gives(study: Study, client: Client, tmp_path: Path) -> None:
+    _, tally = run_study(study, tmp_path / "out", client, work=at_once)
+    assert tally.counts == {"ok": 120}
+    assert tally.best == (at_once(study.inputs, study.design.point(11))["rapid_s"], 11)  # sin(11) is the least of them
+    assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
+
+
+def test_a_worker_that_is_killed_costs_nothing(study: Study, client: Client, tmp_path: Path) -> None:
+    inputs = replace(study.inputs, price=str(tmp_path / "mark"))
+    study = replace(study, inputs=inputs)
+    run_study(study, tmp_path / "out", client, work=killed_once)
+    assert (tmp_path / "mark").exists()
+    assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
+
+
+def test_a_point_that_takes_all_memory_or_raises_is_a_row_with_its_reason(
+    study: Study, client: Client, tmp_path: Path
+) -> None:
+    results, tally = run_study(study, tmp_path / "out", client, work=greedy)
+    rows = results.rows().to_pylist()
+    assert tally.counts == {"ok": 118, "memory": 1, "failed": 1}
+    assert "process was ended" in rows[50]["reason"]
+    assert "ZeroDivisionError: an error of ours" in rows[70]["reason"]
+    assert rows[50]["limits.joint_1.velocity_rad_per_s"] == study.design.point(50).values[0]
+    expected = [at_once(study.inputs, study.design.point(i)) for i in range(120)]
+    assert [row for i, row in enumerate(rows) if i not in (50, 70)] == [
+        row for i, row in enumerate(expected) if i not in (50, 70)
+    ]
+
+
+def test_a_study_that_was_interrupted_goes_on(study: Study, client: Client, tmp_path: Path) -> None:
+    """Stopped twice, with what had come back written."""
+    counts = []
+
+    def stop(*_: object) -> None:
+        if len(counts) < 2:
+            counts.append(1)
+            raise KeyboardInterrupt
+
+    for _ in range(2):
+        with pytest.raises(KeyboardInterrupt):
+            run_study(study, tmp_path / "out", client, stop, in_a_moment)
+        assert not (tmp_path / "out" / POINTS).exists()
+    assert len([*(tmp_path / "out" / "parts").iterdir()]) == 2
+    run_study(study, tmp_path / "out", client, work=in_a_moment)
+    assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
+    points = [
+        row["point"]
+        for part in (tmp_path / "out" / "timings").iterdir()
+        for row in parquet.read_table(part).to_pylist()
+    ]
+    assert sorted(points) == [*range(120)]
+
+
+def test_inputs_that_changed_are_refused_by_name(study: Study, tmp_path: Path) -> None:
+    new_or_same(tmp_path / "out", study)
+    new_or_same(tmp_path / "out", study)
+    (tmp_path / "tiny.mod").write_text((tmp_path / "tiny.mod").read_text().replace("vmax", "v100"))
+    with pytest.raises(InputError, match=r"other inputs: tiny\.mod changed since"):
+        new_or_same(tmp_path / "out", read_study(tmp_path / "study.yaml"))
+    written(tmp_path, STUDY.replace("40", "41"))
+    with pytest.raises(InputError, match="the study file changed since"):
+        new_or_same(tmp_path / "out", read_study(tmp_path / "study.yaml"))
+    with pytest.raises(InputError, match="something else"):
+        new_or_same(tmp_path, study)
+    (tmp_path / "out" / "parts").mkdir()
+    (tmp_path / "out" / "parts" / "part-000000.parquet").write_bytes(b"PAR1")
+    with pytest.raises(InputError, match="cannot be read"):
+        new_or_same(tmp_path / "out", study).known()
