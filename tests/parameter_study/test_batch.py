@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from distributed import Client
 from problem.test_controller import MOC
 
 from trajopt_cli.cell.loader import load_cell
@@ -192,6 +193,24 @@ def test_programs_are_planned_in_processes_and_one_that_fails_is_told(
     assert "bad.mod:2" in bad["reason"] or "bad.mod:4" in bad["reason"]
     assert good["as_written_s"] >= good["rapid_s"] >= good["stream_s"] - 1e-6 > 0
     assert run(["verify", "results/all_batch/good", "--quiet"]) == 0
+
+
+def test_a_cluster_plans_what_this_computer_would(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, client: Client
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("all").mkdir()
+    for name in ("a", "b"):
+        Path(f"all/{name}.mod").write_text(MODULE.format(20))
+        Path(f"all/{name}.yaml").write_text(CELL)
+    words = ["batch", "all", "--time-limit", "0", "--quiet"]
+    assert run([*words, "--scheduler", client.scheduler.address]) == 0
+    assert run([*words, "--output", "here"]) == 0
+    there, here = (
+        json.loads((Path(one) / "batch.json").read_text())["programs"] for one in ("results/all_batch", "here")
+    )
+    assert [row["rapid_s"] for row in there] == [row["rapid_s"] for row in here]
+    assert run(["verify", "results/all_batch/a", "--quiet"]) == 0
 
 
 def test_ctrl_c_ends_the_processes_and_leaves_whole_folders(tmp_path: Path) -> None:

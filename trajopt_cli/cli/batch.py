@@ -9,10 +9,12 @@ import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet, patience_of
 from trajopt_cli.cli.process import wrote
+from trajopt_cli.cli.study import Scheduler, client_for
 
 
 def batch(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="With backups or programs in it, at any depth.")],
+    scheduler: Scheduler = None,
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/FOLDER_batch.")
     ] = None,
@@ -31,13 +33,14 @@ def batch(
 
     A cell file is taken from beside its program or backup; a backup without one gets one of its MOC.cfg, in the results
     folder's cells/, to be corrected there. Called again, it goes on: programs whose inputs are the same are not planned
-    again. Exit code 1: some program failed, and why.
+    again. Exit code 1: some program failed, and why. A cluster's workers must see FOLDER, too.
 
     \b
     Example:
       trajopt batch backups --time-limit 60
     """
-    from concurrent.futures import ThreadPoolExecutor
+    from concurrent.futures import Executor, ThreadPoolExecutor
+    from contextlib import ExitStack
 
     from trajopt_cli.cli.console import print_json, result, show, stdout, tell, told, warn
     from trajopt_cli.errors import InputError
@@ -50,7 +53,6 @@ def batch(
         failed,
         made_cells,
         programs_below,
-        stop_commands,
     )
     from trajopt_cli.parameter_study.backups import batch as run_batch
     from trajopt_cli.runs.files import check_writable
@@ -71,15 +73,13 @@ def batch(
 
     options = [] if time_limit is None else ["--time-limit", f"{time_limit:g}"]
     wrote(place / RECORD)
-    executor = ThreadPoolExecutor(at_once)
-    try:
-        rows = run_batch(
-            found, place, executor, options, max(1, cores() // at_once), (lambda *_: None) if quiet else heard
-        )
-    finally:
-        executor.shutdown(wait=False, cancel_futures=True)
-        stop_commands()
-        executor.shutdown()
+    with ExitStack() as stack:
+        executor: Executor = ThreadPoolExecutor(at_once)
+        if scheduler is not None:
+            executor = stack.enter_context(client_for(scheduler, jobs, None)).get_executor()
+        stack.enter_context(executor)
+        each = max(1, cores() // at_once) if scheduler is None else 1
+        rows = run_batch(found, place, executor, options, each, (lambda *_: None) if quiet else heard)
     if as_json:
         print_json({"folder": str(place), "programs": rows})
     elif quiet:

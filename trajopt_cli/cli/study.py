@@ -42,7 +42,7 @@ Scheduler = Annotated[
     typer.Option(
         "--scheduler",
         metavar="tcp://HOST:PORT",
-        help="A Dask cluster's scheduler; default: a cluster of this computer.",
+        help="A Dask cluster's scheduler; default: this computer.",
     ),
 ]
 

@@ -6,7 +6,7 @@ import json
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
 from contextlib import suppress
 from dataclasses import dataclass
@@ -37,6 +37,13 @@ RECORD, INDEX, CELLS = "batch.json", "index.html", "cells"
 _MAIN = re.compile(r"(?:\A|[\r\n;])\s*(LOCAL\s+)?PROC\s+main\s*\(", re.IGNORECASE)
 _NOISE = ("home", "syspar", "backinfo")  # of a backup
 Row = Mapping[str, Any]
+_COLUMNS: dict[str, Callable[[Row], str]] = {
+    ">as written [s]": lambda row: seconds(row["as_written_s"]),
+    ">rapid [s]": lambda row: seconds(row["rapid_s"], row["status"]),
+    ">saves [s]": lambda row: seconds(row["saved_s"]),
+    ">of it": lambda row: percent(row["saved"]),
+    ">stream [s]": lambda row: seconds(row["stream_s"]),
+}
 
 
 @dataclass(frozen=True)
@@ -68,17 +75,15 @@ def programs_below(folder: Path, output: Path) -> tuple[list[BatchProgram], list
             raise InputError(f"holds more than {MAX_ENTRIES} files and folders; give a smaller one", file=str(folder))
         folders = {one.name.lower(): one for one in entries if one.is_dir()}
         if "rapid" in folders or "progmod" in folders:
-            tasks = [
-                one for one in folders.get("rapid", here).iterdir() if one.is_dir() and _has_main(modules_at([one]))
-            ]
+            inside = folders.get("rapid", here).iterdir()
+            tasks = [one for one in inside if one.is_dir() and _has_main(modules_at([one]))]
             places += [(one,) for one in tasks] if "rapid" in folders and len(tasks) > 1 else [(here,)]
             continue
         kept = [one for name, one in folders.items() if name not in _NOISE]
         waiting += [one for one in kept if not (one / RUN).exists() and not (one / RECORD).exists()]
         places += _loose([one for one in entries if one.is_file()], left)
-    names = set[str]()
-    found = [_named(folder, paths, output, names) for paths in sorted(places)]
-    return found, left
+    names = {CELLS}
+    return [_named(folder, paths, output, names) for paths in sorted(places)], left
 
 
 def _loose(files: Sequence[Path], left: list[str]) -> Iterator[tuple[Path, ...]]:
@@ -99,7 +104,7 @@ def _loose(files: Sequence[Path], left: list[str]) -> Iterator[tuple[Path, ...]]
     left += [f"{one}: not tried, it holds no PROC main" for one in rest]
 
 
-def _has_main(modules: Any) -> bool:
+def _has_main(modules: Iterable[Path]) -> bool:
     for one in modules:
         with suppress(InputError):  # said where the program is read
             if is_module(one) and _MAIN.search(read_text(one).text):
@@ -112,19 +117,20 @@ def _named(folder: Path, paths: tuple[Path, ...], output: Path, names: set[str])
     own = paths[0].with_suffix("") if paths[0].is_file() else paths[0]
     name = base = re.sub(r"[^\w.-]+", "_", "_".join(own.relative_to(folder).parts) or folder.resolve().name)
     i = 1
-    while name.lower() in names | {CELLS}:
+    while name.lower() in names:
         name, i = f"{base}_{i + 1}", i + 1
     names.add(name.lower())
+    made = output / CELLS / f"{name}.yaml"
     try:
         beside = cell_path_for(paths)
     except InputError as error:
-        return BatchProgram(name, paths, output / CELLS / f"{name}.yaml", str(error))
-    shared = paths[0].parent / "cell.yaml"
-    if paths[0].is_file() and not beside.exists() and shared.exists():
-        beside = shared
-    if beside.exists() or syspar_of(paths[0]) is not None:
-        return BatchProgram(name, paths, beside if beside.exists() else output / CELLS / f"{name}.yaml")
-    return BatchProgram(name, paths, beside, f"has no cell file {beside}, and no backup's MOC.cfg to make one of")
+        return BatchProgram(name, paths, made, str(error))
+    places = [beside, paths[0].parent / "cell.yaml"] if paths[0].is_file() else [beside]
+    there = next((one for one in places if one.exists()), None)
+    if there is None and syspar_of(paths[0]) is None:
+        why = f"{paths[0]}: has no cell file {beside}, and no backup's MOC.cfg to make one of"
+        return BatchProgram(name, paths, beside, why)
+    return BatchProgram(name, paths, there or made)
 
 
 def batch(
@@ -138,40 +144,41 @@ def batch(
     """A row for every program, in their order: from a process of its own, or as batch.json in output has it of the same
     inputs. batch.json and the page are written anew behind every program.
 
-    executor: of concurrent.futures, or a cluster's. options: of trajopt optimize, besides. jobs: worker processes
-    of each program. tell: hears each new row and how many are left. Raises InputError where output
-    holds something else.
+    executor: of concurrent.futures, or a cluster's. options: of trajopt optimize, besides. jobs: worker processes of
+    each program. tell: hears each new row and how many are left. Raises InputError where output holds something else.
     """
-    known = _known(output)
-    rows, waiting = dict[str, Row](), {}
+    known, rows, waiting = _known(output), dict[str, Row](), {}
     for one in programs:
-        cell_made = one.cell.parent == output / CELLS
-        row: dict[str, Any] = {"program": one.name, "paths": [str(path) for path in one.paths], "cell": str(one.cell)}
+        made = one.cell.parent == output / CELLS
+        row: dict[str, Any] = {"program": one.name, "paths": [*map(str, one.paths)], "cell": str(one.cell)}
         try:
             if one.why_not:
-                raise InputError(one.why_not, file=str(one.paths[0]))
-            if cell_made and not one.cell.exists():  # a cell file that the user has corrected stays
+                raise InputError(one.why_not)
+            if made and not one.cell.exists():  # a cell file that the user has corrected stays
                 write_file(one.cell, cell_from_backup(one.paths[0], one.cell, None)[0].encode())
         except InputError as error:
             rows[one.name] = {**row, **_failed(str(error))}
             continue
-        row |= {"cell_made": cell_made, "inputs": _digest(one, options)}
-        if known.get(one.name, {}).get("inputs") == row["inputs"] and (output / one.name / RUN).is_file():
+        row |= {"cell_made": made, "inputs": _digest(one, options)}
+        if known.get(one.name, row).get("inputs") == row["inputs"] and (output / one.name / RUN).is_file():
             rows[one.name] = known[one.name]
             continue
         words = ["optimize", *row["paths"], "--cell", row["cell"], "--output", str(output / one.name)]
-        waiting[executor.submit(run_command, [*words, "--json", "--jobs", str(jobs), *options], str(Path.cwd()))] = (
-            one.name,
-            row,
-        )
-    left = len(waiting)
+        words += ["--json", "--jobs", str(jobs), *options]
+        waiting[executor.submit(run_command, words, str(Path.cwd()))] = one.name, row
     _write(output, programs, rows)
-    for done in as_completed(waiting):
-        name, row = waiting[done]
-        rows[name] = {**row, **outcome(*done.result())}
-        left -= 1
-        _write(output, programs, rows)
-        tell(rows[name], left)
+    try:
+        for left, done in enumerate(as_completed(waiting), 1 - len(waiting)):
+            name, row = waiting[done]
+            rows[name] = {**row, **outcome(*done.result())}
+            _write(output, programs, rows)
+            tell(rows[name], -left)
+    except BaseException:  # Ctrl-C: what runs here is ended, and its folder appears whole or not
+        for future in waiting:
+            future.cancel()
+        for process in tuple(_running):
+            process.terminate()
+        raise
     return [rows[one.name] for one in programs]
 
 
@@ -182,9 +189,10 @@ def run_command(words: Sequence[str], folder: str) -> tuple[int, str, str]:
     """Run trajopt in a process of its own, in a folder; its exit code, stdout and stderr. Ctrl-C does not reach it."""
     if not Path(folder).is_dir():
         return 2, "", f"{folder}: this worker does not see the folder; batch needs one that all workers share"
-    command = [sys.executable, "-m", "trajopt_cli.cli", *words]
-    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    with subprocess.Popen(command, cwd=folder, text=True, start_new_session=True, **pipes) as process:  # type: ignore[call-overload]
+    command, pipe = [sys.executable, "-m", "trajopt_cli.cli", *words], subprocess.PIPE
+    with subprocess.Popen(
+        command, cwd=folder, text=True, start_new_session=True, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe
+    ) as process:
         _running.add(process)
         try:
             out, err = process.communicate()
@@ -193,28 +201,24 @@ def run_command(words: Sequence[str], folder: str) -> tuple[int, str, str]:
     return process.returncode, out, err
 
 
-def stop_commands() -> None:
-    """End the processes that run_command waits for in this process. What they were to write appears whole or not."""
-    for one in tuple(_running):
-        one.terminate()
-
-
 def outcome(code: int, out: str, err: str) -> dict[str, Any]:
     """What a run of `optimize --json` came to: status, times [s], and why it failed, in one line."""
+    if code < 0:
+        return _failed(f"ended by signal {-code}")
     record = parse_record(out.encode(), "optimize --json") if out.strip() else {}
-    if code < 0 or code == 130:
-        return _failed(f"ended by signal {-code}" if code < 0 else "interrupted")
     if code:
         lines = record.get("why") or err.strip().splitlines() or [f"exit code {code}"]
         return _failed(lines[0].removesuffix(":"))
-    before = record["as_written"]["cycle_time_s"]
-    rapid, stream = (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream"))
-    remark = f"no RAPID text: {record['no_rapid']}" if record["no_rapid"] else ""
-    remark = remark or (f"as written: {record['as_written']['why_not']}" if before is None else "")
+    written = record["as_written"]
+    before, (rapid, stream) = (
+        written["cycle_time_s"],
+        (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream")),
+    )
     saved = None if before is None else before - rapid
-    share = saved / before if saved is not None and before > 0 else None
-    times = {"as_written_s": before, "rapid_s": rapid, "stream_s": stream, "saved_s": saved, "saved": share}
-    return {"status": "ok", **times, "reason": remark}
+    times = {"as_written_s": before, "rapid_s": rapid, "stream_s": stream, "saved_s": saved}
+    why = f"no RAPID text: {record['no_rapid']}" if record["no_rapid"] else ""
+    why = why or (f"as written: {written['why_not']}" if before is None else "")
+    return {"status": "ok", **times, "saved": saved / before if saved is not None and before else None, "reason": why}
 
 
 def _failed(why: str) -> dict[str, Any]:
@@ -242,15 +246,7 @@ def batch_line(rows: Sequence[Row]) -> str:
 
 def batch_table(folder: str, rows: Sequence[Row]) -> TextTable:
     """A row per program."""
-    columns: dict[str, Callable[[Row], str]] = {
-        "~program": lambda row: row["program"],
-        ">as written [s]": lambda row: seconds(row["as_written_s"]),
-        ">rapid [s]": lambda row: seconds(row["rapid_s"], row["status"]),
-        ">saves [s]": lambda row: seconds(row["saved_s"]),
-        ">of it": lambda row: percent(row["saved"]),
-        ">stream [s]": lambda row: seconds(row["stream_s"]),
-    }
-    return tabulate(f"programs below {folder}", rows, columns)
+    return tabulate(f"programs below {folder}", rows, {"~program": lambda row: row["program"], **_COLUMNS})
 
 
 def batch_page(rows: Sequence[Row]) -> bytes:
@@ -260,20 +256,14 @@ def batch_page(rows: Sequence[Row]) -> bytes:
     most = max([*shares, 0.0]) or 1.0
 
     def bar(row: Row) -> str:
-        width = 100 * max(row["saved"] or 0.0, 0.0) / most
-        return (
-            '<svg class="time" viewBox="0 0 100 10" aria-hidden="true" preserveAspectRatio="none">'
-            f'<rect y="1" width="{width:.2f}" height="8"/></svg>'
-        )
+        box = '<svg class="time" viewBox="0 0 100 10" aria-hidden="true" preserveAspectRatio="none">'
+        return f'{box}<rect y="1" width="{100 * max(row["saved"] or 0.0, 0.0) / most:.2f}" height="8"/></svg>'
 
     columns: dict[str, Callable[[Row], str]] = {
         "program": lambda row: f'<a href="{text(row["program"])}/{REPORT}">{text(row["program"])}</a>',
         ">saving": lambda row: percent(row["saved"]),
         "": bar,
-        ">saved [s]": lambda row: seconds(row["saved_s"]),
-        ">as written [s]": lambda row: seconds(row["as_written_s"]),
-        ">rapid [s]": lambda row: seconds(row["rapid_s"]),
-        ">stream [s]": lambda row: seconds(row["stream_s"]),
+        **{key: column for key, column in _COLUMNS.items() if key != ">of it"},
         "remark": lambda row: text(row["reason"]),
     }
     made = tabulate("Programs that are optimised", sorted(done, key=lambda row: -(row["saved"] or 0.0)), columns)
@@ -305,17 +295,18 @@ def _digest(one: BatchProgram, options: Sequence[str]) -> str:
     return made.hexdigest()
 
 
-def _known(output: Path) -> dict[str, Any]:
-    """The rows of the batch that output holds, by program."""
+def _known(output: Path) -> dict[str, Row]:
+    """The rows of the batch that output holds and that have an answer, by program."""
     record = output / RECORD
     if not output.exists() or not any(output.iterdir()):
         return {}
     if not record.is_file():
         raise InputError(f"is not empty and holds no {RECORD}; choose another folder by --output", file=str(output))
-    rows = parse_record(record.read_bytes(), str(record)).get("programs")
-    if not isinstance(rows, list) or not all(isinstance(row, dict) and "program" in row for row in rows):
-        raise InputError("was not written by trajopt batch; move it away", file=str(record))
-    return {row["program"]: row for row in rows if row.get("status") == "ok"}
+    try:
+        rows = parse_record(record.read_bytes(), str(record))["programs"]
+        return {row["program"]: row for row in rows if row["status"] == "ok"}
+    except (KeyError, TypeError) as error:
+        raise InputError("was not written by trajopt batch; move it away", file=str(record)) from error
 
 
 def _write(output: Path, programs: Sequence[BatchProgram], rows: Mapping[str, Row]) -> None:
