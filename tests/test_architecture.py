@@ -95,7 +95,13 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "qdldl": ("nlp/interior_point.py",),
     "ruckig": ("timing/*", "judge/libraries.py"),
     "dask": ("parameter_study/cluster.py",),
-    "distributed": ("parameter_study/cluster.py", "parameter_study/run.py", "cli/study.py"),  # the latter for types
+    # the latter for types
+    "distributed": (
+        "parameter_study/cluster.py",
+        *(f"parameter_study/{one}.py" for one in ("run", "search")),
+        "cli/study.py",
+    ),
+    "optuna": ("parameter_study/search.py",),
     "psutil": ("parameter_study/guard.py",),
     "scipy": (
         "limits.py",

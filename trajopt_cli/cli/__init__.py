@@ -55,7 +55,7 @@ from trajopt_cli.cli import (
     robot,
     schema,
     sensitivity,
-    study,
+    study_answers,
     verify,
     view,
 )
@@ -81,7 +81,7 @@ _COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
         "compare": (compare.app, ""),
         "sensitivity": (sensitivity.sensitivity, "What to change first: seconds per limit, speed, wait, place."),
         "place": (place.place, "Where base, rail or a work object should stand."),
-        "study": (study.app, ""),
+        "study": (study_answers.app, ""),
         "order": (order.order, "The fastest order of parts that allow any order."),
         "batch": (batch.batch, "Optimise every program of a folder of backups."),
         "parse": (parse.parse, "List a program's motions with file:line."),

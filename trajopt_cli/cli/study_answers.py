@@ -1,0 +1,152 @@
+"""`trajopt study show FOLDER` and `trajopt study optimize STUDY.yaml`: what the points of a study say together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, Jobs, Quiet
+from trajopt_cli.cli.process import wrote
+from trajopt_cli.cli.study import Scheduler, StudyFile, app, client_for, lacking
+from trajopt_cli.errors import InputError
+
+__all__ = ["app"]
+
+
+@app.command("show", short_help="The best points of a study, what matters most, and its page.")
+def show(
+    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Results folder of trajopt study.")],
+    by: Annotated[
+        str | None,
+        typer.Option("--by", metavar="COLUMN", help="The answer that counts; default: the first of them, as rapid_s."),
+    ] = None,
+    against: Annotated[
+        str | None,
+        typer.Option(
+            "--against", metavar="COLUMN", help="The Pareto front of both; default: price, where it is known."
+        ),
+    ] = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Show the best points of a study, what matters most, and the front of two answers; and draw its page.
+
+    A study that is not done yet is shown as far as it is.
+
+    \b
+    Example:
+      trajopt study show results/which_rail --by saved_s
+    """
+    from dataclasses import asdict
+
+    from trajopt_cli.cli.console import print_json, result, stdout, tell, told
+    from trajopt_cli.cli.console import show as show_table
+    from trajopt_cli.parameter_study.analysis import StudyRows, variance_shares
+    from trajopt_cli.parameter_study.study_page import (
+        BEST,
+        front,
+        leading,
+        points_table,
+        shares_table,
+        study_page,
+        summary_lines,
+    )
+    from trajopt_cli.runs import REPORT
+    from trajopt_cli.runs.files import write_file
+
+    try:
+        from trajopt_cli.parameter_study.results import open_study
+    except ImportError as error:
+        raise lacking(error) from error
+    study = open_study(folder)
+    rows = StudyRows(study.rows().to_pydict(), {one.name: one.unit for one in study.columns})
+    name = rows.chosen(by)
+    other = rows.chosen(against) if against else "price" if "price" in rows.answers and name != "price" else None
+    shares, best = variance_shares(rows, name), rows.best(name)
+    both = None if other is None else front(rows, name, other)
+    plans = {int(page.parent.name): f"plans/{page.parent.name}/{REPORT}" for page in folder.glob(f"plans/*/{REPORT}")}
+    lines, factors = summary_lines(rows, name, study.points), leading(rows, shares)
+    if as_json:
+        record = {"by": name, "points": study.points, "summary": lines, "best": rows.records(best[:BEST])}
+        record |= {"front": None if both is None else rows.records(both), "against": other}
+        print_json({**record, "shares": None if shares is None else asdict(shares)})
+    elif quiet:
+        result("; ".join(lines[:2]))
+    else:
+        console = stdout()
+        show_table(console, points_table(rows, best, factors, f"best points by {name}"))
+        if both is not None:
+            console.print()
+            show_table(console, points_table(rows, both, factors, f"no point is better both by {name} and by {other}"))
+        if shares is not None:
+            console.print()
+            show_table(console, shares_table(shares, name))
+            tell(console, [shares.in_words])
+        tell(console, ["", *lines])
+    write_file(folder / REPORT, study_page(folder.resolve().name, rows, name, study.points, shares, plans))
+    wrote(folder / REPORT)
+    told([f"written to {folder / REPORT}: open it in a browser"], as_json, quiet)
+
+
+@app.command("optimize", short_help="Search for the best point of what a study varies.")
+def optimize(
+    study: StudyFile,
+    by: Annotated[str, typer.Option("--by", metavar="COLUMN", help="The answer to make best.")] = "rapid_s",
+    constraint: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--constraint",
+            metavar="TEXT",
+            help="What the best point keeps, as 'price <= 20000' or 'limits.rail.velocity <= 2', SI; may be repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    points: Annotated[int, typer.Option("--points", min=1, metavar="N", help="Points that are tried.")] = 100,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Of the search's random numbers.")] = 0,
+    at_once: Annotated[
+        int, typer.Option("--at-once", min=1, metavar="N", help="Points tried before the search learns from them.")
+    ] = 8,
+    scheduler: Scheduler = None,
+    jobs: Jobs = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/STUDY_best.")
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Search for the best point of what a study varies, within constraints, instead of trying all of them.
+
+    The answer depends on --seed, --points and --at-once, not on the cluster. A search that was stopped goes on. Exit
+    code 1: no point that was tried can be done and keeps the constraints.
+
+    \b
+    Example:
+      trajopt study optimize programs/studies/which_rail.yaml --points 12
+    """
+    from trajopt_cli.cli.console import no, result, stdout, tell
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.parameter_study.study_file import read_study
+
+    asked = read_study(study)
+    try:
+        from trajopt_cli.parameter_study.search import Goal, search
+    except ImportError as error:
+        raise lacking(error) from error
+    answers = [f"{one}_s" for one in (*asked.inputs.answers, "saved")] + ["price"] * (asked.inputs.price is not None)
+    if by not in answers:
+        raise InputError(f"--by {by}: this study's answers are {', '.join(answers)}", file=str(study))
+    goal = Goal(by, tuple(constraint or ()), points, seed, at_once)
+    folder = output or Path("results") / f"{study.stem}_best"
+    with client_for(scheduler, jobs, asked.inputs.memory) as client, ProgressView(quiet=quiet) as view:
+        best = search(asked, goal, folder, client, view.show)
+    wrote(folder)
+    if best is None:
+        no(
+            [f"none of {points} points can be done and keeps the constraints; column reason in {folder} says more"],
+            False,
+        )
+    names = [one.name for one in asked.inputs.columns if one.meaning.startswith(("offset: ", "cell file: "))]
+    varied = (f"{name} {f'{best[name]:.6g}' if isinstance(best[name], float) else best[name]}" for name in names)
+    line = f"best of {points} points: {by} {best[by]:.3f} at {', '.join(varied)}"
+    result(line) if quiet else tell(stdout(), [line, f"written to {folder}; 'trajopt study show {folder}' shows all"])

@@ -1,0 +1,169 @@
+"""What `trajopt study show` says of a results folder: tables, and the page with charts of all points."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import IndexArray
+from trajopt_cli.page.document import Section, document
+from trajopt_cli.page.encode import text
+from trajopt_cli.page.tables import Tile, drawn, head, points, table
+from trajopt_cli.parameter_study.analysis import MORE_IS_BETTER, Shares, StudyRows, pareto, spread
+from trajopt_cli.table import TextTable, percent, tabulate
+
+BEST = 10
+"""Rows of a table, and columns of what varies in it."""
+_DRAWN = 5_000  # points on a page: 1 MB, and lines that a browser draws in a blink
+_REASONS, _LONG = 12, 160  # kinds of reasons that are told, characters of one
+_WORDS = {
+    "rapid_s": "RAPID cycle time",
+    "stream_s": "cycle time as a joint stream",
+    "as_written_s": "cycle time as written",
+    "fixed_rail_s": "cycle time with a fixed rail",
+    "saved_s": "time saved",
+    "price": "price",
+}
+
+
+def leading(rows: StudyRows, shares: Shares | None) -> list[str]:
+    """What varies, what matters most first."""
+    order = [name for one in shares.shares for name in one.columns] if shares else []
+    return sorted(rows.factors, key=lambda name: order.index(name) if name in order else len(order))
+
+
+def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], title: str) -> TextTable:
+    """Points with their answers and what they have of the first factors."""
+
+    def shown(name: str) -> Callable[[int], str]:
+        return lambda i: _figure(rows.columns[name][i], "_s" if name in rows.answers and name != "price" else "")
+
+    columns: dict[str, Callable[[int], str]] = {">point": shown("point")}
+    for name in (*rows.answers, *factors[:BEST]):
+        names = any(isinstance(one, str) for one in rows.columns[name])
+        columns[name if names else f">{name}"] = shown(name)
+    return tabulate(title, [int(i) for i in where[:BEST]], columns)
+
+
+def front(rows: StudyRows, name: str, against: str) -> IndexArray:
+    """The rows of the Pareto front of two answers, the best by the first one first."""
+    where = rows.best(name)
+    signs = [-1 if one in MORE_IS_BETTER else 1 for one in (name, against)]
+    values = np.column_stack([rows.numbers(name)[where] * signs[0], rows.numbers(against)[where] * signs[1]])
+    known = np.isfinite(values).all(axis=1)
+    return where[known][pareto(values[known])]
+
+
+def shares_table(found: Shares, name: str) -> TextTable:
+    """What matters most for an answer, in shares of its variance."""
+    columns: dict[str, Callable[[Any], str]] = {
+        "varied": lambda one: one.factor,
+        ">alone": lambda one: percent(one.alone),
+        ">with others": lambda one: percent(one.total),
+    }
+    return tabulate(f"what matters most for {name}, in shares of its variance", found.shares[: 2 * BEST], columns)
+
+
+def summary_lines(rows: StudyRows, name: str, count: int) -> list[str]:
+    """How many points there are, how an answer is spread, and why some have none. count: of all points, done or not."""
+    status = Counter(rows.columns["status"])
+    lines = [f"{status.total()} of {count} points done, {status['ok']} with an answer"]
+    for one in dict.fromkeys((name, *(["saved_s"] if "saved_s" in rows.answers else []))):
+        low, middle, high = spread(rows.numbers(one)[rows.best(one)])
+        lines.append(f"{one}: median {middle:.3f}, 90 % of the points between {low:.3f} and {high:.3f}")
+    return lines + _reasons(rows)
+
+
+def _reasons(rows: StudyRows) -> list[str]:
+    bad = zip(rows.columns["status"], rows.columns["reason"], strict=True)
+    kinds = Counter(f"{kind}: {why[:_LONG]}" for kind, why in bad if kind != "ok")
+    return [f"{number} × {why}" for why, number in kinds.most_common(_REASONS)]
+
+
+def study_page(
+    title: str, rows: StudyRows, name: str, count: int, shares: Shares | None, plans: Mapping[int, str]
+) -> bytes:
+    """The page's bytes. name: the answer that is looked at. count: of all points. plans: links to pages of plans that
+    are kept, by point."""
+    best, factors = rows.best(name), leading(rows, shares)
+    made = _clickable(points_table(rows, best, factors, f"best points by {name}"))
+    sections = [Section("best", "Best points", made, "A point's number shows it below and in every chart.")]
+    if shares is not None:
+        sections.append(Section("matters", "What matters most", drawn(shares_table(shares, name)), shares.in_words))
+    if "price" in rows.answers and name != "price":
+        made = _clickable(points_table(rows, front(rows, name, "price"), factors, f"{name} against price"))
+        sections.append(Section("front", "Time against price", made, "Nothing is both faster and cheaper than these."))
+    sections += [
+        Section("map", "Map", _MAP, "Two of what varies, the answer by colour; blue is better. Click a point."),
+        Section(
+            "lines", "All points", _LINES, "A line is a point. Drag along an axis to keep its lines; a click ends it."
+        ),
+        Section(
+            "spread", "Spread", '<figure id="spread"></figure>', f"The {_WORDS[name]} of all points with an answer."
+        ),
+    ]
+    if why := _reasons(rows):
+        sections.append(Section("failed", "Points without an answer", points(why)))
+    every = len(rows.columns["point"])
+    some = sorted({*range(0, every, -(-every // _DRAWN)), *map(int, best[: 2 * BEST])})
+    told = [f"charts show {len(some)} points, the others are left out evenly"] if len(some) < every else []
+    data = {
+        "shown": name,
+        "more": [*MORE_IS_BETTER],
+        "factors": factors,
+        "lines": [*factors[:BEST], name],
+        "answers": [*rows.answers],
+        "units": {one: rows.units.get(one, "") for one in (*factors, *rows.answers)},
+        "columns": {one: _values([rows.columns[one][i] for i in some]) for one in (*factors, *rows.answers)},
+        "point": [rows.columns["point"][i] for i in some],
+        "ok": [rows.columns["status"][i] == "ok" for i in some],
+        "reason": [(rows.columns["reason"][i] or "")[:_LONG] for i in some],
+        "plans": {str(point): link for point, link in plans.items()},
+    }
+    top = head(title, "trajopt study", _tiles(rows, name, count, shares), told)
+    return document(f"{title} · trajopt", top, sections, data, ("study.css", "study.js"))
+
+
+_SELECTS = "".join(f'<label>{one} <select id="{one.lower()}"></select></label>' for one in ("Across", "Up", "Colour"))
+_MAP = f'<div class="controls">{_SELECTS}</div><figure id="heat"></figure>'
+_LINES = '<figure id="parallel"></figure><div id="chosen" role="status" hidden></div>'
+
+
+def _tiles(rows: StudyRows, name: str, count: int, shares: Shares | None) -> list[Tile]:
+    best, unit, done = rows.best(name), rows.units.get(name, ""), len(rows.columns["point"])
+    low, middle, high = spread(rows.numbers(name)[best])
+    first = f"{_WORDS[name]}, point {rows.columns['point'][best[0]]}"
+    tiles = [
+        Tile("best", f"{_figure(rows.columns[name][best[0]], unit and '_s')} {unit}", first, "after"),
+        Tile("median", f"{_figure(middle, unit and '_s')} {unit}", f"90 % between {low:.3f} and {high:.3f}"),
+        Tile("points", f"{done}", f"of {count}; {done - len(rows.ok)} without an answer"),
+    ]
+    if shares is not None and shares.shares:
+        most = shares.shares[0]
+        tiles.append(Tile("matters most", percent(most.total, 0), f"of the variance: {most.factor}"))
+    return tiles
+
+
+def _figure(value: Any, kind: str) -> str:
+    """A value as text; kind: "_s" for a time."""
+    if value is None or isinstance(value, str):
+        return value or ""
+    return f"{value:.3f}" if kind else f"{value:.6g}"
+
+
+def _clickable(made: TextTable) -> str:
+    """A table whose first column chooses a point."""
+    button = '<button type="button" class="quiet" data-point="{0}">{0}</button>'
+    rows = [(button.format(text(point)), *map(text, rest)) for point, *rest in made.rows]
+    return table(made.title, made.heads, rows, html=True)
+
+
+def _values(values: Sequence[Any]) -> dict[str, Any]:
+    """A column as the page's script reads it: numbers, or names and which of them; null for none."""
+    if any(isinstance(one, str) for one in values):
+        names = sorted({one for one in values if one is not None})
+        return {"names": names, "values": [None if one is None else names.index(one) for one in values]}
+    return {"values": [None if one is None else float(f"{one:.7g}") for one in values]}
