@@ -144,3 +144,9 @@ def test_a_programs_levels_are_checked_for_every_program(tmp_path: Path) -> None
     written(tmp_path, STUDY.replace("[tiny.mod]", "[tiny.mod, tiny.mod]"))
     with pytest.raises(InputError, match="names a program twice"):
         read_study(tmp_path / "study.yaml")
+
+
+def test_a_range_through_zero_has_a_zero(tmp_path: Path) -> None:
+    text = "programs: [tiny.mod]\nvary: {place.base.z: {range: [-200 mm, 100 mm], count: 4}}\n"
+    study = read_study(written(tmp_path, text))
+    assert [study.design.point(i).values for i in range(4)] == [(-0.2,), (-0.1,), (0.0,), (0.1,)]

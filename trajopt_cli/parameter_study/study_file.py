@@ -285,7 +285,7 @@ class _Reading:
             raise complain("several keys vary together by a list alone")
         if section.ends is not None:
             low, high = map(read, section.ends)
-            steps = np.linspace(low, high, section.count or 2)
+            steps = np.linspace(low, high, section.count or 2).round(12)  # a zero is one
             return Factor(written, keys, tuple((float(f"{value:.9g}"),) for value in steps))
         if section.uniform is not None:
             return Factor(written, keys, spread=Uniform(*map(read, section.uniform)))

@@ -18,6 +18,7 @@ from trajopt_cli.table import TextTable, percent, tabulate
 BEST = 10
 """Rows of a table, and columns of what varies in it."""
 _DRAWN = 5_000  # points on a page: 1 MB, and lines that a browser draws in a blink
+_NOTHING = 0.005  # of the variance: what is said to matter explains more
 _REASONS, _LONG = 12, 160  # kinds of reasons that are told, characters of one
 _WORDS = {
     "rapid_s": "RAPID cycle time",
@@ -30,9 +31,9 @@ _WORDS = {
 
 
 def leading(rows: StudyRows, shares: Shares | None) -> list[str]:
-    """What varies, what matters most first."""
-    order = [name for one in shares.shares for name in one.columns] if shares else []
-    return sorted(rows.factors, key=lambda name: order.index(name) if name in order else len(order))
+    """The columns of what varies that matter, what matters most first; all where nobody knows."""
+    found = [name for one in shares.shares if one.total > _NOTHING for name in one.columns] if shares else []
+    return (found or [*rows.factors])[:BEST]
 
 
 def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], title: str) -> TextTable:
@@ -42,7 +43,7 @@ def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], tit
         return lambda i: _figure(rows.columns[name][i], "_s" if name in rows.answers and name != "price" else "")
 
     columns: dict[str, Callable[[int], str]] = {">point": shown("point")}
-    for name in (*rows.answers, *factors[:BEST]):
+    for name in (*rows.answers, *factors):
         names = any(isinstance(one, str) for one in rows.columns[name])
         columns[name if names else f">{name}"] = shown(name)
     return tabulate(title, [int(i) for i in where[:BEST]], columns)
@@ -64,7 +65,9 @@ def shares_table(found: Shares, name: str) -> TextTable:
         ">alone": lambda one: percent(one.alone),
         ">with others": lambda one: percent(one.total),
     }
-    return tabulate(f"what matters most for {name}, in shares of its variance", found.shares[: 2 * BEST], columns)
+    matter = [one for one in found.shares if one.total > _NOTHING]
+    left = f", {len(found.shares) - len(matter)} others hardly" if len(matter) < len(found.shares) else ""
+    return tabulate(f"what matters most for {name}, in shares of its variance{left}", matter, columns)
 
 
 def summary_lines(rows: StudyRows, name: str, count: int) -> list[str]:
@@ -96,34 +99,35 @@ def study_page(
     if "price" in rows.answers and name != "price":
         made = _clickable(points_table(rows, front(rows, name, "price"), factors, f"{name} against price"))
         sections.append(Section("front", "Time against price", made, "Nothing is both faster and cheaper than these."))
+    every = len(rows.columns["point"])
+    some = sorted({*range(0, every, -(-every // _DRAWN)), *map(int, best[: 2 * BEST])})
+    less = f" {len(some)} points are drawn, the others evenly left out." if len(some) < every else ""
+    lead = f"Two of what varies, the answer by colour; blue is better. Click a point.{less}"
+    lines = "A line is a point. Drag along an axis to keep its lines; a click ends it."
     sections += [
-        Section("map", "Map", _MAP, "Two of what varies, the answer by colour; blue is better. Click a point."),
-        Section(
-            "lines", "All points", _LINES, "A line is a point. Drag along an axis to keep its lines; a click ends it."
-        ),
+        Section("map", "Map", _MAP, lead),
+        Section("lines", "All points", _LINES, lines),
         Section(
             "spread", "Spread", '<figure id="spread"></figure>', f"The {_WORDS[name]} of all points with an answer."
         ),
     ]
     if why := _reasons(rows):
         sections.append(Section("failed", "Points without an answer", points(why)))
-    every = len(rows.columns["point"])
-    some = sorted({*range(0, every, -(-every // _DRAWN)), *map(int, best[: 2 * BEST])})
-    told = [f"charts show {len(some)} points, the others are left out evenly"] if len(some) < every else []
     data = {
         "shown": name,
         "more": [*MORE_IS_BETTER],
-        "factors": factors,
-        "lines": [*factors[:BEST], name],
+        "factors": [*dict.fromkeys((*factors, *rows.factors))],
+        "axes": [one.columns[0] for one in shares.shares[:2]] if shares else factors[:2],
+        "lines": [*factors, name],
         "answers": [*rows.answers],
-        "units": {one: rows.units.get(one, "") for one in (*factors, *rows.answers)},
-        "columns": {one: _values([rows.columns[one][i] for i in some]) for one in (*factors, *rows.answers)},
+        "units": {one: rows.units.get(one, "") for one in (*rows.factors, *rows.answers)},
+        "columns": {one: _values([rows.columns[one][i] for i in some]) for one in (*rows.factors, *rows.answers)},
         "point": [rows.columns["point"][i] for i in some],
         "ok": [rows.columns["status"][i] == "ok" for i in some],
         "reason": [(rows.columns["reason"][i] or "")[:_LONG] for i in some],
         "plans": {str(point): link for point, link in plans.items()},
     }
-    top = head(title, "trajopt study", _tiles(rows, name, count, shares), told)
+    top = head(title, "trajopt study", _tiles(rows, name, count, shares))
     return document(f"{title} · trajopt", top, sections, data, ("study.css", "study.js"))
 
 
@@ -151,7 +155,8 @@ def _figure(value: Any, kind: str) -> str:
     """A value as text; kind: "_s" for a time."""
     if value is None or isinstance(value, str):
         return value or ""
-    return f"{value:.3f}" if kind else f"{value:.6g}"
+    digits = 4 if isinstance(value, float) and abs(value) < 1e3 else 9
+    return f"{value:.3f}" if kind else f"{value:.{digits}g}"
 
 
 def _clickable(made: TextTable) -> str:

@@ -433,6 +433,7 @@
   page.Panel = Panel;
   page.LineChart = LineChart;
   page.last = last;
+  page.ticks = ticks;
   page.register(() => {
     for (const host of document.querySelectorAll("[data-chart]")) {
       const spec = (page.data.charts || {})[host.dataset.chart];

@@ -1,7 +1,7 @@
 // A study's points: a map of two columns, parallel coordinates, a histogram; one point is chosen in all of them.
 //
 // data: {shown, more: [answers of which more is better], factors, answers, units, columns: {name: {values, names?}},
-//        lines: what the parallel axes are, point, ok, reason: one for each point, plans: {point: href}}
+//        axes, lines: what map and parallel axes show at first, point, ok, reason: one for each point, plans: {point: href}}
 "use strict";
 (() => {
   const page = window.TrajoptPage;
@@ -115,8 +115,8 @@
   }
 
   function startMap() {
-    const across = options("across", all, data.factors[0] || data.shown);
-    const up = options("up", all, data.factors[1] || data.shown);
+    const across = options("across", all, data.axes[0] || data.shown);
+    const up = options("up", all, data.axes[1] || data.shown);
     const colour = options("colour", data.answers, data.shown);
     const host = document.getElementById("heat");
     const out = make("figcaption", {});
@@ -184,13 +184,17 @@
         pen.lineWidth = 1;
       }
       pen.fillStyle = color("ink-2");
-      const few = (s, room) => s.levels.filter((_, k) => k % Math.ceil((s.levels.length * room) / 600) === 0);
-      const ends = (s, n) => [...Array(n)].map((_, k) => s.low + ((s.high - s.low) * k) / (n - 1));
-      const wide = cells[0] ? few(sa, (600 * 62) / (area.x1 - area.x0)) : ends(sa, width < 500 ? 3 : 6);
-      for (const v of wide) axisText(pen, told(a, v, 3), x(v), area.y1 + 11, cells[0] ? Math.max(w, 58) : 80);
+      // [value, words]: of few levels each, or every so many; else round numbers
+      const marks = (name, s, levels, most) => {
+        if (levels) return s.levels.filter((_, k) => k % Math.ceil(s.levels.length / most) === 0).map((v) => [v, told(name, v, 4)]);
+        const { values, digits } = page.ticks(s.low, s.high, most);
+        return values.map((v) => [v, figure(v, digits)]);
+      };
+      const wide = marks(a, sa, cells[0], Math.max(2, Math.floor((area.x1 - area.x0) / 70)));
+      for (const [v, words] of wide) axisText(pen, words, x(v), area.y1 + 11, cells[0] ? Math.max(w, 58) : 80);
       pen.fillText(label(a), (area.x0 + area.x1) / 2, height - 9);
       pen.textAlign = "right";
-      for (const v of cells[1] ? few(sb, 28) : ends(sb, 5)) axisText(pen, told(b, v, 3), area.x0 - 6, y(v), area.x0 - 8);
+      for (const [v, words] of marks(b, sb, cells[1], 14)) axisText(pen, words, area.x0 - 6, y(v), area.x0 - 8);
       pen.save();
       pen.translate(9, (area.y0 + area.y1) / 2);
       pen.rotate(-Math.PI / 2);
