@@ -81,6 +81,14 @@ class Report:
         return hits if len(hits) == failed else ()
 
     @property
+    def excesses(self) -> tuple[tuple[float, float], ...]:
+        """When [s] each failed finding is worst and by what share of its limit; none where one is not above a limit at
+        some time: driving slower is no cure for that."""
+        failed = [one for one in self.findings if not one.passed]
+        over = [(one.time, one.value / one.limit - 1) for one in failed if one.time is not None and one.limit > 0]
+        return tuple(over) if len(over) == len(failed) and all(share > 0 for _, share in over) else ()
+
+    @property
     def refusal(self) -> str:
         """Why the motion is not legal, as the end of a sentence: what it hits, or an error in trajopt."""
         if hits := self.collisions:

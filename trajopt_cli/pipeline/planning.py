@@ -272,23 +272,15 @@ def _slow_plan(job: Job, target: Target, changes: Changes, clock: Clock, why: st
 
 
 def solve(
-    job: Job,
-    target: Target,
-    changes: Changes,
-    listen: Listener,
-    clock: Clock,
-    patience: Patience,
-    kept: RowsFile,
-    memory: PlanCache | None = None,
-    max_workers: Callable[[], int] = lambda: 1,
-    objective: Objective = LEAST_TIME,
+    job: Job, target: Target, changes: Changes, listen: Listener, clock: Clock, patience: Patience, kept: RowsFile,
+    memory: PlanCache | None = None, max_workers: Callable[[], int] = lambda: 1, objective: Objective = LEAST_TIME,
     said: _Verdicts | None = None,
-) -> Answer:
-    """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
-    meanwhile where another process may work. kept: where the rows go."""
-    from trajopt_cli.plan import NoCleanPlan, optimize
+) -> Answer:  # fmt: skip
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text; where that refuses a stream,
+    what it is repaired to. The bound is found meanwhile where another process may work. kept: where the rows go."""
+    from trajopt_cli.plan import NoCleanPlan, PlanCache, optimize
 
-    label = target.value
+    label, memory = target.value, memory or PlanCache()
 
     def tell(progress: Progress) -> None:
         listen(label, progress)
@@ -296,17 +288,9 @@ def solve(
     try:
         with clock.phase(f"{label}: plan"), patience.cutting():
             plan = optimize(
-                job.program,
-                job.plant,
-                target,
-                progress=tell,
-                bounded=False,
-                changes=changes,
-                memory=memory,
-                patience=patience,
-                max_workers=max_workers,
-                objective=objective,
-            )
+                job.program, job.plant, target, progress=tell, bounded=False, changes=changes, memory=memory,
+                patience=patience, max_workers=max_workers, objective=objective,
+            )  # fmt: skip
         if isinstance(plan, Infeasible):
             return plan
         if plan.duration == 0.0:
@@ -315,7 +299,8 @@ def solve(
         with clock.phase(f"{label}: judge"):
             plan = kept.keep(plan)
         give_back()
-        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers, said)
+        repair = memory.repair.get((target, EVERYTHING))
+        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, max_workers, said, repair)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
     except Stopped:
@@ -327,24 +312,19 @@ def solve(
 
 
 def _bounded_and_judged(
-    job: Job,
-    plan: Plan,
-    kept: RowsFile,
-    changes: Changes,
-    tell: Report,
-    clock: Clock,
-    patience: Patience,
-    max_workers: Callable[[], int],
-    said: _Verdicts | None,
-) -> Judged:
-    """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
-    where the plan refutes the bound."""
+    job: Job, plan: Plan, kept: RowsFile, changes: Changes, tell: Report, clock: Clock, patience: Patience,
+    max_workers: Callable[[], int], said: _Verdicts | None, repair: Callable[..., Judged] | None,
+) -> Judged:  # fmt: skip
+    """A plan with its bound, but where the user said to stop, and what the judge says of its text; where that refuses
+    it, of what it is repaired to."""
     from trajopt_cli.plan import bounded, lower_bound_of
+
+    asked_of = without_rows(plan)  # those of a repaired plan may take their place meanwhile
 
     def bound(_: Report) -> tuple[float, float, bool]:
         start, cut = perf_counter(), list[bool]()
         with patience.cutting():
-            least = lower_bound_of(job.program, job.plant, plan, changes=changes, cut=lambda: cut.append(True))
+            least = lower_bound_of(job.program, job.plant, asked_of, changes=changes, cut=lambda: cut.append(True))
         return least, perf_counter() - start, bool(cut)
 
     with ExitStack() as stack:
@@ -352,10 +332,13 @@ def _bounded_and_judged(
         if asked:
             tell(Progress("bound", plan.duration))
         beside = stack.enter_context(Worker(bound, tell)) if asked and max_workers() > 1 else None
-        known = bounded(plan, *bound(tell)) if asked and beside is None else plan
-        tell(Progress("judge", known.duration, known.lower_bound))
-        judged = _judged(job, known, kept, clock, said)
-        return judged if beside is None else replace(judged, plan=bounded(plan, *beside.answer()))
+        found = bound(tell) if asked and beside is None else None
+        tell(Progress("judge", plan.duration, found and min(found[0], plan.duration)))
+        judged = _judged(job, plan, kept, clock, said)
+        if repair is not None:
+            judged = repair(judged, lambda plan: _judged(job, kept.keep(plan), kept, clock))
+        found = found if beside is None else beside.answer()
+        return judged if found is None else replace(judged, plan=bounded(judged.plan, *found))
 
 
 def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock, said: _Verdicts | None = None) -> Judged:
@@ -397,16 +380,9 @@ def as_written(
     with clock.phase("as written"):
         try:
             plan = optimize(
-                job.program,
-                job.plant,
-                Target.RAPID,
-                AS_WRITTEN,
-                progress=going_on,
-                bounded=False,
-                changes=changes,
-                memory=memory,
-                patience=patience,
-            )
+                job.program, job.plant, Target.RAPID, AS_WRITTEN, progress=going_on, bounded=False, changes=changes,
+                memory=memory, patience=patience,
+            )  # fmt: skip
             going_on(Progress("judge"))
         except _Interrupted:
             return NOT_TIMED
@@ -428,15 +404,9 @@ def as_written(
 
 
 def judge(
-    plant: Plant,
-    program: Program,
-    text: str | TextIO,
-    file: str,
-    dropped: tuple[int, ...] | None = None,
-    target: Target | None = None,
-    advice: bool = True,
-    as_written: bool = False,
-) -> findings.Report:
+    plant: Plant, program: Program, text: str | TextIO, file: str, dropped: tuple[int, ...] | None = None,
+    target: Target | None = None, advice: bool = True, as_written: bool = False,
+) -> findings.Report:  # fmt: skip
     """What the judge says of a CSV text or an open file. file: its name in messages; the rest as in verify."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
     from trajopt_cli.judge.verify import verify

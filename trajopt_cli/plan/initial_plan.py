@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
@@ -74,12 +75,14 @@ class InitialPlan:
 @dataclass(frozen=True, eq=False)
 class PlanCache:
     """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
-    found for them take [s]; the runs that were driven; and the questions whose search was stopped."""
+    found for them take [s]; the runs that were driven; the questions whose search was stopped; and how a plan
+    that a judge refuses is repaired."""
 
     answers: dict[tuple[Target, Freedom], InitialPlan | Infeasible] = field(default_factory=dict)
     estimates: dict[tuple[Target, Freedom], float] = field(default_factory=dict)
     runs: Runs = field(default_factory=dict)
     stopped: set[tuple[Target, Freedom]] = field(default_factory=set)
+    repair: dict[tuple[Target, Freedom], Callable[..., Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """The ladder of plans: from the fastest that is found for a target down to the first that the judge accepts.
 
-1. The initial plan, refined: `solve.optimize`. Where rows of the file would pass a limit, the legs there are mended
-   (plan.repair); where they cannot be, it is the initial plan.
+1. The initial plan, refined: `solve.optimize`. Where rows of the file would pass a limit, or the judge refuses what is
+   driven in a stream, the legs there are mended (plan.repair); where they cannot be, it is the initial plan.
 2. The plan of the rung below, which may change less: the RAPID plan for a stream, the program as written for RAPID.
 3. The fallback plan, which stops at every point: `solve.slow_plan`.
 
@@ -10,7 +10,7 @@ So cycle times are ordered, stream <= rapid <= as written; `out_of_order` assert
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Protocol, TypeVar
@@ -24,6 +24,10 @@ class Verdict(Protocol):
     @property
     def legal(self) -> bool:
         """Whether the plan keeps every limit."""
+
+    @property
+    def excesses(self) -> Sequence[tuple[float, float]]:
+        """When [s] it is too fast, and by what shares of limits; empty where that is not all that is wrong."""
 
     @property
     def refusal(self) -> str:
@@ -99,6 +103,8 @@ def instead_of(plan: Plan | None, below: Plan, target: Target, failure: str | No
         return None
     word = "faster" if below.eased is None else "gentler"
     note = f"the plan is the {BELOW[target]}: {failure or f'nothing {word} was found'}"
+    if plan is not None and failure is not None:
+        note += f" ({plan.duration:.3f} s; this one takes {below.duration:.3f} s)"
     cut = plan is not None and plan.stopped
     if failure is None and target is Target.RAPID and below.eased is None and not cut:
         note = "the program as written is already the fastest under these limits"

@@ -2,13 +2,13 @@
 
 A leg that has less time than its way takes goes less far with the rail. Where the rows of a file pass a limit between
 them, the legs there from one rest to the next are driven a hair slower; where one among them has a time of its own, and
-is entered or left in motion, they are solved again with less of every limit.
+is entered or left in motion, they are solved again with less of every limit. So are those that a judge refuses.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,10 +21,12 @@ from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged,
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration
 from trajopt_cli.plan.detour_planner import NoClearPath, timed_clear
-from trajopt_cli.plan.output_rows import rows_of
+from trajopt_cli.plan.ladder import Judged
+from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.plan.subproblems import Span, Window
 from trajopt_cli.problem.objective import LeastEffort
+from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.axes import Axes
@@ -34,8 +36,11 @@ from trajopt_cli.trajectory import Trajectory
 
 _SHORTENINGS = 3  # times that the way in one leg is shortened
 _ROW_ROUNDS = 16  # of mending rows; each is twice as strong as the one before it
+_REFUSALS = 6  # of a judge after which nothing is driven slower any more. Not measured.
+_MOST_LESS = 0.25  # of every limit that is left unused where a motion is mended at most. Not measured.
 _HAIR = 1e-4  # share of its time that a shortened leg has to spare
 _SAME = 1e-9  # m, rad
+_ROWS = "the file's rows would have passed a limit"
 
 
 def timed_in_time(
@@ -95,23 +100,71 @@ def with_legal_rows(axes: Axes, problem: Problem, draft: Iterate, patience: Pati
     for _ in range(_ROW_ROUNDS):
         trajectory, bounds, over = rows_of(axes, problem, draft)
         if not len(over):
-            notes = _told(problem, [*rounds], duration(draft) / took - 1) if rounds else ()
+            notes = _told(problem, rounds, duration(draft) / took - 1, _ROWS) if rounds else ()
             return Mended(draft, (trajectory, bounds), notes)
-        legs = np.unique(np.searchsorted(bounds, over, side="right") - 1).tolist()
-        for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs}):
-            share = (1 - axes.settings.start) * 2.0 ** rounds[span]
-            rounds[span] += 1
-            found = _gentler(axes, problem, draft, span, [k for k in legs if span[0] <= k < span[1]], share, patience)
-            if found is None:
-                return None
-            draft = found
+        found = _gentler_at(axes, problem, draft, over, 1 - axes.settings.start, rounds, patience)
+        if found is None:
+            return None
+        draft = found
     return None
 
 
-def _told(problem: Problem, spans: Sequence[Span], longer: float) -> tuple[str, ...]:
-    """Where the motion is slower than found, and by what share of the cycle."""
+def repaired(
+    axes: Axes, problem: Problem, draft: Iterate, notes: tuple[str, ...], first: tuple[Problem, Iterate] | None,
+    patience: Patience, planned: Callable[[Problem, Mended], Plan], judged: Judged, judge: Callable[[Plan], Judged],
+) -> Judged:  # fmt: skip
+    """A plan that a judge refuses, repaired: slower where it is too fast, else the first legal motion.
+
+    Args:
+        problem, draft, notes: what was planned.
+        first: the first legal motion and its problem, None where it is that.
+        planned: makes a plan of a motion.
+        judged: the plan and what the judge says of it.
+        judge: judges another one.
+
+    Returns:
+        The last plan that was judged: the first legal one where any is.
+    """
+    took, left, rounds, hair = duration(draft), _REFUSALS, Counter[Span](), 1 - axes.settings.start
+    while not judged.report.legal:
+        over, why, left = np.array(judged.report.excesses).T, judged.report.refusal, left - 1
+        slower = None
+        if len(over) and left >= 0:
+            times = np.concatenate([over[0] - axes.settings.row_step, over[0] + axes.settings.row_step])
+            slower = _gentler_at(axes, problem, draft, times, max(over[1].max(), hair), rounds, patience)
+        if slower is not None and (first is None or duration(slower) < duration(first[1])):
+            draft, told = slower, _told(problem, rounds, duration(slower) / took - 1, f"as it was found the plan {why}")
+        elif first is not None:
+            (problem, draft), first, rounds, told = first, None, Counter(), ()
+            notes = (f"the plan is the first legal one: the faster one, of {took:.3f} s, {why}",)
+        else:
+            break
+        if (mended := with_legal_rows(axes, problem, draft, patience)) is not None:
+            judged = judge(planned(problem, replace(mended, notes=(*notes, *told, *mended.notes))))
+    return judged
+
+
+def _told(problem: Problem, spans: Iterable[Span], longer: float, why: str) -> tuple[str, ...]:
+    """Where the motion is slower than found, by what share of the cycle, and why."""
     where = ", ".join(str(problem.motion(problem.legs[first].motion).source) for first, _ in sorted(spans))
-    return (f"{where}: slower there, by {100 * longer:.2g} % of the cycle: the file's rows would have passed a limit",)
+    return (f"{where}: slower there, by {100 * max(longer, 0.0):.2g} % of the cycle: {why}",)
+
+
+def _gentler_at(
+    axes: Axes, problem: Problem, draft: Iterate, times: Array, share: float, rounds: Counter[Span], patience: Patience
+) -> Iterate | None:
+    """The motion with a share less of every limit around some times [s], twice as much at each further round; None
+    where no such motion is found."""
+    ends = np.cumsum([motion.T for motion in motions_of(draft)])
+    legs = np.unique(np.searchsorted(ends[:-1], times, side="right"))
+    for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs.tolist()}):
+        less, named = min(share * 2.0 ** rounds[span], _MOST_LESS), legs[(span[0] <= legs) & (legs < span[1])]
+        rounds[span] += 1
+        found = _gentler(axes, problem, draft, span, named.tolist(), less, patience)
+        if found is None:
+            return None
+        draft = found
+    return draft
 
 
 def _from_rest_to_rest(problem: Problem, draft: Iterate, k: int) -> Span:

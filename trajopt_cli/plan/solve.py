@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -30,7 +31,7 @@ from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import least_effort_plan
 from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
-from trajopt_cli.plan.repair import with_legal_rows
+from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
 from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
@@ -114,9 +115,10 @@ def optimize(
     jerk, fastest = plant.limits.binding_jerk is not None, not isinstance(objective, LeastEffort)
     if jerk and fastest and isinstance(found, Plan) and corners_of(program, plant).passed:
         with suppress(NoCleanPlan, Stopped):  # short ways that end in large zones may take longer than stops
-            other = _planned_as_given(with_stops(program), PlanCache(), False, *with_limits)
+            other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits)
             if isinstance(other, Plan) and other.duration < found.duration:
                 bound = found.lower_bound
+                memory.repair.update(own.repair)
                 return replace(other, lower_bound=None if bound is None else min(bound, other.duration))
     return found
 
@@ -163,8 +165,7 @@ def _planned_as_given(
         mended = with_legal_rows(axes, problem, legal.draft, patience)
     if mended is None:
         raise NoCleanPlan("between two rows of the file the motion would pass a limit")
-    draft, rows, notes = mended.draft, mended.rows, (*notes, *mended.notes)
-    trajectory = rows[0]
+    notes, trajectory = (*notes, *mended.notes), mended.rows[0]
     bound: float | None = None
     if bounded and not patience.interrupted:
         start, cut = perf_counter(), list[bool]()
@@ -179,20 +180,21 @@ def _planned_as_given(
             notes = (*notes, *([_CUT_BOUND] if cut else []))
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
-    driven = detours_left(problem, legal.detours)
-    ways = _detour_notes(program, legal.detours, driven)
-    estimate = memory.estimates.get((target, freedom))
-    plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
-    plan = replace(
-        plan,
-        lower_bound=bound,
-        seconds=seconds,
-        eased=eased,
-        estimate=estimate,
-        stopped=(target, freedom) in memory.stopped,
-        bound_cut=_CUT_BOUND in notes,
-    )
-    return _with_detours(folded(plan, program, legal.detours), driven)
+
+    def planned(problem: Problem, mended: Mended) -> Plan:
+        driven = detours_left(problem, legal.detours)
+        ways = _detour_notes(program, legal.detours, driven)
+        plan = _plan(axes, problem, mended.draft, target, mended.rows, (*ways, *mended.notes))
+        known, cut = memory.estimates.get((target, freedom)), (target, freedom) in memory.stopped
+        plan = replace(plan, seconds=seconds, eased=eased, estimate=known, stopped=cut)
+        return _with_detours(folded(plan, program, legal.detours), driven)
+
+    if target is Target.STREAM:  # how fast the RAPID controller drives is not for a plan to say
+        first = None if eased is not None or mended.draft is legal.draft else (legal.problem, legal.draft)
+        found = problem, mended.draft, notes
+        memory.repair[target, freedom] = partial(repaired, axes, *found, first, patience, planned)
+    plan = planned(problem, replace(mended, notes=notes))
+    return replace(plan, lower_bound=bound, bound_cut=_CUT_BOUND in notes)
 
 
 def _plan(
