@@ -44,6 +44,7 @@ def show(
     from trajopt_cli.cli.console import print_json, result, stdout, tell, told
     from trajopt_cli.cli.console import show as show_table
     from trajopt_cli.parameter_study.analysis import StudyRows, variance_shares
+    from trajopt_cli.parameter_study.kept_plan import PLANS
     from trajopt_cli.parameter_study.study_page import (
         BEST,
         front,
@@ -66,7 +67,7 @@ def show(
     other = rows.chosen(against) if against else "price" if "price" in rows.answers and name != "price" else None
     shares, best = variance_shares(rows, name), rows.best(name)
     both = None if other is None else front(rows, name, other)
-    plans = {int(page.parent.name): f"plans/{page.parent.name}/{REPORT}" for page in folder.glob(f"plans/*/{REPORT}")}
+    plans = {int(page.parts[-2]): page.relative_to(folder).as_posix() for page in folder.glob(f"{PLANS}/*/{REPORT}")}
     lines, factors = summary_lines(rows, name, study.points), leading(rows, shares)
     if as_json:
         record = {"by": name, "points": study.points, "summary": lines, "best": rows.records(best[:BEST])}
@@ -88,6 +89,46 @@ def show(
     write_file(folder / REPORT, study_page(folder.resolve().name, rows, name, study.points, shares, plans))
     wrote(folder / REPORT)
     told([f"written to {folder / REPORT}: open it in a browser"], as_json, quiet)
+
+
+@app.command("plan", short_help="Plan points of a study wholly, and keep the plans with their pages.")
+def plan(
+    study: StudyFile,
+    points: Annotated[list[int], typer.Argument(metavar="POINT...", help="Their numbers, as 'study show' has them.")],
+    time_limit: Annotated[
+        float | None, typer.Option("--time-limit", metavar="S", help="Of each, as of optimize.", show_default=False)
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", metavar="FOLDER", help="The study's results; default: results/STUDY.")
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Plan points of a study as trajopt optimize does, into plans/POINT of its results; 'study show' links to them.
+
+    Exit code 1: one of them cannot be done, and why.
+
+    \b
+    Example:
+      trajopt study plan programs/studies/which_rail.yaml 21 --time-limit 60
+    """
+    from trajopt_cli.cli.console import no, stdout, tell
+    from trajopt_cli.cli.options import patience_of
+    from trajopt_cli.parameter_study.kept_plan import PLANS, keep_plan
+    from trajopt_cli.parameter_study.study_file import read_study
+    from trajopt_cli.table import seconds
+
+    patience_of(time_limit)
+    asked, folder, bad = read_study(study), output or Path("results") / study.stem, list[str]()
+    for point in points:
+        row = keep_plan(asked, point, folder, [] if time_limit is None else ["--time-limit", f"{time_limit:g}"])
+        if row["status"] != "ok":
+            bad.append(f"point {point}: {row['reason']}")
+            continue
+        wrote(folder / PLANS / str(point))
+        line = f"point {point}: {seconds(row['as_written_s'], 'not known')} s → {seconds(row['rapid_s'])} s"
+        tell(stdout(quiet), [f"{line}, in {folder / PLANS / str(point)}"])
+    if bad:
+        no(bad, False)
 
 
 @app.command("optimize", short_help="Search for the best point of what a study varies.")
