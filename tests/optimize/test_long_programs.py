@@ -93,3 +93,23 @@ def test_the_arm_reaches_from_nowhere_outside_its_rail_range() -> None:
     assert np.isnan(inverse(robot, X_WF[outside], d[outside])).all()
     assert 100 < outside.sum() < 390
     assert np.ptp(ends, axis=1).max() < 2 * 0.9
+
+
+def test_points_carried_along_a_contour_are_where_the_program_has_them() -> None:
+    """With the rail refined: every pose is kept on one branch, and the rail goes on steadily."""
+    points = [down(0.5 + 0.03 * np.sin(0.4 * i), 0.2 + 0.01 * i, 0.4, 0.0)[:3, 3] * 1e3 for i in range(60)]
+    lines = [f"MoveL Offs(p_1,{x - 450:.4f},{y - 200:.4f},0), v200, z1, tool0;" for x, y, _ in points]
+    data = "CONST robtarget p_1:=[[450,200,400],[0,1,0,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]];"
+    body = ["MoveJ p_1, v1000, fine, tool0;", *lines, "MoveL Offs(p_1,50,800,50), v200, fine, tool0;"]
+    problem = problem_of(rapid("\n".join(body), data=data), plant_with_rail(), Target.RAPID)
+    axes = Axes.of(problem.plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    refined = refine_rail(axes, problem, chain)
+    assert refined.cost < chain.cost
+    poses = [point.X_WF for point in problem.waypoints[1:]]
+    np.testing.assert_allclose(axes.forward(refined.q[1:]), poses, atol=1e-9)
+    steps = np.diff(refined.q[2:-1], axis=0)
+    assert np.abs(steps[:, axes.layout.arm]).max() < 0.2
+    assert 0.0 < np.ptp(axes.layout.place(refined.q)) < 1.0
+    assert np.abs(np.diff(axes.layout.place(steps))).max() < 1e-3

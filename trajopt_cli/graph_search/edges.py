@@ -30,9 +30,9 @@ class Dense:
         (n_a,) may be told as less, but as more than that."""
         return np.asarray(np.min(self.T + cost[None], axis=1))
 
-    def at(self, i: int, j: int) -> float:
-        """Time between two states."""
-        return float(self.T[i, j])
+    def at(self, i: IndexArray | int, j: IndexArray | int) -> Array:
+        """Times (...) between states of these numbers (...), broadcast."""
+        return self.T[i, j]
 
     def dense(self) -> Array:
         """Times between all states."""
@@ -59,11 +59,12 @@ class Lazy:
         """As of Dense."""
         return np.asarray(np.min(self._settled(cost[None], 1, most), axis=1))
 
-    def at(self, i: int, j: int) -> float:
+    def at(self, i: IndexArray | int, j: IndexArray | int) -> Array:
         """As of Dense."""
-        if self.doubt[i, j]:
-            self._ask(np.array([i]), np.array([j]))
-        return float(self.T[i, j])
+        i, j = np.broadcast_arrays(i, j)
+        doubtful = self.doubt[i, j] > 0
+        self._ask(i[doubtful], j[doubtful])
+        return self.T[i, j]
 
     def dense(self) -> Array:
         """As of Dense."""
@@ -162,11 +163,13 @@ class Band:
             least[:, before] = np.minimum(least[:, before], T + left[:, behind])
         return np.asarray(least[self.a[0], self.a[1]])
 
-    def at(self, i: int, j: int) -> float:
+    def at(self, i: IndexArray | int, j: IndexArray | int) -> Array:
         """As of Dense."""
         (label, rail), (label_b, rail_b) = self.a[:, i], self.b[:, j]
-        shift = np.flatnonzero(self.shifts == rail_b - rail)
-        return float(self.times[shift[0], label, rail]) if len(shift) and label == label_b else np.inf
+        steps = rail_b - rail
+        shift = np.minimum(np.searchsorted(-self.shifts, -steps), len(self.shifts) - 1)
+        there = (self.shifts[shift] == steps) & (label == label_b)
+        return np.where(there, self.times[shift, label, rail], np.inf)
 
     def dense(self) -> Array:
         """As of Dense."""
@@ -231,7 +234,7 @@ class Checked:
         """As of Dense."""
         return self.edge.out(cost, most)
 
-    def at(self, i: int, j: int) -> float:
+    def at(self, i: IndexArray | int, j: IndexArray | int) -> Array:
         """As of Dense."""
         return self.edge.at(i, j)
 

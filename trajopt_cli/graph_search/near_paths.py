@@ -65,13 +65,15 @@ def _through(
     path, at = [*best], i
     path[k] = i
     for j in range(k - 1, -1, -1):
-        at = min(near[j].tolist(), key=lambda s: forward[j][s] + edges[j].at(s, at))
+        some = near[j]
+        at = int(some[np.argmin(forward[j][some] + edges[j].at(some, at))])
         if at == best[j]:
             break
         path[j] = at
     at = i
     for j in range(k + 1, len(path)):
-        at = min(near[j].tolist(), key=lambda s: edges[j - 1].at(at, s) + through[j][s] - forward[j][s])
+        some = near[j]
+        at = int(some[np.argmin(edges[j - 1].at(at, some) + through[j][some] - forward[j][some])])
         if at == best[j]:
             break
         path[j] = at

@@ -8,7 +8,7 @@ alone does not say how fast it is passed, they are shifted with whole runs timed
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
 import numpy as np
@@ -22,6 +22,7 @@ from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times, short
 from trajopt_cli.path_timing.path_parameterized_plan import about
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.route import Route
 
@@ -43,6 +44,8 @@ _RUSH = 4.0  # times the rail's way at top speed in a short line's time that its
 
 _SAME = 1e-9  # m between rail positions that are one
 
+_Span = tuple[int, int, Array, Array]  # waypoints a and b, and axes (m, n) at both
+
 
 def refine_rail(
     axes: Axes, problem: Problem, chain: Route, known: Times | None = None, around: CollisionScene | None = None,
@@ -60,7 +63,8 @@ def refine_rail(
         legs = [Pairs(k, ends[0][k], ends[1][k], _branch(chain, k)) for k in range(len(problem.legs))]
         times = np.concatenate(leg_times(axes, problem, legs, known))
         return replace(still, times=times, cost=float(times.sum()))
-    marks, best = _with_carried_points(axes, problem, still)
+    places = _Places.of(axes, problem, still)
+    marks, best = _with_carried_points(problem, still, places)
     index = {k: i for i, k in enumerate(marks.tolist())}
     ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
     points = [problem.waypoints[k] for k in marks]
@@ -73,7 +77,7 @@ def refine_rail(
         before = near
         found = iter(_candidates(axes, problem, best, marks[changed], step, around))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
-        edges = _edge_times(axes, problem, marks, near, best, before, edges, step, known, around)
+        edges = _edge_times(axes, problem, marks, near, best, places, before, edges, step, known, around)
         common = shared(axes, points, near, ties)
         cost, path = best_chain(near, edges, ties, common, settings.tie_candidates)
         if not np.isfinite(cost):
@@ -82,32 +86,32 @@ def refine_rail(
         times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
         stays = np.abs(q - best.q[marks]).max(axis=1) < _SAME
         there = stays | (cost > reached * (1 - settings.refine_gain))
-        best, reached = _route_through(axes, problem, best, marks, q, times), cost
+        best, reached = _route_through(best, places, marks, q, times), cost
         least = np.maximum(np.where(_carrying(marks), settings.carry_last, settings.refine_last), last)
         if np.all(there & (step[marks] <= least)) or (turn >= _REFINE_LOOK and cost > most):
             break
         shorter = np.where(there & (step[marks] > least), np.maximum(step[marks] / 2, least), step[marks])
         changed, step[marks] = ~stays | (shorter != step[marks]), shorter
-    return _on_spline(axes, problem, best, marks)
+    return _on_spline(best, places, marks)
 
 
-def _on_spline(axes: Axes, problem: Problem, chain: Route, marks: IndexArray) -> Route:
+def _on_spline(chain: Route, places: _Places, marks: IndexArray) -> Route:
     """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
     there is no room for the rail to change its speed. As it is where the arm cannot follow."""
-    q = chain.q.copy()
+    q, place = chain.q.copy(), places.axes.layout.place
     for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
         ends = [*group]
         if not far or len(ends) < 2:
             continue
         first, last = ends[0][0], ends[-1][1]
         knots = np.array([first, *(b for _, b in ends)])
-        if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
+        if np.ptp(place(q[knots])) < _SAME:  # the rail stands
             continue
-        way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
-        d = natural_spline(way[knots - first], axes.layout.place(q[knots]), way)
-        found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
+        way = np.concatenate([[0.0], np.cumsum(places.chords[first:last])])
+        inner = np.arange(first + 1, last)
+        found = places.near(inner, natural_spline(way[knots - first], place(q[knots]), way)[1:-1], chain.q[inner])
         if np.isfinite(found).all():
-            q[first + 1 : last] = found
+            q[inner] = found
     return replace(chain, q=q)
 
 
@@ -117,10 +121,10 @@ def _carrying(marks: IndexArray) -> BoolArray:
     return np.r_[False, far] | np.r_[far, False]
 
 
-def _with_carried_points(axes: Axes, problem: Problem, chain: Route) -> tuple[IndexArray, Route]:
+def _with_carried_points(problem: Problem, chain: Route, places: _Places) -> tuple[IndexArray, Route]:
     """The waypoints between which the rail is in proportion to the tool's way, and a chain in which it is: those that
     lie between short lines are carried along, but for one every CARRY of the way."""
-    settings = axes.settings
+    settings = problem.plant.settings
     tied = {k for group in problem.ties for k in group}
     marks, way = [0], 0.0
     for k in range(1, len(problem.waypoints) - 1):
@@ -135,50 +139,76 @@ def _with_carried_points(axes: Axes, problem: Problem, chain: Route) -> tuple[In
     q = chain.q.copy()
     left = list(pairwise(marks))
     while left:  # where the arm cannot follow a straight rail, the chain's own places
-        a, b = left.pop()
-        inner = _between(axes, problem, chain, a, b, chain.q[a][None], chain.q[b][None])[0]
-        if np.isfinite(inner).all():
-            q[a : b + 1] = inner
-        else:
-            middle = (a + b) // 2
-            marks.append(middle)
-            left += [(a, middle), (middle, b)]
+        spans, left = [(a, b, chain.q[a][None], chain.q[b][None]) for a, b in left], []
+        for (a, b, *_), (inner,) in zip(spans, places.between(chain, spans), strict=True):
+            if np.isfinite(inner).all():
+                q[a : b + 1] = inner
+            else:
+                middle = (a + b) // 2
+                marks.append(middle)
+                left += [(a, middle), (middle, b)]
     return np.array(sorted(marks)), replace(chain, q=q)
 
 
-def _between(axes: Axes, problem: Problem, chain: Route, a: int, b: int, q_0: Array, q_1: Array) -> Array:
-    """Axes (m, b - a + 1, n) at the waypoints a to b, near those of a chain, between pairs of them at both ends, with
-    the rail in proportion to the tool's way; NaN where the arm does not reach."""
-    if b == a + 1:
-        return np.stack([q_0, q_1], axis=1)
-    way = np.cumsum([leg.chord for leg in problem.legs[a:b]])
-    d_0, d_1 = (axes.layout.place(q)[:, None] for q in (q_0, q_1))
-    inner = _along_rail(axes, problem, chain, a, d_0 + (way[:-1] / way[-1]) * (d_1 - d_0))
-    return np.concatenate([q_0[:, None], inner, q_1[:, None]], axis=1)
+@dataclass(frozen=True, eq=False)
+class _Places:
+    """What the waypoints (M,) of a chain are reached by: poses X_WF (M, 4, 4), rails (M, 2) from and to where the rail
+    may stand, branches cfx (M,). chords (M - 1,): lengths of the legs between them."""
+
+    axes: Axes
+    X_WF: Array
+    rails: Array
+    cfx: IndexArray
+    chords: Array
+
+    @classmethod
+    def of(cls, axes: Axes, problem: Problem, chain: Route) -> _Places:
+        """Those of a problem's chain, and of every other one on its branches."""
+        points, legs = problem.waypoints, range(len(problem.legs))
+        cfx = np.array([_branch(chain, k) for k in legs] + [chain.labels[-1].cfx])
+        chords = np.array([leg.chord for leg in problem.legs])
+        return cls(axes, np.array([one.X_WF for one in points]), np.array([one.rail for one in points]), cfx, chords)
+
+    def near(self, k: IndexArray, d: Array, q: Array) -> Array:
+        """Axes (p, n) at waypoints k (p,) with the rail at d (p,), in the turns of axes q (p, n); NaN where they are
+        not to be had."""
+        layout, out = self.axes.layout, np.empty((len(k), self.axes.n))
+        for some in (slice(i, i + self.axes.settings.batch) for i in range(0, len(k), self.axes.settings.batch)):
+            checkpoint()
+            at, place = k[some], d[some]
+            arm = self.axes.branch(self.X_WF[at], place, self.cfx[at])
+            arm += 2 * np.pi * np.round((q[some, layout.arm] - arm) / (2 * np.pi))
+            found = layout.join(place, arm)
+            inside = self.axes.within(found) & (place >= self.rails[at, 0]) & (place <= self.rails[at, 1])
+            out[some] = np.where(inside[:, None], found, np.nan)
+        return out
+
+    def between(self, chain: Route, spans: Sequence[_Span]) -> list[Array]:
+        """Axes (m, b - a + 1, n) at the waypoints a to b of each span, near those of a chain, with the rail in
+        proportion to the tool's way; NaN where the arm does not reach."""
+        place, k, d = self.axes.layout.place, [np.zeros(0, dtype=np.intp)], [np.zeros(0)]
+        for a, b, q_0, q_1 in spans:
+            way, d_0 = np.cumsum(self.chords[a:b]), place(q_0)[:, None]
+            d.append((d_0 + (way[:-1] / way[-1]) * (place(q_1)[:, None] - d_0) if b > a + 1 else d_0[:, :0]).ravel())
+            k.append(np.tile(np.arange(a + 1, b), len(q_0)))
+        at = np.concatenate(k)
+        inner = np.split(self.near(at, np.concatenate(d), chain.q[at]), np.cumsum([len(one) for one in k[1:]]))
+        return [
+            np.concatenate([q_0[:, None], one.reshape(len(q_0), b - a - 1, self.axes.n), q_1[:, None]], axis=1)
+            for (a, b, q_0, q_1), one in zip(spans, inner[:-1], strict=True)
+        ]
 
 
-def _along_rail(axes: Axes, problem: Problem, chain: Route, a: int, d: Array) -> Array:
-    """Axes (m, k, n) at the k waypoints behind number a at rail positions d (m, k), near those of a chain; NaN where
-    they are not to be had."""
-    layout, behind = axes.layout, slice(a + 1, a + 1 + d.shape[1])
-    points = problem.waypoints[behind]
-    low, high = np.array([point.rail for point in points]).T
-    X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
-    arm = axes.branch(X_WF, d.ravel(), _branch(chain, a + 1)).reshape(*d.shape, axes.n - layout.r)
-    q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
-    inside = axes.within(q) & (d >= low) & (d <= high)
-    return np.where(inside[..., None], q, np.nan)
-
-
-def _route_through(axes: Axes, problem: Problem, chain: Route, marks: IndexArray, q: Array, times: Array) -> Route:
+def _route_through(chain: Route, places: _Places, marks: IndexArray, q: Array, times: Array) -> Route:
     """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
     every, spent = chain.q.copy(), chain.times.copy()
     stays = np.abs(q - chain.q[marks]).max(axis=1) < _SAME
-    for i, (a, b) in enumerate(pairwise(marks.tolist())):
-        if not (stays[i] and stays[i + 1]):
-            every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
-        way = np.array([leg.chord for leg in problem.legs[a:b]])
-        spent[a:b] = times[i] if b == a + 1 else times[i] * way / way.sum()
+    ends = [*pairwise(marks.tolist())]
+    moved = [(a, b, q[i : i + 1], q[i + 1 : i + 2]) for i, (a, b) in enumerate(ends) if not stays[i : i + 2].all()]
+    for (a, b, *_), (found,) in zip(moved, places.between(chain, moved), strict=True):
+        every[a : b + 1] = found
+    for (a, b), T in zip(ends, times, strict=True):
+        spent[a:b] = T if b == a + 1 else T * places.chords[a:b] / places.chords[a:b].sum()
     return replace(chain, q=every, times=spent, cost=float(times.sum()))
 
 
@@ -221,7 +251,7 @@ class _RailShifts:
 
     def __init__(self, axes: Axes, problem: Problem, chain: Route, groups: Sequence[range], left: int):
         self._axes, self._problem, self._chain, self._groups, self.left = axes, problem, chain, groups, left
-        self._runs = _runs_at(problem, groups)
+        self._runs, self._places = _runs_at(problem, groups), _Places.of(axes, problem, chain)
         self._d = np.array([float(axes.layout.place(chain.q[group[0]])) for group in groups])
         self._known: dict[tuple[tuple[int, int], bytes], float] = {}
 
@@ -262,12 +292,12 @@ class _RailShifts:
     def _axes_at(self, d: Array) -> Array:
         """Axes (m, M, n) at all waypoints with the rail at d (m, groups), on their branches, else NaN."""
         q = np.tile(self._chain.q, (len(d), 1, 1))
-        for i, group in enumerate(self._groups):
-            places, of = np.unique(d[:, i], return_inverse=True)
-            for k in group:
-                at = _along_rail(self._axes, self._problem, self._chain, k - 1, places[:, None])[:, 0]
-                at[places == self._d[i]] = self._chain.q[k]
-                q[:, k] = at[of]
+        group = np.repeat(np.arange(len(self._groups)), [len(one) for one in self._groups])
+        number = np.concatenate([np.asarray(one) for one in self._groups])
+        row, at = np.nonzero(d[:, group] != self._d[group])
+        places, of = np.unique([number[at], d[row, group[at]]], axis=1, return_inverse=True)
+        k = places[0].astype(np.intp)
+        q[row, number[at]] = self._places.near(k, places[1], self._chain.q[k])[of.ravel()]
         asked = [k for k in range(self._runs[0][0], self._runs[-1][1]) if self._problem.waypoints[k + 1].nearest]
         for one in q if asked else ():
             led = [self._problem.leads(k, one[k : k + 1], one[k + 1 : k + 2]) for k in asked if np.isfinite(one).all()]
@@ -315,6 +345,7 @@ def _edge_times(
     marks: IndexArray,
     near: Sequence[Array],
     chain: Route,
+    places: _Places,
     before: Sequence[Array],
     edges: Sequence[Array],
     step: Array,
@@ -324,7 +355,7 @@ def _edge_times(
     """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
     fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
     before. known: as in leg_times."""
-    timed, opens, out = [], [], []
+    asked, timed, opens, out = [], [], [], list[Array]()
     same = [None if a is b else _common_rows(a, b) for a, b in zip(near, before, strict=True)] if before else []
     for i, (first, last) in enumerate(pairwise(marks.tolist())):
         a, b = near[i], near[i + 1]
@@ -348,17 +379,19 @@ def _edge_times(
             ia, ib = ia[clear], ib[clear]
         if (led := problem.leads(first, a, b)) is not None:
             ia, ib = ia[led[ia, ib]], ib[led[ia, ib]]
-        q = _between(axes, problem, chain, first, last, a[ia], b[ib])
+        asked.append((edge, ia, ib, (first, last, a[ia], b[ib])))
+        out.append(edge)
+    between = places.between(chain, [span for *_, span in asked])
+    for (edge, ia, ib, (first, last, q_0, q_1)), q in zip(asked, between, strict=True):
         can = np.isfinite(q).all(axis=(1, 2))
         q, cfx = q[can], _branch(chain, first)
         ia, ib = ia[can], ib[can]
         looked_at = _legs_to_time(problem, first, last)
         opens.append((edge, ia, ib, [*looked_at.values()]))
         timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], cfx) for k in looked_at]
-        out.append(edge)
         if last > first + 1:  # of many that take the same time the calmest
-            way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
-            edge[ia, ib] = _CALM * way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9)
+            way = axes.layout.place(q_1[can]) - axes.layout.place(q_0[can])
+            edge[ia, ib] = _CALM * way**2 / max(places.chords[first:last].sum(), 1e-9)
         else:
             edge[ia, ib] = 0.0
     times = iter(leg_times(axes, problem, timed, known))
