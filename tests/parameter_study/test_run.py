@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +19,8 @@ from pyarrow import parquet
 from tiny import STUDY, at_once, greedy, in_a_moment, killed_once, written
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.parameter_study.cluster import Evaluate
+from trajopt_cli.parameter_study.cluster import Evaluate, client_at
+from trajopt_cli.parameter_study.point import evaluate
 from trajopt_cli.parameter_study.results import POINTS, new_or_same
 from trajopt_cli.parameter_study.run import run_study
 from trajopt_cli.parameter_study.study_file import Study, read_study
@@ -99,3 +108,68 @@ def test_inputs_that_changed_are_refused_by_name(study: Study, tmp_path: Path) -
     (tmp_path / "out" / "parts" / "part-000000.parquet").write_bytes(b"PAR1")
     with pytest.raises(InputError, match="cannot be read"):
         new_or_same(tmp_path / "out", study).known()
+
+
+HERE = Path(__file__).parent
+
+
+@contextmanager
+def cluster(port: int) -> Iterator[None]:
+    """A scheduler and a worker, processes of their own, killed at the end."""
+    paths = os.pathsep.join([str(HERE.parents[1]), str(HERE)])
+    host = ["--host", "127.0.0.1", "--no-dashboard"]
+    ours = [["distributed.cli.dask_scheduler", "--port", str(port), *host]]
+    ours += [["distributed.cli.dask_worker", f"tcp://127.0.0.1:{port}", "--nthreads", "1", "--no-nanny"]]
+    quiet, knowing = subprocess.DEVNULL, {**os.environ, "PYTHONPATH": paths}
+    with ExitStack() as stack:
+        both = [
+            stack.enter_context(subprocess.Popen([sys.executable, "-m", *one], stdout=quiet, stderr=quiet, env=knowing))
+            for one in ours
+        ]
+        try:
+            yield
+        finally:
+            for process in both:
+                process.kill()
+
+
+def test_a_scheduler_may_go_and_come_back(study: Study, tmp_path: Path) -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    first, second = cluster(port), cluster(port)
+    said = []
+
+    def listen(_: str, progress: object) -> None:
+        said.append(str(progress))
+        if len(said) == 2:  # with most rows still to come
+            first.__exit__(None, None, None)
+            second.__enter__()
+
+    first.__enter__()
+    try:
+        with client_at(f"tcp://127.0.0.1:{port}") as client:
+            run_study(study, tmp_path / "out", client, listen, in_a_moment)
+    finally:
+        second.__exit__(None, None, None)
+    assert any("is gone; waiting for it" in one for one in said)
+    assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
+
+
+def test_ctrl_c_ends_the_command_and_the_same_command_goes_on(study: Study, client: Client, tmp_path: Path) -> None:
+    """True points of two moves; the signal goes to all processes of the command, as a terminal's does."""
+    command = [sys.executable, "-m", "trajopt_cli.cli", "study", "run", "study.yaml", "--jobs", "1", "--output", "out"]
+    with subprocess.Popen(
+        command, cwd=tmp_path, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        while not [*(tmp_path / "out" / "parts").glob("*.parquet")] and process.poll() is None:
+            time.sleep(0.05)
+        os.killpg(process.pid, signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    assert process.returncode == 130, said
+    assert "Traceback" not in said
+    before = new_or_same(tmp_path / "out", study).known().sum()
+    assert 0 < before < 120
+    _, tally = run_study(study, tmp_path / "out", client)
+    assert tally.before == before
+    assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone", evaluate)

@@ -106,18 +106,22 @@ def run(
     folder = output or Path("results") / study.stem
     if not dry_run:
         results.new_or_same(folder, asked)
+        wrote(folder)
     with client_for(scheduler, jobs, asked.inputs.memory) as client:
         if not quiet:
             warn(f"Dask's dashboard: {client.dashboard_link}")
-        with ProgressView(quiet=quiet) as view:
-            if dry_run:
-                said = study_run.dry_run(asked, client, view.show)
-            else:
-                _, tally = study_run.run_study(asked, folder, client, view.show)
+        try:
+            with ProgressView(quiet=quiet) as view:
+                if dry_run:
+                    said = study_run.dry_run(asked, client, view.show)
+                else:
+                    _, tally = study_run.run_study(asked, folder, client, view.show)
+        except KeyboardInterrupt:
+            warn(f"{folder} holds what had come back; the same command goes on from there")
+            raise
     if dry_run:
         result(said)
         return
-    wrote(folder)
     counts = ", ".join(f"{count} {status}" for status, count in sorted(tally.counts.items()))
     line = f"{tally.points} points: {counts}"
     if tally.best is None:
