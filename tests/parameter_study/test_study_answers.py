@@ -69,6 +69,18 @@ def test_the_same_as_json_by_another_answer(folder: Path, capsys: pytest.Capture
     assert told["shares"]["shares"][0]["columns"] == ["limits.joint_1.velocity_rad_per_s"]
 
 
+def test_a_study_without_an_answer_says_why(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also where the program as written can be done, and its plan cannot."""
+    monkeypatch.chdir(tmp_path)
+    study = read_study(written(tmp_path, STUDY))
+    row = blank(study.inputs, study.design.point(0), "infeasible", "tiny.mod:7: out of reach")
+    new_or_same(Path("out"), study).write_part([{**row, "as_written_s": 9.0}], [])
+    assert run(["study", "show", "out"]) == 1
+    assert "1 × infeasible: tiny.mod:7: out of reach" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("words", [["--by", "stream_s"], ["--against", "colour"]])
 def test_answers_that_are_not_there_are_refused(words: list[str], folder: Path) -> None:
     assert run(["study", "show", str(folder), *words]) == 2

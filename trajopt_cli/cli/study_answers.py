@@ -33,7 +33,7 @@ def show(
 ) -> None:
     """Show the best points of a study, what matters most, and the front of two answers; and draw its page.
 
-    A study that is not done yet is shown as far as it is.
+    A study that is not done yet is shown as far as it is. Exit code 1: no point has an answer, and why.
 
     \b
     Example:
@@ -41,7 +41,7 @@ def show(
     """
     from dataclasses import asdict
 
-    from trajopt_cli.cli.console import print_json, result, stdout, tell, told
+    from trajopt_cli.cli.console import no, print_json, result, stdout, tell, told
     from trajopt_cli.cli.console import show as show_table
     from trajopt_cli.parameter_study.analysis import StudyRows, variance_shares
     from trajopt_cli.parameter_study.kept_plan import PLANS
@@ -50,6 +50,7 @@ def show(
         front,
         leading,
         points_table,
+        reasons,
         shares_table,
         study_page,
         summary_lines,
@@ -63,6 +64,8 @@ def show(
         raise lacking(error) from error
     study = open_study(folder)
     rows = StudyRows(study.rows().to_pydict(), {one.name: one.unit for one in study.columns})
+    if not rows.answers:
+        no(["no point of the study has an answer", *reasons(rows)], as_json)
     name = rows.chosen(by)
     other = rows.chosen(against) if against else "price" if "price" in rows.answers and name != "price" else None
     shares, best = variance_shares(rows, name), rows.best(name)

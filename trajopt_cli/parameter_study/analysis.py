@@ -45,13 +45,12 @@ class StudyRows:
 
     @cached_property
     def answers(self) -> tuple[str, ...]:
-        """The columns of answers that hold a number somewhere."""
-        return tuple(name for name in ANSWERS if any(one is not None for one in self.columns.get(name, ())))
+        """The columns of answers that hold a number in a row with an answer."""
+        there = (name for name in ANSWERS if name in self.columns)
+        return tuple(name for name in there if any(self.columns[name][i] is not None for i in self.ok))
 
     def chosen(self, name: str | None) -> str:
         """A column of answers; by default the first there is. Raises InputError for one that is not there."""
-        if not self.answers:
-            raise InputError("no point of the study has an answer; column reason says why")
         if name is not None and name not in self.answers:
             raise InputError(f"no column '{name}' of answers; {hint(name, self.answers)}")
         return name or self.answers[0]

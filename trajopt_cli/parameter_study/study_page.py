@@ -77,10 +77,11 @@ def summary_lines(rows: StudyRows, name: str, count: int) -> list[str]:
     for one in dict.fromkeys((name, *(["saved_s"] if "saved_s" in rows.answers else []))):
         low, middle, high = spread(rows.numbers(one)[rows.best(one)])
         lines.append(f"{one}: median {middle:.3f}, 90 % of the points between {low:.3f} and {high:.3f}")
-    return lines + _reasons(rows)
+    return lines + reasons(rows)
 
 
-def _reasons(rows: StudyRows) -> list[str]:
+def reasons(rows: StudyRows) -> list[str]:
+    """Why points have no answer, the most frequent reasons first."""
     bad = zip(rows.columns["status"], rows.columns["reason"], strict=True)
     kinds = Counter(f"{kind}: {why[:_LONG]}" for kind, why in bad if kind != "ok")
     return [f"{number} × {why}" for why, number in kinds.most_common(_REASONS)]
@@ -111,7 +112,7 @@ def study_page(
             "spread", "Spread", '<figure id="spread"></figure>', f"The {_WORDS[name]} of all points with an answer."
         ),
     ]
-    if why := _reasons(rows):
+    if why := reasons(rows):
         sections.append(Section("failed", "Points without an answer", points(why)))
     data = {
         "shown": name,
