@@ -6,9 +6,9 @@ plans them. Each row has the cycle time of each target, how much later it is tha
 on the way or that a rung below has, and what fell back, by kind:
 
 wait, timed: a chain was not driven, as a wait or a line has less time than it takes; singular, range: as it passes a
-singularity, or leaves what the search looked at; rows: a motion's rows pass a limit, and are mended; first: the plan is
-the first legal motion; below: the plan is that of the rung below; slow: the plan that stops everywhere; windows: some
-did not converge; NO PLAN, ILLEGAL: nothing legal.
+singularity, or leaves what the search looked at; rows: a motion's rows pass a limit, and are mended; judge: it goes
+slower where the judge refused it; first: the plan is the first legal motion; below: that of the rung below; slow: the
+one that stops everywhere; windows: some did not converge; NO PLAN, ILLEGAL: nothing legal.
 """
 
 from __future__ import annotations
@@ -148,8 +148,10 @@ def run(seed: int, timeout: float, keep: Path | None) -> dict[str, Any]:
         plan, name = answer.plan, target.value
         fell["ILLEGAL"] += not answer.report.legal
         for note in plan.notes:
-            fell["below"] += note.startswith("the plan is the")
-            fell["first"] += "is the first legal one" in note
+            first = "is the first legal one" in note
+            fell["below"] += note.startswith("the plan is the") and not first
+            fell["first"] += first
+            fell["judge"] += "slower there" in note and "as it was found the plan" in note
             fell["slow"] += "stops at every point" in note
             fell["windows"] += "failed to converge" in note
         row[f"{name} notes"] = list(plan.notes)

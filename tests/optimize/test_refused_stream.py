@@ -124,6 +124,14 @@ def test_a_leg_that_is_refused_again_is_driven_slower_again(tmp_path: Path) -> N
     assert lengths(stream)[LINE] == pytest.approx(1.01 * 1.02 * 1.04 * lengths(found)[LINE], rel=1e-9)
 
 
+def test_a_rest_that_is_refused_is_not_judged_again_as_it_is(tmp_path: Path) -> None:
+    found, _ = planned(tmp_path, FIXED)
+    judge = Judge(99, middle(found, WAIT), 3.03, 3.0)
+    stream, rapid = planned(tmp_path, FIXED, judge)
+    assert len(judge.texts) == len(set(judge.texts)) < 3
+    assert stream.plan.duration == pytest.approx(rapid.plan.duration)
+
+
 def test_legs_that_are_entered_in_motion_are_solved_again_with_less_of_every_limit(tmp_path: Path) -> None:
     """Twice 1 % less: up to 1 / 0.98 times as long. Red where the first legal motion or the RAPID plan comes."""
     found, _ = planned(tmp_path, RAILED)

@@ -154,17 +154,18 @@ def _gentler_at(
     axes: Axes, problem: Problem, draft: Iterate, times: Array, share: float, rounds: Counter[Span], patience: Patience
 ) -> Iterate | None:
     """The motion with a share less of every limit around some times [s], twice as much at each further round; None
-    where no such motion is found."""
-    ends = np.cumsum([motion.T for motion in motions_of(draft)])
-    legs = np.unique(np.searchsorted(ends[:-1], times, side="right"))
-    for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs.tolist()}):
-        less, named = min(share * 2.0 ** rounds[span], _MOST_LESS), legs[(span[0] <= legs) & (legs < span[1])]
+    where no such motion is found, or nothing moves then."""
+    motions = motions_of(draft)
+    at = np.unique(np.searchsorted(np.cumsum([motion.T for motion in motions[:-1]]), times, side="right")).tolist()
+    legs = [k for k in at if not motions[k].resting().all()]
+    for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs}):
+        less = min(share * 2.0 ** rounds[span], _MOST_LESS)
         rounds[span] += 1
-        found = _gentler(axes, problem, draft, span, named.tolist(), less, patience)
+        found = _gentler(axes, problem, draft, span, [k for k in legs if span[0] <= k < span[1]], less, patience)
         if found is None:
             return None
         draft = found
-    return draft
+    return draft if legs else None
 
 
 def _from_rest_to_rest(problem: Problem, draft: Iterate, k: int) -> Span:
