@@ -8,8 +8,9 @@ import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Callable, Mapping
-from contextlib import ExitStack, suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
+from contextvars import ContextVar
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from types import TracebackType
@@ -165,3 +166,30 @@ def in_turns(
         for other in others:
             done |= other.answer()
     return {name: done[i] for i, name in enumerate(names)}
+
+
+Tasks = Mapping[Any, Callable[[Callable[[Any], None]], Any]]
+Elsewhere = Callable[[Tasks, Callable[[Any], None]], dict[Any, Any]]
+"""Gives every task's answer under its name, in the tasks' order, as in_turns does; tasks and answers are pickled."""
+
+_ELSEWHERE: ContextVar[Elsewhere | None] = ContextVar("elsewhere", default=None)
+
+
+@contextmanager
+def handed_to(elsewhere: Elsewhere) -> Iterator[None]:
+    """What is shared out inside is done elsewhere: on a cluster."""
+    before = _ELSEWHERE.set(elsewhere)
+    try:
+        yield
+    finally:
+        _ELSEWHERE.reset(before)
+
+
+def shared_out(
+    tasks: Mapping[Name, Callable[[Callable[[Any], None]], Answer]],
+    hear: Callable[[Any], None],
+    jobs: int | None = None,
+) -> dict[Name, Answer]:
+    """As in_turns; where handed_to says so, elsewhere. For independent questions of a study, each of which plans."""
+    elsewhere = _ELSEWHERE.get()
+    return in_turns(tasks, hear, jobs) if elsewhere is None else elsewhere(tasks, hear)

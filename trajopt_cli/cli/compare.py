@@ -19,6 +19,7 @@ from trajopt_cli.cli.options import (
     patience_of,
 )
 from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli.study import Scheduler, tasks_on
 
 if TYPE_CHECKING:
     from trajopt_cli.problem.plan import Target
@@ -73,6 +74,7 @@ def baseline(
     v_area: Annotated[
         float | None, typer.Option(min=1e-3, metavar="M/S", help="Row thesis: rail speed inside a functional area.")
     ] = None,
+    scheduler: Scheduler = None,
     time_limit: TimeLimit = None,
 ) -> None:
     """Compare the optimum with today's practice and textbook methods, and split its saving by cause.
@@ -106,7 +108,7 @@ def baseline(
     _check_places(csv, plots)
     folder = output or Path("results") / f"{job.program.name}_comparison"
     check_replaceable(folder)
-    with ProgressView(patience, quiet) as view:
+    with ProgressView(patience, quiet) as view, tasks_on(scheduler, patience):
         rule = RailRule(phi_min * DEG, v_transfer, v_area)
         answer = compare(job, view.show, rule, made_of_loops, patience)
     record = comparison_record(answer)

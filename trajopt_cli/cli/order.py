@@ -20,6 +20,7 @@ from trajopt_cli.cli.options import (
     patience_of,
 )
 from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli.study import Scheduler, tasks_on
 
 if TYPE_CHECKING:
     from trajopt_cli.study.order import Ordered, Tour
@@ -47,6 +48,7 @@ def order(
     as_json: AsJson = False,
     quiet: Quiet = False,
     jobs: Jobs = None,
+    scheduler: Scheduler = None,
     time_limit: TimeLimit = None,
 ) -> None:
     """Find the fastest order of parts that the cell file lists under its key order.
@@ -74,7 +76,7 @@ def order(
     found = group_of(job, group)
     folder = output or Path("results") / f"{job.program.name}_order"
     check_replaceable(folder)
-    with ProgressView(patience, quiet) as view:
+    with ProgressView(patience, quiet) as view, tasks_on(scheduler, patience):
         answer = order_of(found, Target(target), view.show, patience, jobs)
     if not isinstance(answer, Ordered):
         answer_no(answer, as_json)

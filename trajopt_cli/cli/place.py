@@ -20,6 +20,7 @@ from trajopt_cli.cli.options import (
     patience_of,
 )
 from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli.study import Scheduler, tasks_on
 
 
 def place(
@@ -66,6 +67,7 @@ def place(
     as_json: AsJson = False,
     quiet: Quiet = False,
     jobs: Jobs = None,
+    scheduler: Scheduler = None,
     time_limit: TimeLimit = None,
 ) -> None:
     """Find where the base, the rail or a work object should stand for the shortest cycle, and draw the map.
@@ -99,7 +101,7 @@ def place(
     if apply is not None:
         site.check_apply(apply)
         check_file(apply, "--apply")
-    with ProgressView(patience, quiet) as view:
+    with ProgressView(patience, quiet) as view, tasks_on(scheduler, patience):
         answer = place(site, Target(target), view.show, patience, jobs, points)
     best, files = answer.best, (*job.program.files, str(job.cell_path))
     if best is None:

@@ -19,6 +19,7 @@ from trajopt_cli.cli.options import (
     patience_of,
 )
 from trajopt_cli.cli.process import reading
+from trajopt_cli.cli.study import Scheduler, tasks_on
 
 
 def sensitivity(
@@ -49,6 +50,7 @@ def sensitivity(
     quiet: Quiet = False,
     everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
     jobs: Jobs = None,
+    scheduler: Scheduler = None,
     time_limit: TimeLimit = None,
 ) -> None:
     """Tell how much of PROGRAM's cycle time each limit, speed, wait and place of the cell is worth.
@@ -79,7 +81,7 @@ def sensitivity(
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     results = program[0] if is_results(program[0]) else None
     targets = tuple(Target) if target == "both" else (Target(target),)
-    with ProgressView(patience, quiet) as view:
+    with ProgressView(patience, quiet) as view, tasks_on(scheduler, patience):
         answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search, patience)
     if not isinstance(answer, Sensitivity):
         answer_no(answer, as_json)

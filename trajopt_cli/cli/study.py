@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,11 +13,14 @@ from typer.core import TyperGroup
 from trajopt_cli.cli.options import Jobs, Quiet
 from trajopt_cli.cli.process import wrote
 from trajopt_cli.errors import InputError
+from trajopt_cli.workers import handed_to
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
     from distributed import Client
+
+    from trajopt_cli.problem.stop_condition import Patience
 
 
 class _RunUnlessNamed(TyperGroup):
@@ -57,6 +62,18 @@ def client_for(scheduler: str | None, jobs: int | None, memory: float | None) ->
     if scheduler is not None and jobs is not None:
         raise InputError("--jobs: the cluster of --scheduler has its own workers; leave one of them out")
     return local_client(jobs, memory) if scheduler is None else client_at(scheduler)
+
+
+def tasks_on(scheduler: str | None, patience: Patience) -> AbstractContextManager[None]:
+    """What a study shares out inside is done by the cluster at an address, if one is given. Raises InputError where
+    Dask is not installed."""
+    if scheduler is None:
+        return nullcontext()
+    try:
+        from trajopt_cli.parameter_study.cluster import tasks_at
+    except ImportError as error:
+        raise lacking(error) from error
+    return handed_to(partial(tasks_at, scheduler, patience))
 
 
 def lacking(error: ImportError) -> InputError:

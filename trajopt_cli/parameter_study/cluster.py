@@ -11,16 +11,18 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from itertools import islice
 from multiprocessing import resource_tracker
+from typing import Any
 
 import dask
-from distributed import Client, Future, KilledWorker, LocalCluster, WorkerPlugin, as_completed, get_worker
+from distributed import Client, Future, KilledWorker, LocalCluster, WorkerPlugin, as_completed, get_worker, wait
 from distributed.comm import CommClosedError
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
 from trajopt_cli.parameter_study.point import PointInputs, Row, blank, evaluate
 from trajopt_cli.parameter_study.sampling import Point
-from trajopt_cli.workers import cores, give_back
+from trajopt_cli.problem.stop_condition import Patience
+from trajopt_cli.workers import Tasks, cores, give_back, in_turns
 
 Evaluate = Callable[[PointInputs, Point], Row]
 Say = Callable[[str], None]
@@ -36,6 +38,7 @@ AHEAD = 3
 BACK_WITHIN = 600.0
 """s that a scheduler may be gone."""
 _LOOK = 5.0  # s between two looks at how many threads there are
+_LISTEN = 0.5  # s between two looks at whether tasks are to go on
 _TRY = 1.0  # s between two attempts to reach a scheduler
 _GIVE_BACK = 30.0  # s: looking for garbage takes 0.07 s in a process that plans
 _LOST = (CancelledError, CommClosedError, TimeoutError, OSError)
@@ -100,6 +103,16 @@ def _version() -> str:
     return __version__
 
 
+def _check_versions(client: Client) -> None:
+    """Raise InputError where the workers have another trajopt than this one, or none."""
+    try:
+        versions = client.run(_version)
+    except ImportError as error:
+        raise InputError("the cluster's workers lack trajopt: pip install 'trajopt-cli[study]' there") from error
+    if other := {*versions.values()} - {__version__}:
+        raise InputError(f"the cluster's workers have trajopt {', '.join(other)}, this is {__version__}")
+
+
 @contextmanager
 def local_client(jobs: int | None = None, memory: float | None = None) -> Iterator[Client]:
     """A client of a cluster on this computer, a process for each of jobs, by default one for every core. memory: of
@@ -132,6 +145,34 @@ def client_at(address: str) -> Iterator[Client]:
         raise InputError(f"--scheduler {address}: {error}") from error
     with client:
         yield client
+
+
+def tasks_at(address: str, patience: Patience, tasks: Tasks, hear: Callable[[Any], None]) -> dict[Any, Any]:
+    """The answers of a study's tasks by the cluster at an address, as workers.in_turns gives them. What a task tells is
+    heard when it is done. What is left when patience is interrupted is asked here, where it ends at once. Connected for
+    one call: processes are forked between two of them, which threads of a client would not survive. Raises InputError
+    where the cluster cannot be used, and what a task raises."""
+    done: dict[Any, Any] = {}
+    with client_at(address) as client, client.as_current():
+        _check_versions(client)
+        running = {client.submit(_task, task, pure=False): name for name, task in tasks.items()}
+        while running and not patience.interrupted:
+            with suppress(TimeoutError):
+                for future in wait([*running], timeout=_LISTEN, return_when="FIRST_COMPLETED").done:
+                    told, done[running.pop(future)] = future.result()
+                    for message in told:
+                        hear(message)
+        client.cancel([*running], force=True)
+    done |= in_turns({name: task for name, task in tasks.items() if name not in done}, hear, 1)
+    return {name: done[name] for name in tasks}
+
+
+def _task(task: Callable[[Callable[[Any], None]], Any]) -> tuple[list[Any], Any]:
+    """What a task tells, and its answer. Runs on a worker."""
+    told = list[Any]()
+    answer = task(told.append)
+    give_back()
+    return told, answer
 
 
 @dataclass(eq=False)
@@ -236,12 +277,7 @@ class Pool:
 
     def _introduce(self) -> None:
         """Bring the inputs to the workers. Raises InputError where these have another trajopt, or none."""
-        try:
-            versions = self.client.run(_version)
-        except ImportError as error:
-            raise InputError("the cluster's workers lack trajopt: pip install 'trajopt-cli[study]' there") from error
-        if other := {*versions.values()} - {__version__}:
-            raise InputError(f"the cluster's workers have trajopt {', '.join(other)}, this is {__version__}")
+        _check_versions(self.client)
         self.client.register_plugin(_Inputs(self.inputs))
 
     def _come_back(self) -> None:

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from copy import copy
 from time import monotonic, process_time
+from typing import Any
 
 _ANSWERED, _INTERRUPTED, _LEGAL = 0, 1, 2  # bytes that all processes of a run share
 _RESERVED, _FIRST = 8, 16  # places of numbers [s] that they share
@@ -33,6 +34,16 @@ class Patience:
         self._shared = mmap.mmap(-1, 24)
         self._hear: tuple[int, Callable[[], None]] | None = None
         self._heard = self._start
+
+    def __getstate__(self) -> dict[str, object]:
+        """For another computer, whose clock shows another time: what is left of the limit, and what was said so far.
+        What is said from then on is not heard there."""
+        left = None if self.limit is None else self.limit - self.spent
+        return {"limit": left, "said": self._shared[:]}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(state["limit"])  # type: ignore[misc]
+        self._shared[:] = state["said"]
 
     @property
     def spent(self) -> float:

@@ -25,7 +25,7 @@ from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule, Solve
 from trajopt_cli.study.causes import asked, causes
 from trajopt_cli.study.table import BASELINES, Baseline, solved
-from trajopt_cli.workers import in_turns
+from trajopt_cli.workers import shared_out
 
 _WRITING = 2.0  # s of writing the comparison
 _EQUAL = 1e-6  # s: two plans this close are equally fast
@@ -133,7 +133,7 @@ def compare(
     alone = [name for name, one in BASELINES.items() if not one.freedom and not one.after]
     tasks |= {name: partial(study.make, name) for name in alone}
     results: dict[Question | str, Result] = {}
-    for found in in_turns(tasks, lambda told: listen(*told)).values():
+    for found in shared_out(tasks, lambda told: listen(*told)).values():
         results |= found
     results |= study.ordered(results)
     rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())

@@ -31,7 +31,7 @@ from trajopt_cli.study.answers import study_record, why_illegal, write_answer
 from trajopt_cli.study.order_text import Group
 from trajopt_cli.table import TextTable
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.workers import cores, in_turns
+from trajopt_cli.workers import cores, shared_out
 
 Order = tuple[int, ...]
 
@@ -238,7 +238,7 @@ class _Work:
 
         shares = [None if full is None else full.part(self.workers / (n - i)) for i in range(n)]
         tasks = {one.order: partial(self._one, one, share) for one, share in zip(orders, shares, strict=True)}
-        return {order: one for order, one in in_turns(tasks, hear, self.workers).items() if one is not None}
+        return {order: one for order, one in shared_out(tasks, hear, self.workers).items() if one is not None}
 
     def _one(self, one: Tour, full: Patience | None, tell: Callable[[object], None]) -> Tour | None:
         try:

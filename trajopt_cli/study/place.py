@@ -23,7 +23,7 @@ from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.study.answers import plan_of, why_illegal
 from trajopt_cli.study.places import Offset, Range, Site
 from trajopt_cli.units import DEG
-from trajopt_cli.workers import cores, in_turns
+from trajopt_cli.workers import cores, shared_out
 
 EACH = 30
 """Points of the coarse search for each range."""
@@ -262,7 +262,7 @@ class _Search:
             one: partial(self._try, one, full, patience.part(self.workers / (len(wanted) - i)) if full else patience)
             for i, one in enumerate(wanted)
         }
-        for offset, tried in in_turns(tasks, hear, self.workers).items():
+        for offset, tried in shared_out(tasks, hear, self.workers).items():
             if tried is None:
                 self.cut.append(offset)
             else:
