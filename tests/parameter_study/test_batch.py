@@ -200,9 +200,8 @@ def test_a_cluster_plans_what_this_computer_would(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("all").mkdir()
-    for name in ("a", "b"):
-        Path(f"all/{name}.mod").write_text(MODULE.format(20))
-        Path(f"all/{name}.yaml").write_text(CELL)
+    Path("all/a.mod").write_text(MODULE.format(20))
+    Path("all/a.yaml").write_text(CELL)
     words = ["batch", "all", "--time-limit", "0", "--quiet"]
     assert run([*words, "--scheduler", client.scheduler.address]) == 0
     assert run([*words, "--output", "here"]) == 0

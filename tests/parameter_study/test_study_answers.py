@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from distributed import Client
 from tiny import CELL, MODULE, written
 
 from trajopt_cli.cell.loader import load_cell
@@ -91,12 +92,13 @@ def test_what_is_no_study_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_search_from_the_command_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], client: Client
 ) -> None:
-    """The price keeps the joint slow, so the fastest of what is left is known."""
+    """The constraint keeps the joint slow, so the fastest of what is left is known."""
     monkeypatch.chdir(tmp_path)
     written(tmp_path, STUDY)
-    asked = ["study", "optimize", "study.yaml", "--points", "6", "--jobs", "1", "--quiet"]
+    asked = ["study", "optimize", "study.yaml", "--points", "6", "--quiet"]
+    asked += ["--scheduler", client.scheduler.address]
     assert run([*asked, "--constraint", "limits.joint_1.velocity <= 1.2", "--seed", "1"]) == 0
     assert "limits.joint_1.velocity_rad_per_s 1," in capsys.readouterr().out
     assert run([*asked, "--by", "stream_s"]) == 2

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Quiet, patience_of
+from trajopt_cli.cli.options import AsJson, Jobs, Quiet, TimeLimit, patience_of
 from trajopt_cli.cli.process import wrote
 from trajopt_cli.cli.study import Scheduler, client_for
 
@@ -18,18 +18,14 @@ def batch(
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/FOLDER_batch.")
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option("--jobs", min=1, metavar="N", help="Programs at once; default: one per core.", show_default=False),
-    ] = None,
-    time_limit: Annotated[
-        float | None,
-        typer.Option("--time-limit", metavar="S", help="Of each program, as of optimize.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    time_limit: TimeLimit = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
     """Optimise every program below FOLDER, each in a process of its own, into one table and one page.
+
+    --jobs is how many programs at once, --time-limit is of each.
 
     A cell file is taken from beside its program or backup; a backup without one gets one of its MOC.cfg, in the results
     folder's cells/, to be corrected there. Called again, it goes on: programs whose inputs are the same are not planned

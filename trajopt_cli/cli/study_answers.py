@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Jobs, Quiet
+from trajopt_cli.cli.options import AsJson, Jobs, Quiet, TimeLimit, patience_of
 from trajopt_cli.cli.process import wrote
 from trajopt_cli.cli.study import Scheduler, StudyFile, app, client_for, lacking
 from trajopt_cli.errors import InputError
@@ -98,9 +98,7 @@ def show(
 def plan(
     study: StudyFile,
     points: Annotated[list[int], typer.Argument(metavar="POINT...", help="Their numbers, as 'study show' has them.")],
-    time_limit: Annotated[
-        float | None, typer.Option("--time-limit", metavar="S", help="Of each, as of optimize.", show_default=False)
-    ] = None,
+    time_limit: TimeLimit = None,
     output: Annotated[
         Path | None, typer.Option("--output", metavar="FOLDER", help="The study's results; default: results/STUDY.")
     ] = None,
@@ -115,7 +113,6 @@ def plan(
       trajopt study plan programs/studies/which_rail.yaml 21 --time-limit 60
     """
     from trajopt_cli.cli.console import no, stdout, tell
-    from trajopt_cli.cli.options import patience_of
     from trajopt_cli.parameter_study.kept_plan import PLANS, keep_plan
     from trajopt_cli.parameter_study.study_file import read_study
     from trajopt_cli.table import seconds

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations, product, takewhile
+from itertools import combinations, islice, product, takewhile
 from typing import Any
 
 import numpy as np
@@ -133,7 +133,7 @@ def variance_shares(rows: StudyRows, name: str) -> Shares | None:
     most = min(len(y) // 2, _TERMS)
     found: tuple[float, list[tuple[int, ...]], Array, int] | None = None
     for degree, norm in product(_DEGREES, _NORMS):
-        terms = _terms([base.shape[1] for base in bases], degree, norm, most)
+        terms = [*islice(_terms([base.shape[1] for base in bases], degree, norm), most + 1)]
         if len(terms) > most or (found is not None and terms == found[1]):
             continue
         A = np.column_stack(
@@ -145,7 +145,7 @@ def variance_shares(rows: StudyRows, name: str) -> Shares | None:
         residual = (y - Q @ (Q.T @ y)) / np.maximum(1.0 - (Q**2).sum(axis=1), 1e-12)
         if found is None or residual @ residual < found[0] * (1 - 1e-6):
             found = float(residual @ residual), terms, np.linalg.solve(R, Q.T @ y), degree
-    if found is None:
+    if found is None or len(found[1]) < 2:
         return None
     error, terms, c, degree = found
     used, power = np.array(terms) > 0, c**2 / (c[1:] ** 2).sum()
@@ -186,12 +186,8 @@ def _basis(values: Sequence[Any]) -> Array:
     return np.asarray(Q * np.sign(np.diag(R)) * np.sqrt(len(values)))
 
 
-def _terms(sizes: Sequence[int], degree: int, norm: float, most: int) -> list[tuple[int, ...]]:
-    """The degrees of each factor in every term of an expansion, at most one more than `most` terms."""
-    return [term for _, term in zip(range(most + 1), _every_term(sizes, degree, norm), strict=False)]
-
-
-def _every_term(sizes: Sequence[int], degree: int, norm: float) -> Iterator[tuple[int, ...]]:
+def _terms(sizes: Sequence[int], degree: int, norm: float) -> Iterator[tuple[int, ...]]:
+    """The degrees of each factor in every term of an expansion."""
     for count in range(min(len(sizes), _MIXED, degree) + 1):
         for factors in combinations(range(len(sizes)), count):
             for powers in product(*(range(1, min(sizes[i] - 1, degree) + 1) for i in factors)):

@@ -282,8 +282,6 @@ def batch_page(rows: Sequence[Row]) -> bytes:
 def _digest(one: BatchProgram, options: Sequence[str]) -> str:
     """Of all that the answer depends on: version, options, and every file's path and bytes."""
     files = [*modules_at(one.paths), one.cell]
-    syspar = syspar_of(one.paths[0])
-    files += [path for path in sorted(syspar.iterdir()) if path.name.lower() == "moc.cfg"] if syspar else []
     with suppress(InputError):  # an answer by itself, from the files above
         cell = load_cell(one.cell)
         files += [*cell.mesh_files, *cell.robot_files()]
