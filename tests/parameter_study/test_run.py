@@ -173,3 +173,19 @@ def test_ctrl_c_ends_the_command_and_the_same_command_goes_on(study: Study, clie
     _, tally = run_study(study, tmp_path / "out", client)
     assert tally.before == before
     assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone", evaluate)
+
+
+def test_the_manuals_example_runs_on_a_client_of_ones_own(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """On two moves, three points, and threads of this process."""
+    example = (HERE.parents[1] / "docs/studies.md").read_text().split("```python\n")[1].split("```")[0]
+    example = example.replace("programs/studies/which_rail.yaml", "study.yaml")
+    example = example.replace("n_workers=2,", "processes=False, n_workers=1, dashboard_address=None,")
+    written(tmp_path, STUDY.replace("{range: [0.5, 1.5], count: 40}", "[1]"))
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    exec(example, names)
+    assert "Counter({'ok': 3}) fastest" in capsys.readouterr().out
+    once = read_study(tmp_path / "study.yaml")
+    assert names["rows"] == [evaluate(once.inputs, once.design.point(i)) for i in range(3)]
