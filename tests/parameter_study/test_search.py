@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from distributed import Client
+from pyarrow import parquet
 from tiny import written
 
 from trajopt_cli.errors import InputError
@@ -69,6 +70,22 @@ def test_the_best_point_keeps_its_constraints(study: Study, client: Client, tmp_
     assert best is not None
     assert best["price"] <= 150
     assert best["rapid_s"] == pytest.approx(5 + 0.8**2, abs=0.03)
+
+
+def test_the_same_levels_are_planned_once(client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Six combinations, twenty points: no row is worked out again, and each has its number."""
+    monkeypatch.chdir(tmp_path)
+    vary = VARY.replace("{uniform: [1.0, 3.0]}", "[1.5, 2.3]").replace("[2, 4, 6, 8, 10, 12]", "[2, 8, 12]")
+    study = read_study(written(tmp_path, vary))
+    best = search(study, Goal("rapid_s", points=20), tmp_path / "out", client, work=stand_in)
+    assert best is not None
+    assert best["rapid_s"] == 5.0
+    rows, timings = (parquet.read_table(tmp_path / "out" / name) for name in ("points.parquet", "timings"))
+    assert rows["point"].to_pylist() == [*range(20)]
+    assert len(timings) <= 6
+    for row in rows.to_pylist():
+        v, a = row["limits.joint_1.velocity_rad_per_s"], row["limits.joint_1.acceleration_rad_per_s2"]
+        assert row["rapid_s"] == 5 + (v - 2.3) ** 2 + 0.01 * (a - 8) ** 2
 
 
 def test_nothing_found_is_no_point(study: Study, client: Client, tmp_path: Path) -> None:

@@ -89,7 +89,7 @@ def show(
             show_table(console, shares_table(shares, name))
             tell(console, [shares.in_words])
         tell(console, ["", *lines])
-    write_file(folder / REPORT, study_page(folder.resolve().name, rows, name, study.points, shares, plans))
+    write_file(folder / REPORT, study_page(folder.resolve().name, rows, name, other, study.points, shares, plans))
     wrote(folder / REPORT)
     told([f"written to {folder / REPORT}: open it in a browser"], as_json, quiet)
 

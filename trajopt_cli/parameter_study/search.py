@@ -92,6 +92,7 @@ def search(
     best: tuple[float, Row] | None = None
     with holding(folder):
         known = {row["point"]: row for row in results.rows().to_pylist()}
+        seen = dict[tuple[int, str], Row]()
         for first in range(0, goal.points, goal.at_once):
             asked = [trials.ask() for _ in range(min(goal.at_once, goal.points - first))]
             values = [tuple(x for one in study.design.factors for x in _suggested(trial, one)) for trial in asked]
@@ -99,14 +100,20 @@ def search(
                 [Point(program * goal.points + trial.number, program, at) for program in range(programs)]
                 for trial, at in zip(asked, values, strict=True)
             ]
-            new = [one for some in points for one in some if one.index not in known]
-            done = [*Pool(client, inputs, work).done(new)] if new else []
+            every = [(one, (one.program, repr(one.values))) for some in points for one in some]
+            new = {key: one for one, key in reversed(every) if one.index not in known and key not in seen}
+            done = [*Pool(client, inputs, work).done(new.values())] if new else []
             timings = [
                 (row["point"], took, d.worker) for d in done for row, took in zip(d.rows, d.seconds, strict=True)
             ]
-            if rows := [row for one in done for row in one.rows]:
-                results.write_part(rows, timings)
-                known |= {row["point"]: row for row in rows}
+            known |= (found := {row["point"]: row for one in done for row in one.rows})
+            for one, key in every:  # levels that were tried before have the same row
+                if key not in seen:
+                    seen[key] = known.get(one.index) or known[new[key].index]
+                if one.index not in known:
+                    known[one.index] = found[one.index] = {**seen[key], "point": one.index}
+            if found:
+                results.write_part([*found.values()], timings)
             for trial, own in zip(asked, points, strict=True):
                 value = _tell(trials, trial, goal, inputs, [(one, known[one.index]) for one in own], sign)
                 if value is not None and (best is None or value < best[0]):

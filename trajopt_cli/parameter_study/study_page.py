@@ -40,7 +40,7 @@ def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], tit
     """Points with their answers and what they have of the first factors."""
 
     def shown(name: str) -> Callable[[int], str]:
-        return lambda i: _figure(rows.columns[name][i], "_s" if name in rows.answers and name != "price" else "")
+        return lambda i: _figure(rows.columns[name][i], "s" if name in rows.answers and name != "price" else "")
 
     columns: dict[str, Callable[[int], str]] = {">point": shown("point")}
     for name in (*rows.answers, *factors):
@@ -75,8 +75,8 @@ def summary_lines(rows: StudyRows, name: str, count: int) -> list[str]:
     status = Counter(rows.columns["status"])
     lines = [f"{status.total()} of {count} points done, {status['ok']} with an answer"]
     for one in dict.fromkeys((name, *(["saved_s"] if "saved_s" in rows.answers else []))):
-        low, middle, high = spread(rows.numbers(one)[rows.best(one)])
-        lines.append(f"{one}: median {middle:.3f}, 90 % of the points between {low:.3f} and {high:.3f}")
+        low, middle, high = (_figure(x, rows.units.get(one, "")) for x in spread(rows.numbers(one)[rows.best(one)]))
+        lines.append(f"{one}: median {middle}, 90 % of the points between {low} and {high}")
     return lines + reasons(rows)
 
 
@@ -88,18 +88,27 @@ def reasons(rows: StudyRows) -> list[str]:
 
 
 def study_page(
-    title: str, rows: StudyRows, name: str, count: int, shares: Shares | None, plans: Mapping[int, str]
+    title: str,
+    rows: StudyRows,
+    name: str,
+    against: str | None,
+    count: int,
+    shares: Shares | None,
+    plans: Mapping[int, str],
 ) -> bytes:
-    """The page's bytes. name: the answer that is looked at. count: of all points. plans: links to pages of plans that
-    are kept, by point."""
+    """The page's bytes. name: the answer that is looked at. against: another one, for a front of both. count: of all
+    points. plans: links to pages of plans that are kept, by point."""
     best, factors = rows.best(name), leading(rows, shares)
     made = _clickable(points_table(rows, best, factors, f"best points by {name}"))
     sections = [Section("best", "Best points", made, "A point's number shows it below and in every chart.")]
     if shares is not None:
         sections.append(Section("matters", "What matters most", drawn(shares_table(shares, name)), shares.in_words))
-    if "price" in rows.answers and name != "price":
-        made = _clickable(points_table(rows, front(rows, name, "price"), factors, f"{name} against price"))
-        sections.append(Section("front", "Time against price", made, "Nothing is both faster and cheaper than these."))
+    if against is not None:
+        made = _clickable(points_table(rows, front(rows, name, against), factors, f"{name} against {against}"))
+        heading = f"{_WORDS[name]} against {_WORDS[against]}"
+        sections.append(
+            Section("front", heading[0].upper() + heading[1:], made, "Nothing is better than these in both.")
+        )
     every = len(rows.columns["point"])
     some = sorted({*range(0, every, -(-every // _DRAWN)), *map(int, best[: 2 * BEST])})
     less = f" {len(some)} points are drawn, the others evenly left out." if len(some) < every else ""
@@ -139,11 +148,11 @@ _LINES = '<figure id="parallel"></figure><div id="chosen" role="status" hidden><
 
 def _tiles(rows: StudyRows, name: str, count: int, shares: Shares | None) -> list[Tile]:
     best, unit, done = rows.best(name), rows.units.get(name, ""), len(rows.columns["point"])
-    low, middle, high = spread(rows.numbers(name)[best])
+    low, middle, high = (_figure(x, unit) for x in spread(rows.numbers(name)[best]))
     first = f"{_WORDS[name]}, point {rows.columns['point'][best[0]]}"
     tiles = [
-        Tile("best", f"{_figure(rows.columns[name][best[0]], unit and '_s')} {unit}", first, "after"),
-        Tile("median", f"{_figure(middle, unit and '_s')} {unit}", f"90 % between {low:.3f} and {high:.3f}"),
+        Tile("best", f"{_figure(rows.columns[name][best[0]], unit)} {unit}", first, "after"),
+        Tile("median", f"{middle} {unit}", f"90 % between {low} and {high}"),
         Tile("points", f"{done}", f"of {count}; {done - len(rows.ok)} without an answer"),
     ]
     if shares is not None and shares.shares:
@@ -152,12 +161,12 @@ def _tiles(rows: StudyRows, name: str, count: int, shares: Shares | None) -> lis
     return tiles
 
 
-def _figure(value: Any, kind: str) -> str:
-    """A value as text; kind: "_s" for a time."""
+def _figure(value: Any, unit: str) -> str:
+    """A value as text, a time with three digits."""
     if value is None or isinstance(value, str):
         return value or ""
     digits = 4 if isinstance(value, float) and abs(value) < 1e3 else 9
-    return f"{value:.3f}" if kind else f"{value:.{digits}g}"
+    return f"{value:.3f}" if unit == "s" else f"{value:.{digits}g}"
 
 
 def _clickable(made: TextTable) -> str:

@@ -36,7 +36,9 @@ def rows() -> StudyRows:
 @pytest.fixture(scope="module")
 def page(rows: StudyRows, written: Callable[[str, bytes], Path]) -> Path:
     shares = variance_shares(rows, "rapid_s")
-    return written("study.html", study_page("which <rail>", rows, "rapid_s", 24, shares, {21: "plans/21/report.html"}))
+    return written(
+        "study.html", study_page("which <rail>", rows, "rapid_s", "price", 24, shares, {21: "plans/21/report.html"})
+    )
 
 
 def chosen(window: Window) -> str:
