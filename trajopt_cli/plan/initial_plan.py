@@ -47,6 +47,10 @@ class NoCleanPlan(Exception):
     """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
 
 
+class _Slower(Exception):
+    """The search's best chain takes longer than is asked for."""
+
+
 @dataclass(frozen=True, eq=False)
 class InitialPlan:
     """A motion at rest at every stop that keeps every limit, and the chain it was timed from. detours: the points that
@@ -182,12 +186,16 @@ def find_initial_plan(
     except (NoCleanPlan, Stopped) as failure:
         own = failure
     best = own if isinstance(own, InitialPlan) else None
+    estimate = memory.estimates.get((question.target, question.freedom), np.inf)
+    alike = best is not None and not best.detours and axes.jerk is None  # what a search estimates, jerk apart
+    most = estimate * (1 + axes.settings.worth) if alike else np.inf
     for less in others:
         near = list[InitialPlan]()
         try:
             found = _of_restricted(
-                axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan)
-            )
+                axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan),
+                np.inf if less.freedom == AS_WRITTEN else most,  # that is asked for anyhow
+            )  # fmt: skip
             if found is not None and (best is None or found.duration < best.duration):
                 near.append(found)
                 near += _with_rail_freed(axes, found, memory.runs, seconds)
@@ -221,10 +229,11 @@ def plans_with_less_rail(
 
 def _of_restricted(
     axes: Axes, question: PlanRequest, less: PlanRequest, problems: Sequence[Problem], memory: PlanCache,
-    patience: Patience, tell: Report, seconds: dict[str, float], may_detour: bool = False,
+    patience: Patience, tell: Report, seconds: dict[str, float], may_detour: bool = False, most: float = np.inf,
 ) -> InitialPlan | None:  # fmt: skip
     """The legal motion of a question with less freedom as one of these problems', which are of this one; None where
-    there is none, or where it asks for the same. may_detour: points may be added to the program, which takes time."""
+    there is none, or where it asks for the same. may_detour: points may be added to the program, which takes time.
+    most: as in initial_plan_of."""
     mine = {one.dropped: one for one in problems}
     asked = [one for one in less.unchecked() if isinstance(one, Problem) and one.dropped in mine]
     if all(_varies(one) == _varies(mine[one.dropped]) for one in asked):
@@ -232,8 +241,8 @@ def _of_restricted(
     name = less.target, less.freedom
     if name not in memory.answers:
         try:
-            found = _search_and_time(axes, less, asked, memory, patience, tell, seconds, may_detour)
-        except NoCleanPlan:
+            found = _search_and_time(axes, less, asked, memory, patience, tell, seconds, may_detour, most)
+        except (NoCleanPlan, _Slower):
             return None
         if isinstance(found, InitialPlan) or may_detour:
             memory.answers[name] = found
@@ -248,16 +257,17 @@ def _of_restricted(
 
 def _search_and_time(
     axes: Axes, question: PlanRequest, problems: Sequence[Problem], memory: PlanCache, patience: Patience, tell: Report,
-    seconds: dict[str, float], may_detour: bool = True,
+    seconds: dict[str, float], may_detour: bool = True, most: float = np.inf,
 ) -> InitialPlan | Infeasible:  # fmt: skip
     """initial_plan_of a question's problems; what its chain takes is kept. may_detour: points may be added. Raises
-    NoCleanPlan."""
+    NoCleanPlan and _Slower."""
     name = question.target, question.freedom
 
     def keep(cost: float) -> None:
         memory.estimates.setdefault(name, cost)
 
-    return initial_plan_of(axes, problems, patience, tell, seconds, memory.runs, keep, question if may_detour else None)
+    asked = question if may_detour else None
+    return initial_plan_of(axes, problems, patience, tell, seconds, memory.runs, keep, asked, most)
 
 
 def _varies(problem: Problem) -> tuple[object, ...]:
@@ -281,12 +291,14 @@ def _with_rail_freed(axes: Axes, found: InitialPlan, runs: Runs, seconds: dict[s
 def initial_plan_of(
     axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
     runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: PlanRequest | None = None,
+    most: float = np.inf,
 ) -> InitialPlan | Infeasible:  # fmt: skip
     """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
     with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
     timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
-    problems they are, to add points to its program. Raises NoCleanPlan."""
+    problems they are, to add points to its program. most: what the best chain of a search takes [s] at most. Raises
+    NoCleanPlan, and _Slower where that takes longer."""
     settings = axes.settings
     failure: tuple[Problem, NotDriven] | None = None
     touched: NoClearPath | None = None
@@ -296,6 +308,8 @@ def initial_plan_of(
         chains = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
         if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
             searched(min(costs))
+            if min(costs) > most:
+                raise _Slower
         found = [
             (_with_rail_refined(narrow, bound, chain, known), chain, bound, problem)
             for chain, bound, problem in chains
