@@ -145,7 +145,7 @@ def optimize(
         ),
     ] = None,
     points: Annotated[int, typer.Option("--points", min=1, metavar="N", help="Points that are tried.")] = 100,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Of the search's random numbers.")] = 0,
+    seed: Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Of the search's random numbers.")] = 0,
     at_once: Annotated[
         int, typer.Option("--at-once", min=1, metavar="N", help="Points tried before the search learns from them.")
     ] = 8,
