@@ -85,6 +85,9 @@ def test_a_study_that_was_interrupted_goes_on(study: Study, client: Client, tmp_
     assert len([*(tmp_path / "out" / "parts").iterdir()]) == 2
     run_study(study, tmp_path / "out", client, work=in_a_moment)
     assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
+    for part in (tmp_path / "out" / "parts").iterdir():
+        inside = parquet.read_table(part)["point"].to_pylist()
+        assert inside == sorted(inside)
     points = [
         row["point"]
         for part in (tmp_path / "out" / "timings").iterdir()

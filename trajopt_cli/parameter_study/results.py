@@ -72,6 +72,7 @@ class StudyFolder:
     def finish(self) -> None:
         """Write all rows in order as one file."""
         table = pa.concat_tables(parquet.read_table(part) for part in self.parts())
+        assert table.num_rows == self.points, "a point was lost: an error in trajopt"
         _write(self.path / POINTS, table.sort_by("point").combine_chunks())
 
     def rows(self) -> pa.Table:
