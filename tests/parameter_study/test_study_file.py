@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -150,3 +152,13 @@ def test_a_range_through_zero_has_a_zero(tmp_path: Path) -> None:
     text = "programs: [tiny.mod]\nvary: {place.base.z: {range: [-200 mm, 100 mm], count: 4}}\n"
     study = read_study(written(tmp_path, text))
     assert [study.design.point(i).values for i in range(4)] == [(-0.2,), (-0.1,), (0.0,), (0.1,)]
+
+
+@pytest.mark.parametrize("library", ["pyarrow", "distributed"])
+def test_without_the_extra_one_line_says_what_to_install(tmp_path: Path, library: str) -> None:
+    written(tmp_path)
+    text = "import sys; sys.modules[sys.argv[1]] = None; from trajopt_cli.cli import run; sys.exit(run(sys.argv[2:]))"
+    command = [sys.executable, "-c", text, library, "study", "study.yaml"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2
+    assert done.stderr == f"{library} is not installed: pip install 'trajopt-cli[study]'\n"
