@@ -12,7 +12,7 @@ from unrefined import coarse_search, set_defaults
 from trajopt_cli.bound import lower_bound
 from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.graph_search.search import search
-from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
+from trajopt_cli.path_timing.path_parameterized_plan import duration, stopped_at_joint_moves, timed
 from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -95,13 +95,18 @@ def test_the_arm_reaches_from_nowhere_outside_its_rail_range() -> None:
     assert np.ptp(ends, axis=1).max() < 2 * 0.9
 
 
-def test_points_carried_along_a_contour_are_where_the_program_has_them() -> None:
-    """With the rail refined: every pose is kept on one branch, and the rail goes on steadily."""
+def contour(end: str) -> Problem:
+    """60 points of z1 on a wave, and a fly-by behind them to where the program ends."""
     points = [down(0.5 + 0.03 * np.sin(0.4 * i), 0.2 + 0.01 * i, 0.4, 0.0)[:3, 3] * 1e3 for i in range(60)]
     lines = [f"MoveL Offs(p_1,{x - 450:.4f},{y - 200:.4f},0), v200, z1, tool0;" for x, y, _ in points]
     data = "CONST robtarget p_1:=[[450,200,400],[0,1,0,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]];"
-    body = ["MoveJ p_1, v1000, fine, tool0;", *lines, "MoveL Offs(p_1,50,800,50), v200, fine, tool0;"]
-    problem = problem_of(rapid("\n".join(body), data=data), plant_with_rail(), Target.RAPID)
+    body = ["MoveJ p_1, v1000, fine, tool0;", *lines, f"{end} Offs(p_1,50,800,50), v200, fine, tool0;"]
+    return problem_of(rapid("\n".join(body), data=data), plant_with_rail(), Target.RAPID)
+
+
+def test_points_carried_along_a_contour_are_where_the_program_has_them() -> None:
+    """With the rail refined: every pose is kept on one branch, and the rail goes on steadily."""
+    problem = contour("MoveL")
     axes = Axes.of(problem.plant)
     chain = search(axes, problem)
     assert chain is not None
@@ -113,3 +118,13 @@ def test_points_carried_along_a_contour_are_where_the_program_has_them() -> None
     assert np.abs(steps[:, axes.layout.arm]).max() < 0.2
     assert 0.0 < np.ptp(axes.layout.place(refined.q)) < 1.0
     assert np.abs(np.diff(axes.layout.place(steps))).max() < 1e-3
+
+
+def test_only_a_fly_by_beside_a_joint_move_becomes_a_stop_there() -> None:
+    """That of the last line where a joint move follows; none, and the same problem, where a line does."""
+    problem = contour("MoveL")
+    assert stopped_at_joint_moves(problem) is problem
+    problem = contour("MoveJ")
+    stopping = stopped_at_joint_moves(problem)
+    assert [k for k in range(len(problem.waypoints)) if problem.passes(k) != stopping.passes(k)] == [61]
+    assert problem.passes(61)

@@ -96,18 +96,21 @@ def _fastest(
 
 
 def stopped(problem: Problem) -> Problem:
-    """The problem with a stop at every fly-by but those between short lines, which no stop at each would resemble."""
+    """The problem with a stop at every fly-by but those between short lines, which no stop at each would resemble;
+    itself where there are no others."""
     passing = [short(problem, k) for k in range(len(problem.legs))]
     return _with_stops(problem, {k for k in range(1, len(passing)) if not (passing[k - 1] and passing[k])})
 
 
 def stopped_at_joint_moves(problem: Problem) -> Problem:
-    """The problem with a stop at every fly-by beside a joint move."""
+    """The problem with a stop at every fly-by beside a joint move; itself where there is none."""
     joint = [leg.kind is LegKind.JOINT for leg in problem.legs]
     return _with_stops(problem, {k for k in range(1, len(joint)) if joint[k - 1] or joint[k]})
 
 
 def _with_stops(problem: Problem, at: Set[int]) -> Problem:
+    if not any(problem.passes(k) for k in at):
+        return problem
     points = (replace(point, fly_by=None) if k in at else point for k, point in enumerate(problem.waypoints))
     return replace(problem, waypoints=tuple(points))
 

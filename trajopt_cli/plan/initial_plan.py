@@ -420,12 +420,8 @@ def _better_diagnosis(touched: NoClearPath, detoured: NoClearPath | None) -> NoC
 def _with_rail_refined(axes: Axes, problem: Problem, chain: Route, known: Times) -> list[Route]:
     """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
     are nearly that, and a leg alone does not see how the rail bends in them. known: as in leg_times."""
-    out = [refine_rail(axes, problem, chain, known)]
-    if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
-        out = [
-            refine_corner_rail(axes, problem, one) for one in (*out, refine_rail(axes, stopped(problem), chain, known))
-        ]
-    return out
+    asked = dict.fromkeys([problem, stopped(problem) if axes.layout.has_rail else problem])
+    return [refine_corner_rail(axes, problem, refine_rail(axes, one, chain, known)) for one in asked]
 
 
 def _and_other_chain(

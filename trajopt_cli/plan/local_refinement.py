@@ -156,8 +156,8 @@ def _stopping_start(axes: Axes, legal: InitialPlan) -> tuple[Problem, Iterate] |
     """The problem with stops at all fly-bys beside joint moves, and its motion; None where that is not driven."""
     stopping = stopped_at_joint_moves(legal.problem)
     with suppress(NotDriven):
-        draft = timed(axes, stopping, legal.chain)
-        if clear(axes, stopping, draft):
+        draft = legal.draft if stopping is legal.problem else timed(axes, stopping, legal.chain)
+        if draft is legal.draft or clear(axes, stopping, draft):
             return merge_via_points(axes, with_fixed_runs(stopping, legal.chain), draft, legal.detours)
     return None
 
