@@ -727,16 +727,9 @@ def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[IkTable]) -> li
 
 
 def _restrict(table: IkTable, labels: list[int]) -> IkTable:
-    return IkTable(
-        table.first,
-        table.d,
-        tuple(table.labels[i] for i in labels),
-        tuple(s[labels] for s in table.waypoints),
-        table.raw,
-        table.limits,
-        table.couplings,
-        None if table.leaves is None else table.leaves[labels],
-    )
+    leaves = None if table.leaves is None else table.leaves[labels]
+    kept, waypoints = tuple(table.labels[i] for i in labels), tuple(s[labels] for s in table.waypoints)
+    return replace(table, labels=kept, waypoints=waypoints, leaves=leaves)
 
 
 def _route(

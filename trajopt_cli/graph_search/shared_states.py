@@ -27,11 +27,7 @@ Ties = tuple[tuple[int, ...], ...]
 
 
 def best_tied(
-    states: Sequence[Array],
-    edges: Sequence[Array],
-    through: Sequence[Array],
-    ties: Ties,
-    candidates: int,
+    states: Sequence[Array], edges: Sequence[Array], through: Sequence[Array], ties: Ties, candidates: int
 ) -> tuple[float, list[int]]:
     """Cost and state per waypoint of the best chain that keeps the ties; infinite and [] where there is none.
 

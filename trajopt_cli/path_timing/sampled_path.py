@@ -341,15 +341,7 @@ class _RunParts:
             else:
                 u = np.linspace(0.0, 1.0, N + 1)
                 u = _with_ramps(u, a == 0.0 and not start, b == 1.0 and not end) if self._ramps else u
-            yield PathPart(
-                k,
-                segment,
-                *own,
-                measure * (b - a),
-                u,
-                rail,
-                -1 if joints else self._branch(k),
-            )
+            yield PathPart(k, segment, *own, measure * (b - a), u, rail, -1 if joints else self._branch(k))
 
     def _part_of_long(self, k: int) -> float:
         """What part of a line or an arc that has all its nodes a shorter one is; 1 of other legs."""

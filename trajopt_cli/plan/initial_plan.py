@@ -124,14 +124,8 @@ class PlanRequest:
         """The program with additional points, without motions, which are numbered as in the one without them."""
         changes = self.changes or everything(self.program, self.plant)
         numbering = Numbering(len(self.program.motions), detours)
-        problem = build_problem(
-            with_detours(self.program, self.plant, detours),
-            self.plant,
-            self.freedom,
-            self.target,
-            numbering.changes(changes),
-            frozenset(numbering.at(index) for index in dropped),
-        )
+        program, left = with_detours(self.program, self.plant, detours), frozenset(map(numbering.at, dropped))
+        problem = build_problem(program, self.plant, self.freedom, self.target, numbering.changes(changes), left)
         assert isinstance(problem, Problem), problem  # without points it is one
         return problem
 

@@ -340,18 +340,9 @@ def _candidates(
 
 
 def _edge_times(
-    axes: Axes,
-    problem: Problem,
-    marks: IndexArray,
-    near: Sequence[Array],
-    chain: Route,
-    places: _Places,
-    before: Sequence[Array],
-    edges: Sequence[Array],
-    step: Array,
-    known: Times,
-    around: CollisionScene | None,
-) -> list[Array]:
+    axes: Axes, problem: Problem, marks: IndexArray, near: Sequence[Array], chain: Route, places: _Places,
+    before: Sequence[Array], edges: Sequence[Array], step: Array, known: Times, around: CollisionScene | None,
+) -> list[Array]:  # fmt: skip
     """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
     fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
     before. known: as in leg_times."""
@@ -384,16 +375,12 @@ def _edge_times(
     between = places.between(chain, [span for *_, span in asked])
     for (edge, ia, ib, (first, last, q_0, q_1)), q in zip(asked, between, strict=True):
         can = np.isfinite(q).all(axis=(1, 2))
-        q, cfx = q[can], _branch(chain, first)
-        ia, ib = ia[can], ib[can]
+        q, ia, ib = q[can], ia[can], ib[can]
         looked_at = _legs_to_time(problem, first, last)
         opens.append((edge, ia, ib, [*looked_at.values()]))
-        timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], cfx) for k in looked_at]
-        if last > first + 1:  # of many that take the same time the calmest
-            way = axes.layout.place(q_1[can]) - axes.layout.place(q_0[can])
-            edge[ia, ib] = _CALM * way**2 / max(places.chords[first:last].sum(), 1e-9)
-        else:
-            edge[ia, ib] = 0.0
+        timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], _branch(chain, first)) for k in looked_at]
+        way = axes.layout.place(q_1[can] - q_0[can]) if last > first + 1 else 0.0
+        edge[ia, ib] = _CALM * way**2 / max(places.chords[first:last].sum(), 1e-9)  # of equal times the calmest
     times = iter(leg_times(axes, problem, timed, known))
     for edge, ia, ib, shares in opens:
         edge[ia, ib] += sum(share * next(times) for share in shares)

@@ -12,15 +12,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.native.loops import loops
 from trajopt_cli.problem.problem import Leg, LegKind
 from trajopt_cli.trajectories.axes import Axes
-from trajopt_cli.trajectories.limits.limit import (
-    INF,
-    Limit,
-    MotionSamples,
-    NodeMotion,
-    PathRows,
-    PathSamples,
-    Row,
-)
+from trajopt_cli.trajectories.limits.limit import INF, Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
 
 # of the tool's acceleration on a half circle; the polygon passes the limit by 2 % at its corners, which the dense check
 # takes back where it is used.
