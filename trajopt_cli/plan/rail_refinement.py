@@ -59,8 +59,7 @@ def refine_rail(
     still = replace(chain, w=np.zeros_like(chain.w))
     known = Times() if known is None else known
     if not free or not axes.layout.has_rail:
-        ends = chain.q[:-1, None], chain.q[1:, None]
-        legs = [Pairs(k, ends[0][k], ends[1][k], _branch(chain, k)) for k in range(len(problem.legs))]
+        legs = [Pairs(k, chain.q[[k]], chain.q[[k + 1]], _branch(chain, k)) for k in range(len(problem.legs))]
         times = np.concatenate(leg_times(axes, problem, legs, known))
         return replace(still, times=times, cost=float(times.sum()))
     places = _Places.of(axes, problem, still)
@@ -71,8 +70,7 @@ def refine_rail(
     reached, cost = np.inf, np.inf
     changed = np.ones(len(marks), dtype=bool)
     step = np.where(np.isin(np.arange(len(problem.waypoints)), free), settings.refine_step, 0.0)
-    near: list[Array] = []
-    edges: list[Array] = []
+    near, edges = list[Array](), list[Array]()
     for turn in range(_REFINE_ROUNDS):
         before = near
         found = iter(_candidates(axes, problem, best, marks[changed], step, around))
@@ -347,7 +345,10 @@ def _edge_times(
     fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
     before. known: as in leg_times."""
     asked, timed, opens, out = [], [], [], list[Array]()
-    same = [None if a is b else _common_rows(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    same = [  # which rows of the axes now are rows of those before, and which
+        None if a is b else np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
+        for a, b in zip(near, before, strict=bool(before))
+    ]
     for i, (first, last) in enumerate(pairwise(marks.tolist())):
         a, b = near[i], near[i + 1]
         if before and a is before[i] and b is before[i + 1]:
@@ -396,12 +397,6 @@ def _legs_to_time(problem: Problem, first: int, last: int) -> dict[int, float]:
         k: sum(ways) / problem.legs[k].chord if problem.legs[k].chord > _SAME else float(len(ways))
         for k, ways in chords.items()
     }
-
-
-def _common_rows(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
-    """Which rows of a (m, n) are rows of b, and which."""
-    i, j = np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
-    return i, j
 
 
 def _pairs_to_time(
