@@ -47,8 +47,8 @@ def batch(
         batch_line,
         batch_table,
         failed,
-        made_cells,
         programs_below,
+        remarks,
     )
     from trajopt_cli.parameter_study.backups import batch as run_batch
     from trajopt_cli.runs.files import check_writable
@@ -82,10 +82,8 @@ def batch(
         result(batch_line(rows))
     else:
         console = stdout()
-        show(console, batch_table(str(folder), rows))
-        tell(console, [*(f"{row['program']}: {row['reason']}" for row in rows if row["reason"]), *left_out])
-        tell(console, made_cells(rows))
-        tell(console, ["", batch_line(rows)])
+        show(console, batch_table(f"programs below {folder}", rows))
+        tell(console, [*remarks(rows), *left_out, "", batch_line(rows)])
     told([f"written to {place}: {INDEX} (open it in a browser), {RECORD}, and a folder per program"], as_json, quiet)
     if failed(rows):
         raise typer.Exit(1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+from contextlib import contextmanager, nullcontext
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -16,6 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.workers import handed_to
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from contextlib import AbstractContextManager
 
     from distributed import Client
@@ -41,6 +42,10 @@ class _RunUnlessNamed(TyperGroup):
 
 app = typer.Typer(cls=_RunUnlessNamed, help="Vary a cell and plan every point.", rich_markup_mode=None)
 
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/STUDY."),
+]
 StudyFile = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help="What varies, and what is asked.")]
 Scheduler = Annotated[
     str | None,
@@ -55,10 +60,8 @@ Scheduler = Annotated[
 def client_for(scheduler: str | None, jobs: int | None, memory: float | None) -> AbstractContextManager[Client]:
     """A Dask client: of the cluster at an address, or of one on this computer. Raises InputError where Dask is not
     installed, and for a scheduler that does not answer."""
-    try:
+    with study_extra():
         from trajopt_cli.parameter_study.cluster import client_at, local_client
-    except ImportError as error:
-        raise lacking(error) from error
     if scheduler is not None and jobs is not None:
         raise InputError("--jobs: the cluster of --scheduler has its own workers; leave one of them out")
     return local_client(jobs, memory) if scheduler is None else client_at(scheduler)
@@ -69,18 +72,20 @@ def tasks_on(scheduler: str | None, patience: Patience) -> AbstractContextManage
     Dask is not installed."""
     if scheduler is None:
         return nullcontext()
-    try:
+    with study_extra():
         from trajopt_cli.parameter_study.cluster import tasks_at
-    except ImportError as error:
-        raise lacking(error) from error
     return handed_to(partial(tasks_at, scheduler, patience))
 
 
-def lacking(error: ImportError) -> InputError:
-    """What to say where a library of the extra `study` cannot be imported. Raises error where it is another one."""
-    if (error.name or "").split(".")[0] not in ("dask", "distributed", "pyarrow", "optuna"):
-        raise error
-    return InputError(f"{error.name} is not installed: pip install 'trajopt-cli[study]'")
+@contextmanager
+def study_extra() -> Iterator[None]:
+    """Around imports from the extra `study`. Raises InputError where one of its libraries is not installed."""
+    try:
+        yield
+    except ImportError as error:
+        if (error.name or "").split(".")[0] not in ("dask", "distributed", "pyarrow", "optuna"):
+            raise
+        raise InputError(f"{error.name} is not installed: pip install 'trajopt-cli[study]'") from error
 
 
 @app.callback()
@@ -97,9 +102,7 @@ def run(
         bool,
         typer.Option("--dry-run", help="Say how many points there are and, from three of them, how long it takes."),
     ] = False,
-    output: Annotated[
-        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/STUDY.")
-    ] = None,
+    output: Output = None,
     quiet: Quiet = False,
 ) -> None:
     """Plan every point of a study and write a row for each; `run` may be left out.
@@ -115,11 +118,9 @@ def run(
     from trajopt_cli.parameter_study.study_file import read_study
 
     asked = read_study(study)
-    try:
+    with study_extra():
         from trajopt_cli.parameter_study import results
         from trajopt_cli.parameter_study import run as study_run
-    except ImportError as error:
-        raise lacking(error) from error
     folder = output or Path("results") / study.stem
     if not dry_run:
         results.new_or_same(folder, asked)

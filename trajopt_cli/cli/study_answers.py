@@ -9,7 +9,7 @@ import typer
 
 from trajopt_cli.cli.options import AsJson, Jobs, Quiet, TimeLimit, patience_of
 from trajopt_cli.cli.process import wrote
-from trajopt_cli.cli.study import Scheduler, StudyFile, app, client_for, lacking
+from trajopt_cli.cli.study import Output, Scheduler, StudyFile, app, client_for, study_extra
 from trajopt_cli.errors import InputError
 
 __all__ = ["app"]
@@ -45,48 +45,33 @@ def show(
     from trajopt_cli.cli.console import show as show_table
     from trajopt_cli.parameter_study.analysis import StudyRows, variance_shares
     from trajopt_cli.parameter_study.kept_plan import PLANS
-    from trajopt_cli.parameter_study.study_page import (
-        BEST,
-        front,
-        leading,
-        points_table,
-        reasons,
-        shares_table,
-        study_page,
-        summary_lines,
-    )
+    from trajopt_cli.parameter_study.study_page import BEST, front, reasons, study_page, summary_lines, tables
     from trajopt_cli.runs import REPORT
     from trajopt_cli.runs.files import write_file
 
-    try:
+    with study_extra():
         from trajopt_cli.parameter_study.results import open_study
-    except ImportError as error:
-        raise lacking(error) from error
     study = open_study(folder)
     rows = StudyRows(study.rows().to_pydict(), {one.name: one.unit for one in study.columns})
     if not rows.answers:
         no(["no point of the study has an answer", *reasons(rows)], as_json)
     name = rows.chosen(by)
     other = rows.chosen(against) if against else "price" if "price" in rows.answers and name != "price" else None
-    shares, best = variance_shares(rows, name), rows.best(name)
-    both = None if other is None else front(rows, name, other)
+    shares = variance_shares(rows, name)
     plans = {int(page.parts[-2]): page.relative_to(folder).as_posix() for page in folder.glob(f"{PLANS}/*/{REPORT}")}
-    lines, factors = summary_lines(rows, name, study.points), leading(rows, shares)
+    lines = summary_lines(rows, name, study.points)
     if as_json:
-        record = {"by": name, "points": study.points, "summary": lines, "best": rows.records(best[:BEST])}
-        record |= {"front": None if both is None else rows.records(both), "against": other}
+        record = {"by": name, "points": study.points, "summary": lines, "best": rows.records(rows.best(name)[:BEST])}
+        record |= {"front": rows.records(front(rows, name, other)) if other else None, "against": other}
         print_json({**record, "shares": None if shares is None else asdict(shares)})
     elif quiet:
         result("; ".join(lines[:2]))
     else:
         console = stdout()
-        show_table(console, points_table(rows, best, factors, f"best points by {name}"))
-        if both is not None:
+        for made in tables(rows, name, other, shares).values():
+            show_table(console, made)
             console.print()
-            show_table(console, points_table(rows, both, factors, f"no point is better both by {name} and by {other}"))
         if shares is not None:
-            console.print()
-            show_table(console, shares_table(shares, name))
             tell(console, [shares.in_words])
         tell(console, ["", *lines])
     write_file(folder / REPORT, study_page(folder.resolve().name, rows, name, other, study.points, shares, plans))
@@ -99,9 +84,7 @@ def plan(
     study: StudyFile,
     points: Annotated[list[int], typer.Argument(metavar="POINT...", help="Their numbers, as 'study show' has them.")],
     time_limit: TimeLimit = None,
-    output: Annotated[
-        Path | None, typer.Option("--output", metavar="FOLDER", help="The study's results; default: results/STUDY.")
-    ] = None,
+    output: Output = None,
     quiet: Quiet = False,
 ) -> None:
     """Plan points of a study as trajopt optimize does, into plans/POINT of its results; 'study show' links to them.
@@ -170,10 +153,8 @@ def optimize(
     from trajopt_cli.parameter_study.study_file import read_study
 
     asked = read_study(study)
-    try:
+    with study_extra():
         from trajopt_cli.parameter_study.search import Goal, search
-    except ImportError as error:
-        raise lacking(error) from error
     answers = [f"{one}_s" for one in (*asked.inputs.answers, "saved")] + ["price"] * (asked.inputs.price is not None)
     if by not in answers:
         raise InputError(f"--by {by}: this study's answers are {', '.join(answers)}", file=str(study))
@@ -183,10 +164,8 @@ def optimize(
         best = search(asked, goal, folder, client, view.show)
     wrote(folder)
     if best is None:
-        no(
-            [f"none of {points} points can be done and keeps the constraints; column reason in {folder} says more"],
-            False,
-        )
+        said = f"none of {points} points can be done and keeps the constraints; column reason in {folder} says more"
+        no([said], False)
     names = [one.name for one in asked.inputs.columns if one.meaning.startswith(("offset: ", "cell file: "))]
     varied = (f"{name} {f'{best[name]:.6g}' if isinstance(best[name], float) else best[name]}" for name in names)
     line = f"best of {points} points: {by} {best[by]:.3f} at {', '.join(varied)}"

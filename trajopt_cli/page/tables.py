@@ -50,6 +50,12 @@ def drawn(table_: TextTable) -> str:
     return table(table_.title, table_.heads, table_.rows)
 
 
+def linked(table_: TextTable, first: str) -> str:
+    """The same with its first column as HTML. first: of a cell there, with {0} for its text."""
+    rows = [(first.format(text(name)), *map(text, rest)) for name, *rest in table_.rows]
+    return table(table_.title, table_.heads, rows, html=True)
+
+
 def numbers(*values: str) -> Iterator[str]:
     """Cells of a table's row that hold figures, given as plain text."""
     return (f'<td class="n">{text(value)}</td>' for value in values)

@@ -194,9 +194,3 @@ def _terms(sizes: Sequence[int], degree: int, norm: float) -> Iterator[tuple[int
                 if sum(power**norm for power in powers) <= degree**norm + 1e-9:
                     at = dict(zip(factors, powers, strict=True))
                     yield tuple(at.get(i, 0) for i in range(len(sizes)))
-
-
-def spread(values: Array) -> tuple[float, float, float]:
-    """The 5, 50 and 95 % quantiles of values."""
-    low, middle, high = np.quantile(values, (0.05, 0.5, 0.95))
-    return float(low), float(middle), float(high)

@@ -21,8 +21,7 @@ from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError, printable
 from trajopt_cli.job import cell_path_for
 from trajopt_cli.page.document import Section, document
-from trajopt_cli.page.encode import text
-from trajopt_cli.page.tables import Tile, head, points, table
+from trajopt_cli.page.tables import head, linked, points
 from trajopt_cli.rapid.language.text import read_text
 from trajopt_cli.rapid.program_list import read_list
 from trajopt_cli.rapid.sources import LIST_SUFFIX, MAX_ENTRIES, is_module, modules_at, syspar_of
@@ -38,6 +37,7 @@ _MAIN = re.compile(r"(?:\A|[\r\n;])\s*(LOCAL\s+)?PROC\s+main\s*\(", re.IGNORECAS
 _NOISE = ("home", "syspar", "backinfo")  # of a backup
 Row = Mapping[str, Any]
 _COLUMNS: dict[str, Callable[[Row], str]] = {
+    "~program": lambda row: str(row["program"]),
     ">as written [s]": lambda row: seconds(row["as_written_s"]),
     ">rapid [s]": lambda row: seconds(row["rapid_s"], row["status"]),
     ">saves [s]": lambda row: seconds(row["saved_s"]),
@@ -210,10 +210,8 @@ def outcome(code: int, out: str, err: str) -> dict[str, Any]:
         lines = record.get("why") or err.strip().splitlines() or [f"exit code {code}"]
         return _failed(lines[0].removesuffix(":"))
     written = record["as_written"]
-    before, (rapid, stream) = (
-        written["cycle_time_s"],
-        (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream")),
-    )
+    before = written["cycle_time_s"]
+    rapid, stream = (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream"))
     saved = None if before is None else before - rapid
     times = {"as_written_s": before, "rapid_s": rapid, "stream_s": stream, "saved_s": saved}
     why = f"no RAPID text: {record['no_rapid']}" if record["no_rapid"] else ""
@@ -231,10 +229,11 @@ def failed(rows: Sequence[Row]) -> list[Row]:
     return [row for row in rows if row["status"] != "ok"]
 
 
-def made_cells(rows: Sequence[Row]) -> list[str]:
-    """A line on the cell files that were made of backups, if any were."""
+def remarks(rows: Sequence[Row]) -> list[str]:
+    """A line on each program that has a reason, and on the cell files that were made of backups."""
     names = ", ".join(f"{row['program']}.yaml" for row in rows if row.get("cell_made"))
-    return [f"made of MOC.cfg, check every line: {CELLS}/ {names}"] if names else []
+    made = [f"made of MOC.cfg, check every line: {CELLS}/ {names}"] if names else []
+    return [*(f"{row['program']}: {row['reason']}" for row in rows if row["reason"]), *made]
 
 
 def batch_line(rows: Sequence[Row]) -> str:
@@ -244,39 +243,22 @@ def batch_line(rows: Sequence[Row]) -> str:
     return f"{len(rows) - len(failed(rows))} of {len(rows)} programs optimised, {len(failed(rows))} failed{said}"
 
 
-def batch_table(folder: str, rows: Sequence[Row]) -> TextTable:
+def batch_table(title: str, rows: Sequence[Row]) -> TextTable:
     """A row per program."""
-    return tabulate(f"programs below {folder}", rows, {"~program": lambda row: row["program"], **_COLUMNS})
+    return tabulate(title, rows, _COLUMNS)
 
 
 def batch_page(rows: Sequence[Row]) -> bytes:
     """The page of all programs, the largest saving first, with a link to each one's own."""
-    done, bad = [row for row in rows if row["status"] == "ok"], failed(rows)
-    shares = [row["saved"] for row in done if row["saved"] is not None]
-    most = max([*shares, 0.0]) or 1.0
-
-    def bar(row: Row) -> str:
-        box = '<svg class="time" viewBox="0 0 100 10" aria-hidden="true" preserveAspectRatio="none">'
-        return f'{box}<rect y="1" width="{100 * max(row["saved"] or 0.0, 0.0) / most:.2f}" height="8"/></svg>'
-
-    columns: dict[str, Callable[[Row], str]] = {
-        "program": lambda row: f'<a href="{text(row["program"])}/{REPORT}">{text(row["program"])}</a>',
-        ">saving": lambda row: percent(row["saved"]),
-        "": bar,
-        **{key: column for key, column in _COLUMNS.items() if key != ">of it"},
-        "remark": lambda row: text(row["reason"]),
-    }
-    made = tabulate("Programs that are optimised", sorted(done, key=lambda row: -(row["saved"] or 0.0)), columns)
-    tiles = [Tile("optimised", f"{len(done)} of {len(rows)}", "programs", "after")]
-    if shares:
-        tiles.append(Tile("saving", percent(median(shares)), "of the time as written, median of the RAPID plans"))
-        tiles.append(Tile("largest saving", percent(max(shares)), "by a RAPID plan"))
-    body = table(made.title, made.heads, made.rows, html=True) + points(made_cells(rows))
-    sections = [Section("programs", "Programs", body, "The largest saving first. A name leads to its own page.")]
-    why = points(f"{row['program']}: {row['reason']}" for row in bad)
-    sections += [Section("failed", "Failed", why, "Called again, these alone are tried again.")] if bad else []
-    top = head("All programs", "trajopt batch", tiles, [f"{len(bad)} failed"] if bad else [])
-    return document("All programs · trajopt", top, sections, {}, ("cycle.css",))
+    done = sorted((row for row in rows if row["status"] == "ok"), key=lambda row: -(row["saved"] or 0.0))
+    made = linked(batch_table("Programs that are optimised", done), f'<a href="{{0}}/{REPORT}">{{0}}</a>')
+    lead = "The largest saving first. A name leads to its own page."
+    sections = [Section("programs", "Programs", made + points(remarks(done)), lead)]
+    if bad := failed(rows):
+        why = "Called again, these alone are tried again."
+        sections.append(Section("failed", "Failed", points(remarks(bad)), why))
+    top = head("All programs", f"trajopt batch · {batch_line(rows)}", [])
+    return document("All programs · trajopt", top, sections, {}, ())
 
 
 def _digest(one: BatchProgram, options: Sequence[str]) -> str:

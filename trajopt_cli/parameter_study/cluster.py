@@ -57,12 +57,11 @@ _KNOWN: dict[str, PointInputs] = {}  # what the points of this worker's studies 
 
 @dataclass(frozen=True)
 class Done:
-    """Points that are worked out: their rows, what each took [s of processor], which worker did it, and what all took
-    there by the clock [s]."""
+    """Points that are worked out: their rows; of each its number, what it took [s of processor] and which worker did
+    it; what all took there by the clock [s]."""
 
     rows: Sequence[Row]
-    seconds: Sequence[float]
-    worker: str
+    timings: Sequence[tuple[int, float, str]]
     elapsed: float
 
 
@@ -90,15 +89,15 @@ def _work(digest: str, evaluate: Evaluate, points: Sequence[Point]) -> Done:
     inputs = _KNOWN.get(digest)
     if inputs is None:
         raise _Unknown
-    rows, seconds, begin = [], [], time.monotonic()
+    rows, timings, begin, worker = [], [], time.monotonic(), str(get_worker().name)
     for point in points:
         start = time.thread_time()
         rows.append(evaluate(inputs, point))
-        seconds.append(time.thread_time() - start)
+        timings.append((point.index, time.thread_time() - start, worker))
     if time.monotonic() - _given[0] > _GIVE_BACK:
         give_back()
         _given[0] = time.monotonic()
-    return Done(rows, seconds, str(get_worker().name), time.monotonic() - begin)
+    return Done(rows, timings, time.monotonic() - begin)
 
 
 def _version() -> str:
@@ -275,7 +274,7 @@ class Pool:
         if not isinstance(error, KilledWorker):
             what = " ".join(f"{type(error).__name__}: {error}".split())
             status, said = "failed", f"an error in trajopt, please report it: {what}"
-        return Done([blank(self.inputs, point, status, said)], [0.0], "", 0.0)
+        return Done([blank(self.inputs, point, status, said)], [(point.index, 0.0, "")], 0.0)
 
     def _introduce(self) -> None:
         """Bring the inputs to the workers. Raises InputError where these have another trajopt, or none."""

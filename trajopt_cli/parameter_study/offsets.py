@@ -11,7 +11,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid_text import plain
 from trajopt_cli.job import Job
 from trajopt_cli.motion import TextFile
-from trajopt_cli.quantity import ANGLE, LENGTH
+from trajopt_cli.quantity import ANGLE, LENGTH, complain
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Aggregate, DataDeclaration
 from trajopt_cli.study.places import YAW, Range, What, site_of
@@ -33,11 +33,11 @@ def units_of_offset(key: str) -> Mapping[str, float]:
 
 
 def check_offset(key: str) -> None:
-    """Raise InputError for a key that is none."""
+    """Raise PydanticCustomError for a key that is none."""
     kind, *name, axis = key.split(".")
     if len(name) != 1 or (kind == TARGET and axis not in (*_AXES, "*")):
         known = "place.base.x, place.rail.height, place.WORK_OBJECT.yaw, target.ROBTARGET.z"
-        raise InputError(f"is no offset; write it as in {known}")
+        raise complain(f"is no offset; write it as in {known}")
 
 
 def target_names(files: Sequence[TextFile]) -> list[str]:

@@ -167,16 +167,17 @@ def evaluate(inputs: PointInputs, point: Point) -> Row:
     return row
 
 
-def price_of(inputs: PointInputs, point: Point) -> float:
-    """The price of a point. Raises InputError."""
+def worked_out(text: str, inputs: PointInputs, point: Point, row: Mapping[str, Any] | None = None) -> float:
+    """The value of an expression, as the price, at a point. row: its answers, where they may be named, too. Raises
+    InputError."""
     values = dict(zip(inputs.keys, point.values, strict=True))
-    data = cell_data(inputs, values)
-    return price(inputs.price or "", lambda key: values.get(key, value_at(data, key)))
+    data, known = cell_data(inputs, values), {**values, **(row or {})}
+    return price(text, lambda key: value_at(data, key) if known.get(key) is None else known[key])
 
 
 def _answered(inputs: PointInputs, point: Point) -> Row:
     """The columns of a point's answer."""
-    row: Row = {} if inputs.price is None else {"price": price_of(inputs, point)}
+    row: Row = {} if inputs.price is None else {"price": worked_out(inputs.price, inputs, point)}
     job = job_at(inputs, point)
     agreed = may_change(job, Loops.KEEP)
     if agreed.infeasible is not None:

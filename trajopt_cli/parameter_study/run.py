@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.parameter_study.cluster import Done, Evaluate, Pool
+from trajopt_cli.parameter_study.cluster import Evaluate, Pool
 from trajopt_cli.parameter_study.point import ANSWERS, Row, evaluate
 from trajopt_cli.parameter_study.results import POINTS, StudyFolder, new_or_same
 from trajopt_cli.parameter_study.study_file import Study
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 20_000
 """Rows of a part at most."""
-_PAUSE, _SHARE = 2.0, 0.01  # s, and share of the time so far, between two parts
+_PAUSE, _SHARE = 2.0, 0.01  # s, and share of the time so far, between two parts: a kill loses little, and few parts
 
 
 @dataclass(eq=False)
@@ -39,9 +39,8 @@ class Tally:
     def add(self, row: Row) -> None:
         """Count a row."""
         self.counts[row["status"]] += 1
-        seconds = next(
-            (row[f"{name}_s"] for name in ("rapid", "stream", *ANSWERS) if row[f"{name}_s"] is not None), None
-        )
+        times = (row[f"{name}_s"] for name in ("rapid", "stream", *ANSWERS))
+        seconds = next((one for one in times if one is not None), None)
         if seconds is not None and (self.best is None or seconds < self.best[0]):
             self.best = seconds, row["point"]
 
@@ -95,47 +94,24 @@ def run_study(
             tally.add(row)
         pool = Pool(client, study.inputs, work, lambda text: listen("study", Progress(text)))
         if tally.done < tally.points:
-            with _Writer(results) as writer:
+            rows, timings, written = list[Row](), list[tuple[int, float, str]](), tally.start
+            try:
                 for done in pool.done(study.design.point(int(index)) for index in np.flatnonzero(~known)):
+                    rows += done.rows
+                    timings += done.timings
                     for row in done.rows:
                         tally.add(row)
-                    writer.add(done)
+                    now = time.monotonic()
+                    if len(rows) >= MOST_ROWS or now - written >= max(_PAUSE, _SHARE * (now - tally.start)):
+                        results.write_part(rows, timings)
+                        rows, timings, written = [], [], now
                     listen("study", tally.progress)
+            finally:
+                if rows:
+                    results.write_part(rows, timings)
         if not (folder / POINTS).is_file():
             results.finish()
     return results, tally
-
-
-class _Writer:
-    """Writes rows part by part: as often as hardly anything is lost by a kill, and seldom enough for few parts."""
-
-    def __init__(self, results: StudyFolder):
-        self._results, self._start = results, time.monotonic()
-        self._written = self._start
-        self._rows: list[Row] = []
-        self._timings: list[tuple[int, float, str]] = []
-
-    def __enter__(self) -> _Writer:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._write()
-
-    def add(self, done: Done) -> None:
-        """Take rows, and write a part where it is time for one."""
-        self._rows += done.rows
-        points = [row["point"] for row in done.rows]
-        self._timings += zip(points, done.seconds, [done.worker] * len(points), strict=True)
-        now = time.monotonic()
-        pause = max(_PAUSE, _SHARE * (now - self._start))
-        if len(self._rows) >= MOST_ROWS or now - self._written >= pause:
-            self._write()
-            self._written = now
-
-    def _write(self) -> None:
-        if self._rows:
-            self._results.write_part(self._rows, self._timings)
-            self._rows, self._timings = [], []
 
 
 def dry_run(study: Study, client: Client, listen: Listener = lambda *_: None) -> str:
@@ -144,7 +120,7 @@ def dry_run(study: Study, client: Client, listen: Listener = lambda *_: None) ->
     some = sorted({0, count // 2, count - 1})
     seconds: list[float] = []
     for done in Pool(client, study.inputs).done(map(study.design.point, some)):
-        seconds += done.seconds
+        seconds += [took for _, took, _ in done.timings]
         listen("study", Progress(f"{len(seconds)} of {len(some)} points tried"))
     threads = sum(client.nthreads().values())
     each = sum(seconds) / len(seconds)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,45 +19,26 @@ METHODS = ("latin_hypercube", "sobol", "random")
 _DIGITS = 9  # of a sampled number: as many as anyone reads, and the same text in every row
 
 
-@dataclass(frozen=True)
-class Uniform:
-    """A distribution: evenly between two numbers, SI."""
-
-    low: float
-    high: float
-
-    def at(self, share: float) -> float:
-        """The number below which this share of all lies."""
-        return self.low + share * (self.high - self.low)
-
-
-@dataclass(frozen=True)
-class Normal:
-    """A distribution: Gauss', by its mean and its standard deviation, SI."""
-
-    mean: float
-    sigma: float
-
-    def at(self, share: float) -> float:
-        """The number below which this share of all lies."""
-        return self.mean + self.sigma * float(ndtri(share))
+def normal(mean: float, sigma: float) -> Callable[[float], float]:
+    """The quantile function of Gauss' distribution, by its mean and its standard deviation, SI."""
+    return lambda share: mean + sigma * float(ndtri(share))
 
 
 @dataclass(frozen=True)
 class Factor:
-    """What varies together: keys, and either the levels that they take, a value for each key, or a distribution of the
-    one key's number. written: how the study file names it."""
+    """What varies together: keys, and either the levels that they take, a value for each key, or the quantile function
+    of the one key's number, SI. written: how the study file names it."""
 
     written: str
     keys: tuple[str, ...]
     levels: tuple[tuple[Any, ...], ...] = ()
-    spread: Uniform | Normal | None = None
+    quantile: Callable[[float], float] | None = None
 
     def at(self, share: float) -> tuple[Any, ...]:
         """Values of the keys at a share of 0 to 1 of all that they take."""
-        if self.spread is None:
+        if self.quantile is None:
             return self.levels[min(int(share * len(self.levels)), len(self.levels) - 1)]
-        return (float(f"{self.spread.at(share):.{_DIGITS}g}"),)
+        return (float(f"{self.quantile(share):.{_DIGITS}g}"),)
 
 
 @dataclass(frozen=True)

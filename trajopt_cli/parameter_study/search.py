@@ -13,10 +13,8 @@ from optuna.trial import TrialState
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.parameter_study.analysis import ANSWERS, MORE_IS_BETTER
-from trajopt_cli.parameter_study.cell_keys import value_at
 from trajopt_cli.parameter_study.cluster import Evaluate, Pool
-from trajopt_cli.parameter_study.point import PointInputs, Row, cell_data, evaluate
-from trajopt_cli.parameter_study.price import price
+from trajopt_cli.parameter_study.point import PointInputs, Row, evaluate, worked_out
 from trajopt_cli.parameter_study.results import new_or_same
 from trajopt_cli.parameter_study.sampling import Design, Factor, Point
 from trajopt_cli.parameter_study.study_file import Study
@@ -53,14 +51,11 @@ class Goal:
 
     def excess(self, inputs: PointInputs, point: Point, row: Row) -> list[float]:
         """By how much a point breaks each constraint; 0 or less where it keeps it."""
-        values = dict(zip(inputs.keys, point.values, strict=True))
-        known = {**values, **{name: value for name, value in row.items() if value is not None}}
-        data = cell_data(inputs, values)
         out = []
         for one in self.constraints:
             left, sign, right = _CONSTRAINT.fullmatch(one).groups()  # type: ignore[union-attr]
-            sides = [price(side, lambda key: known.get(key, value_at(data, key))) for side in (left, right)]
-            out.append((sides[0] - sides[1]) * (1 if sign == "<=" else -1))
+            over = worked_out(left, inputs, point, row) - worked_out(right, inputs, point, row)
+            out.append(over if sign == "<=" else -over)
         return out
 
 
@@ -103,9 +98,6 @@ def search(
             every = [(one, (one.program, repr(one.values))) for some in points for one in some]
             new = {key: one for one, key in reversed(every) if one.index not in known and key not in seen}
             done = [*Pool(client, inputs, work).done(new.values())] if new else []
-            timings = [
-                (row["point"], took, d.worker) for d in done for row, took in zip(d.rows, d.seconds, strict=True)
-            ]
             known |= (found := {row["point"]: row for one in done for row in one.rows})
             for one, key in every:  # levels that were tried before have the same row
                 if key not in seen:
@@ -113,7 +105,7 @@ def search(
                 if one.index not in known:
                     known[one.index] = found[one.index] = {**seen[key], "point": one.index}
             if found:
-                results.write_part([*found.values()], timings)
+                results.write_part([*found.values()], [timing for one in done for timing in one.timings])
             for trial, own in zip(asked, points, strict=True):
                 value = _tell(trials, trial, goal, inputs, [(one, known[one.index]) for one in own], sign)
                 if value is not None and (best is None or value < best[0]):
@@ -126,7 +118,7 @@ def search(
 
 def _suggested(trial: optuna.Trial, factor: Factor) -> tuple[Any, ...]:
     """What the keys of a factor take in a trial."""
-    if factor.spread is not None:
+    if factor.quantile is not None:
         return factor.at(trial.suggest_float(factor.written, _EDGE, 1 - _EDGE))
     levels = factor.levels
     if all(isinstance(one, int | float) and not isinstance(one, bool) for level in levels for one in level):

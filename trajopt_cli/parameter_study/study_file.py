@@ -16,7 +16,7 @@ from pydantic_core import PydanticCustomError
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.job import MAIN, Job, cell_path_for, read_job
-from trajopt_cli.parameter_study.cell_keys import in_si, units_at, value_at
+from trajopt_cli.parameter_study.cell_keys import Data, in_si, units_at, value_at
 from trajopt_cli.parameter_study.offsets import (
     TARGET,
     check_offset,
@@ -34,9 +34,9 @@ from trajopt_cli.parameter_study.point import (
     cell_at,
     column_name,
     level_leaves,
-    price_of,
+    worked_out,
 )
-from trajopt_cli.parameter_study.sampling import GRID, METHODS, Design, Factor, Normal, Uniform
+from trajopt_cli.parameter_study.sampling import GRID, METHODS, Design, Factor, normal
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.quantity import RATIO, TIME, complain, number, positive
 from trajopt_cli.validation import hint
@@ -91,6 +91,11 @@ class SamplingSection(_Section):
         if sum(getattr(self, name) is not None for name in METHODS) != 1:
             raise complain(f"needs one of {', '.join(METHODS)} with its count of points")
         return self
+
+    @property
+    def chosen(self) -> tuple[str, int, int]:
+        """Method, count and seed."""
+        return next((name, count, self.seed) for name in METHODS if (count := getattr(self, name)) is not None)
 
 
 class BoundsSection(_Section):
@@ -192,18 +197,13 @@ class _Reading:
             raise self._error("programs", "names a program twice; keep one")
         cell_path = beside / document.cell if document.cell is not None else cell_path_for(paths[0])
         jobs = [read_job(each, cell_path, document.entry) for each in paths]
-        factors = self._factors(jobs)
+        cell, cell_lines = parse(read_text(cell_path, "cell file"), str(cell_path), "")
+        factors = self._factors(jobs, cell)
         sampling = document.sampling
-        if sampling is None:
-            if unlevelled := [one.written for one in factors if one.spread is not None]:
-                said = "has no levels for a grid; add 'sampling: {latin_hypercube: 100, seed: 1}'"
-                raise self._error(f"vary.{unlevelled[0]}", said)
-            design = Design(factors, len(jobs))
-        else:
-            method = next(name for name in METHODS if getattr(sampling, name) is not None)
-            design = Design(factors, len(jobs), method, getattr(sampling, method), sampling.seed)
-        cell_text = read_text(cell_path, "cell file")
-        cell, cell_lines = parse(cell_text, str(cell_path), "")
+        if sampling is None and (unlevelled := [one.written for one in factors if one.quantile is not None]):
+            said = "has no levels for a grid; add 'sampling: {latin_hypercube: 100, seed: 1}'"
+            raise self._error(f"vary.{unlevelled[0]}", said)
+        design = Design(factors, len(jobs), *(sampling.chosen if sampling else ()))
         inputs = PointInputs(
             programs={
                 name: tuple(replace(file, path=self._relative(file.path)) for file in job.program.files.values())
@@ -233,104 +233,37 @@ class _Reading:
 
     # ------------------------------------------------------------------------------------------------- what varies
 
-    def _factors(self, jobs: Sequence[Job]) -> tuple[Factor, ...]:
+    def _factors(self, jobs: Sequence[Job], cell: Data) -> tuple[Factor, ...]:
         """What varies, keys with * written out."""
-        out: list[Factor] = []
+        out, known = list[Factor](), set[str]()
         for written, section in self.document.vary.items():
             keys = tuple(key.strip() for key in written.split(","))
-            each = [keys] if len(keys) > 1 else [(key,) for key in self._meant(written, jobs)]
             try:
-                out += [self._factor(written, one, section, jobs[0]) for one in each]
+                for one in [keys] if len(keys) > 1 else [(key,) for key in _meant(written, jobs)]:
+                    if again := known.intersection(one):
+                        raise complain(f"{min(again)} varies already; keep one")
+                    known.update(one)
+                    out.append(_factor(written, one, section, jobs[0], cell))
             except PydanticCustomError as error:
                 raise self._error(f"vary.{written}", error.message()) from error
-        known: set[str] = set()
-        for factor in out:
-            for key in factor.keys:
-                if key in known:
-                    raise self._error(f"vary.{factor.written}", f"{key} varies already; keep one")
-                known.add(key)
         return tuple(out)
-
-    def _meant(self, written: str, jobs: Sequence[Job]) -> list[str]:
-        """The keys that one with * stands for: of limits by axis, of targets by name and x, y, z."""
-        parts = written.split(".")
-        if is_offset(written):
-            try:
-                check_offset(written)
-            except InputError as error:
-                raise self._error(f"vary.{written}", error.message) from error
-        if "*" not in written:
-            return [written]
-        if parts[0] == TARGET:
-            names = dict.fromkeys(name for job in jobs for name in target_names([*job.program.files.values()]))
-        else:
-            names = dict.fromkeys(jobs[0].plant.limits.names if parts[0] == "limits" and len(parts) == 3 else ())
-        axes = "xyz" if parts[-1] == "*" else [parts[-1]]
-        found = [name for name in names if fnmatchcase(name.lower(), parts[1].lower())]
-        if not found:
-            raise self._error(f"vary.{written}", f"* stands for nothing here; {hint(parts[1], [*names])}")
-        return [".".join((parts[0], name, axis)) for name in found for axis in axes]
-
-    def _factor(self, written: str, keys: tuple[str, ...], section: LevelsSection, job: Job) -> Factor:
-        key = keys[0]
-        units = units_of_offset(key) if is_offset(key) else units_at(key)
-        read = number(units or RATIO)
-        if section.values is not None:
-            several = len(keys) > 1
-            if several and any(not isinstance(one, list) or len(one) != len(keys) for one in section.values):
-                raise complain(f"needs lists of {len(keys)} values, one for each key")
-            rows = section.values if several else [[one] for one in section.values]
-            return Factor(written, keys, tuple(tuple(map(_level, keys, row)) for row in rows))
-        if len(keys) > 1:
-            raise complain("several keys vary together by a list alone")
-        if section.ends is not None:
-            low, high = map(read, section.ends)
-            steps = np.linspace(low, high, section.count or 2).round(12)  # a zero is one
-            return Factor(written, keys, tuple((float(f"{value:.9g}"),) for value in steps))
-        if section.uniform is not None:
-            return Factor(written, keys, spread=Uniform(*map(read, section.uniform)))
-        if section.normal is not None:
-            mean = self._in_force(key, job) if section.normal.mean is None else read(section.normal.mean)
-            return Factor(written, keys, spread=Normal(mean, positive(units or RATIO)(section.normal.sigma)))
-        now, share = self._in_force(key, job), section.scale or 0.0
-        return Factor(written, keys, spread=Uniform(now * (1 - share), now * (1 + share)))
-
-    def _in_force(self, key: str, job: Job) -> float:
-        """What a key's number is now: in the cell file, of a limit the robot's where that gives none."""
-        if is_offset(key):
-            return 0.0
-        parts, limits = key.split("."), job.plant.limits
-        known = value_at(parse(read_text(job.cell_path, "cell file"), str(job.cell_path), "")[0], key)
-        if parts[0] == "limits" and len(parts) == 3 and parts[1] in limits.names:
-            of_axis = getattr(limits, parts[2], None)
-            if parts[2] == "acceleration" and limits.table is not None and parts[1] in limits.table.axes:
-                raise complain(f"{parts[1]} has accelerations by posture; vary acceleration_factor instead")
-            known = (
-                1.0
-                if parts[2] == "acceleration_factor"
-                else None
-                if of_axis is None
-                else of_axis[limits.names.index(parts[1])]
-            )
-        if isinstance(known, bool) or not isinstance(known, int | float):
-            raise complain("has no number now to start from; give {uniform: [a, b]} or a mean")
-        return float(known)
 
     def _columns(self, factors: Sequence[Factor]) -> Iterator[Column]:
         yield Column("point", "int64", "", "number of the point, from 0")
         yield Column("program", "string", "", "program, as the study file names it")
-        known = {"point", "program"}
+        varied = dict[str, Column]()
         for factor in factors:
-            for i, key in enumerate(factor.keys):
-                levels = [levels[i] for levels in factor.levels] or [0.0]
-                every = [leaf for level in levels for leaf in level_leaves(key, level)]
-                for name, unit, _ in every:
-                    full, values = column_name(name, unit), [value for one, _, value in every if one == name]
-                    numeric = all(isinstance(one, int | float) and not isinstance(one, bool) for one in values)
-                    if full not in known:
-                        meaning = f"{'offset' if is_offset(key) else 'cell file'}: {name}"
-                        yield Column(full, "double" if numeric else "string", unit, meaning)
-                    known.add(full)
+            for levels in factor.levels or [(0.0,)]:
+                for key, level in zip(factor.keys, levels, strict=True):
+                    where = "offset" if is_offset(key) else "cell file"
+                    for name, unit, value in level_leaves(key, level):
+                        full = column_name(name, unit)
+                        numeric = isinstance(value, int | float) and not isinstance(value, bool)
+                        kind = (
+                            "double" if numeric and (full not in varied or varied[full].kind == "double") else "string"
+                        )
+                        varied[full] = Column(full, kind, unit, f"{where}: {name}")
+        yield from varied.values()
         yield from (Column(name, "double", "s", meaning) for name, meaning in _TIMES.items())
         if self.document.price is not None:
             yield Column("price", "double", "", self.document.price)
@@ -359,13 +292,11 @@ class _Reading:
                 except InputError as error:
                     first = error.errors[0] if isinstance(error, InputErrorGroup) else error
                     where = f"vary.{factor.written}{f'.list.{j}' if factor.levels else ''}"
-                    said = (
-                        first.message.removeprefix(f"{factor.keys[0]}: ").replace("--what ", "").replace("--range ", "")
-                    )
-                    errors.append(self._error(where, said))
+                    said = first.message.removeprefix(f"{factor.keys[0]}: ")
+                    errors.append(self._error(where, said.replace("--what ", "").replace("--range ", "")))
         if self.document.price is not None:
             try:
-                price_of(inputs, design.point(0))
+                worked_out(self.document.price, inputs, design.point(0))
             except InputError as error:
                 errors.append(self._error("price", error.message))
         if errors:
@@ -378,6 +309,69 @@ class _Reading:
 
     def _relative(self, path: str | Path) -> str:
         return Path(os.path.relpath(path, self.path.parent)).as_posix()
+
+
+def _meant(written: str, jobs: Sequence[Job]) -> list[str]:
+    """The keys that one with * stands for: of limits by axis, of targets by name and x, y, z."""
+    parts = written.split(".")
+    if is_offset(written):
+        check_offset(written)
+    if "*" not in written:
+        return [written]
+    if parts[0] == TARGET:
+        names = dict.fromkeys(name for job in jobs for name in target_names([*job.program.files.values()]))
+    else:
+        names = dict.fromkeys(jobs[0].plant.limits.names if parts[0] == "limits" and len(parts) == 3 else ())
+    axes = "xyz" if parts[-1] == "*" else [parts[-1]]
+    found = [name for name in names if fnmatchcase(name.lower(), parts[1].lower())]
+    if not found:
+        raise complain(f"* stands for nothing here; {hint(parts[1], [*names])}")
+    return [".".join((parts[0], name, axis)) for name in found for axis in axes]
+
+
+def _factor(written: str, keys: tuple[str, ...], section: LevelsSection, job: Job, cell: Data) -> Factor:
+    """What keys take, from what the study file says."""
+    key = keys[0]
+    units = units_of_offset(key) if is_offset(key) else units_at(key)
+    read = number(units or RATIO)
+    if section.values is not None:
+        several = len(keys) > 1
+        if several and any(not isinstance(one, list) or len(one) != len(keys) for one in section.values):
+            raise complain(f"needs lists of {len(keys)} values, one for each key")
+        rows = section.values if several else [[one] for one in section.values]
+        return Factor(written, keys, tuple(tuple(map(_level, keys, row)) for row in rows))
+    if len(keys) > 1:
+        raise complain("several keys vary together by a list alone")
+    if section.ends is not None:
+        low, high = map(read, section.ends)
+        steps = np.linspace(low, high, section.count or 2).round(12)  # a zero is one
+        return Factor(written, keys, tuple((float(f"{value:.9g}"),) for value in steps))
+    if section.normal is not None:
+        mean = _in_force(key, job, cell) if section.normal.mean is None else read(section.normal.mean)
+        return Factor(written, keys, quantile=normal(mean, positive(units or RATIO)(section.normal.sigma)))
+    if section.uniform is not None:
+        low, high = map(read, section.uniform)
+    else:
+        now, part = _in_force(key, job, cell), section.scale or 0.0
+        low, high = now * (1 - part), now * (1 + part)
+    return Factor(written, keys, quantile=lambda share: low + share * (high - low))
+
+
+def _in_force(key: str, job: Job, cell: Data) -> float:
+    """What a key's number is now: in the cell file, of a limit the robot's where that gives none."""
+    if is_offset(key):
+        return 0.0
+    known, limits = value_at(cell, key), job.plant.limits
+    section, axis, kind = [*key.split("."), "", ""][:3]
+    if section == "limits" and axis in limits.names and key.count(".") == 2:
+        if kind == "acceleration" and limits.table is not None and axis in limits.table.axes:
+            raise complain(f"{axis} has accelerations by posture; vary acceleration_factor instead")
+        of_axes = getattr(limits, kind, None)
+        known = None if of_axes is None else of_axes[limits.names.index(axis)]
+        known = 1.0 if kind == "acceleration_factor" else known
+    if isinstance(known, bool) or not isinstance(known, int | float):
+        raise complain("has no number now to start from; give {uniform: [a, b]} or a mean")
+    return float(known)
 
 
 def _level(key: str, value: Any) -> Any:

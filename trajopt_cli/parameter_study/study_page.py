@@ -10,9 +10,8 @@ import numpy as np
 
 from trajopt_cli.geometry import IndexArray
 from trajopt_cli.page.document import Section, document
-from trajopt_cli.page.encode import text
-from trajopt_cli.page.tables import Tile, drawn, head, points, table
-from trajopt_cli.parameter_study.analysis import MORE_IS_BETTER, Shares, StudyRows, pareto, spread
+from trajopt_cli.page.tables import Tile, drawn, head, linked, points
+from trajopt_cli.parameter_study.analysis import MORE_IS_BETTER, Shares, StudyRows, pareto
 from trajopt_cli.table import TextTable, percent, tabulate
 
 BEST = 10
@@ -36,7 +35,26 @@ def leading(rows: StudyRows, shares: Shares | None) -> list[str]:
     return (found or [*rows.factors])[:BEST]
 
 
-def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], title: str) -> TextTable:
+def front(rows: StudyRows, name: str, against: str) -> IndexArray:
+    """The rows of the Pareto front of two answers, the best by the first one first."""
+    where = rows.best(name)
+    signs = [-1 if one in MORE_IS_BETTER else 1 for one in (name, against)]
+    values = np.column_stack([rows.numbers(name)[where] * signs[0], rows.numbers(against)[where] * signs[1]])
+    known = np.isfinite(values).all(axis=1)
+    return where[known][pareto(values[known])]
+
+
+def tables(rows: StudyRows, name: str, against: str | None, shares: Shares | None) -> dict[str, TextTable]:
+    """The best points by an answer, the front of both where there is another one, and what matters most."""
+    factors = leading(rows, shares)
+    out = {"best": _points_table(rows, rows.best(name), factors, f"best points by {name}")}
+    if against is not None:
+        title = f"no point is better both by {name} and by {against}"
+        out["front"] = _points_table(rows, front(rows, name, against), factors, title)
+    return out if shares is None else {**out, "matters": _shares_table(shares, name)}
+
+
+def _points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], title: str) -> TextTable:
     """Points with their answers and what they have of the first factors."""
 
     def shown(name: str) -> Callable[[int], str]:
@@ -49,16 +67,7 @@ def points_table(rows: StudyRows, where: IndexArray, factors: Sequence[str], tit
     return tabulate(title, [int(i) for i in where[:BEST]], columns)
 
 
-def front(rows: StudyRows, name: str, against: str) -> IndexArray:
-    """The rows of the Pareto front of two answers, the best by the first one first."""
-    where = rows.best(name)
-    signs = [-1 if one in MORE_IS_BETTER else 1 for one in (name, against)]
-    values = np.column_stack([rows.numbers(name)[where] * signs[0], rows.numbers(against)[where] * signs[1]])
-    known = np.isfinite(values).all(axis=1)
-    return where[known][pareto(values[known])]
-
-
-def shares_table(found: Shares, name: str) -> TextTable:
+def _shares_table(found: Shares, name: str) -> TextTable:
     """What matters most for an answer, in shares of its variance."""
     columns: dict[str, Callable[[Any], str]] = {
         "varied": lambda one: one.factor,
@@ -75,7 +84,8 @@ def summary_lines(rows: StudyRows, name: str, count: int) -> list[str]:
     status = Counter(rows.columns["status"])
     lines = [f"{status.total()} of {count} points done, {status['ok']} with an answer"]
     for one in dict.fromkeys((name, *(["saved_s"] if "saved_s" in rows.answers else []))):
-        low, middle, high = (_figure(x, rows.units.get(one, "")) for x in spread(rows.numbers(one)[rows.best(one)]))
+        quantiles = np.quantile(rows.numbers(one)[rows.best(one)], (0.05, 0.5, 0.95))
+        low, middle, high = (_figure(float(x), rows.units.get(one, "")) for x in quantiles)
         lines.append(f"{one}: median {middle}, 90 % of the points between {low} and {high}")
     return lines + reasons(rows)
 
@@ -99,16 +109,17 @@ def study_page(
     """The page's bytes. name: the answer that is looked at. against: another one, for a front of both. count: of all
     points. plans: links to pages of plans that are kept, by point."""
     best, factors = rows.best(name), leading(rows, shares)
-    made = _clickable(points_table(rows, best, factors, f"best points by {name}"))
-    sections = [Section("best", "Best points", made, "A point's number shows it below and in every chart.")]
-    if shares is not None:
-        sections.append(Section("matters", "What matters most", drawn(shares_table(shares, name)), shares.in_words))
-    if against is not None:
-        made = _clickable(points_table(rows, front(rows, name, against), factors, f"{name} against {against}"))
-        heading = f"{_WORDS[name]} against {_WORDS[against]}"
-        sections.append(
-            Section("front", heading[0].upper() + heading[1:], made, "Nothing is better than these in both.")
-        )
+    button = '<button type="button" class="quiet" data-point="{0}">{0}</button>'
+    words = f"{_WORDS[name]}{f' against {_WORDS[against]}' if against else ''}"
+    about = {
+        "best": ("Best points", "A point's number shows it below and in every chart."),
+        "front": (words[0].upper() + words[1:], "Nothing is better than these in both."),
+        "matters": ("What matters most", shares.in_words if shares else ""),
+    }
+    sections = [
+        Section(key, about[key][0], drawn(made) if key == "matters" else linked(made, button), about[key][1])
+        for key, made in tables(rows, name, against, shares).items()
+    ]
     every = len(rows.columns["point"])
     some = sorted({*range(0, every, -(-every // _DRAWN)), *map(int, best[: 2 * BEST])})
     less = f" {len(some)} points are drawn, the others evenly left out." if len(some) < every else ""
@@ -121,8 +132,7 @@ def study_page(
             "spread", "Spread", '<figure id="spread"></figure>', f"The {_WORDS[name]} of all points with an answer."
         ),
     ]
-    if why := reasons(rows):
-        sections.append(Section("failed", "Points without an answer", points(why)))
+    sections.append(Section("told", "How many, and why not all", points(summary_lines(rows, name, count))))
     data = {
         "shown": name,
         "more": [*MORE_IS_BETTER],
@@ -137,7 +147,10 @@ def study_page(
         "reason": [(rows.columns["reason"][i] or "")[:_LONG] for i in some],
         "plans": {str(point): link for point, link in plans.items()},
     }
-    top = head(title, "trajopt study", _tiles(rows, name, count, shares))
+    unit, first = rows.units.get(name, ""), best[0]
+    said = f"{_WORDS[name]}, point {rows.columns['point'][first]}"
+    tile = Tile("best", f"{_figure(rows.columns[name][first], unit)} {unit}", said, "after")
+    top = head(title, "trajopt study", [tile])
     return document(f"{title} · trajopt", top, sections, data, ("study.css", "study.js"))
 
 
@@ -146,34 +159,12 @@ _MAP = f'<div class="controls">{_SELECTS}</div><figure id="heat"></figure>'
 _LINES = '<figure id="parallel"></figure><div id="chosen" role="status" hidden></div>'
 
 
-def _tiles(rows: StudyRows, name: str, count: int, shares: Shares | None) -> list[Tile]:
-    best, unit, done = rows.best(name), rows.units.get(name, ""), len(rows.columns["point"])
-    low, middle, high = (_figure(x, unit) for x in spread(rows.numbers(name)[best]))
-    first = f"{_WORDS[name]}, point {rows.columns['point'][best[0]]}"
-    tiles = [
-        Tile("best", f"{_figure(rows.columns[name][best[0]], unit)} {unit}", first, "after"),
-        Tile("median", f"{middle} {unit}", f"90 % between {low} and {high}"),
-        Tile("points", f"{done}", f"of {count}; {done - len(rows.ok)} without an answer"),
-    ]
-    if shares is not None and shares.shares:
-        most = shares.shares[0]
-        tiles.append(Tile("matters most", percent(most.total, 0), f"of the variance: {most.factor}"))
-    return tiles
-
-
 def _figure(value: Any, unit: str) -> str:
     """A value as text, a time with three digits."""
     if value is None or isinstance(value, str):
         return value or ""
     digits = 4 if isinstance(value, float) and abs(value) < 1e3 else 9
     return f"{value:.3f}" if unit == "s" else f"{value:.{digits}g}"
-
-
-def _clickable(made: TextTable) -> str:
-    """A table whose first column chooses a point."""
-    button = '<button type="button" class="quiet" data-point="{0}">{0}</button>'
-    rows = [(button.format(text(point)), *map(text, rest)) for point, *rest in made.rows]
-    return table(made.title, made.heads, rows, html=True)
 
 
 def _values(values: Sequence[Any]) -> dict[str, Any]:
