@@ -108,17 +108,19 @@ def test_a_search_from_the_command_line(
 def test_a_points_plan_is_that_of_its_cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Offsets and keys of a point, held against files written by hand."""
     monkeypatch.chdir(tmp_path)
-    vary = "{limits.joint_1.velocity: [1, 2], place.base.x: [0, 20 mm], target.p_in.z: [0, 30 mm]}"
+    vary = "limits.joint_1.velocity: [1, 2], place.base.x: [0, 20 mm], target.p_in.z: [0, 30 mm]"
+    vary = f"{{{vary}, place.table.y: [0, 10 mm]}}"
     study = written(tmp_path, f"programs: [tiny.mod]\nvary: {vary}\n")
-    assert run(["study", "plan", "study.yaml", "7", "--time-limit", "0", "--quiet"]) == 0
-    folder = Path("results/study/plans/7")
+    assert run(["study", "plan", "study.yaml", "15", "--time-limit", "0", "--quiet"]) == 0
+    folder = Path("results/study/plans/15")
     cell = load_cell(folder / "input/tiny.yaml")
     assert cell.X_WB[:3, 3].tolist() == [0.02, 0, 0]
     assert "p_in:=[[500,0,630]" in (folder / "input/tiny.mod").read_text()
-    study.with_name("hand.mod").write_text(MODULE.replace("[500,0,600]", "[500,0,630]"))
+    hand = MODULE.replace("[500,0,600]", "[500,0,630]").replace('"",[[0,0,0]', '"",[[0,10,0]')
+    study.with_name("hand.mod").write_text(hand)
     limit = "limits: {joint_1: {velocity: 2, source: x}}\nbase: {position: [0.02, 0, 0]}\n"
     study.with_name("hand.yaml").write_text(CELL + limit)
     assert run(["optimize", "hand.mod", "--time-limit", "0", "--quiet"]) == 0
     there, here = (json.loads((one / "summary.json").read_text())["plans"] for one in (folder, Path("results/hand")))
     assert [there[one]["cycle_time_s"] for one in there] == [here[one]["cycle_time_s"] for one in here]
-    assert run(["study", "plan", "study.yaml", "8"]) == 2
+    assert run(["study", "plan", "study.yaml", "16"]) == 2

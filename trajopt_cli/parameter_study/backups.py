@@ -157,7 +157,7 @@ def batch(
             if made and not one.cell.exists():  # a cell file that the user has corrected stays
                 write_file(one.cell, cell_from_backup(one.paths[0], one.cell, None)[0].encode())
         except InputError as error:
-            rows[one.name] = {**row, **_failed(str(error))}
+            rows[one.name] = {**row, **failed_row(str(error))}
             continue
         row |= {"cell_made": made, "inputs": _digest(one, options)}
         if known.get(one.name, row).get("inputs") == row["inputs"] and (output / one.name / RUN).is_file():
@@ -204,11 +204,11 @@ def run_command(words: Sequence[str], folder: str) -> tuple[int, str, str]:
 def outcome(code: int, out: str, err: str) -> dict[str, Any]:
     """What a run of `optimize --json` came to: status, times [s], and why it failed, in one line."""
     if code < 0:
-        return _failed(f"ended by signal {-code}")
+        return failed_row(f"ended by signal {-code}")
     record = parse_record(out.encode(), "optimize --json") if out.strip() else {}
     if code:
         lines = record.get("why") or err.strip().splitlines() or [f"exit code {code}"]
-        return _failed(lines[0].removesuffix(":"))
+        return failed_row(lines[0].removesuffix(":"))
     written = record["as_written"]
     before = written["cycle_time_s"]
     rapid, stream = (record["plans"][one]["cycle_time_s"] for one in ("rapid", "stream"))
@@ -219,7 +219,8 @@ def outcome(code: int, out: str, err: str) -> dict[str, Any]:
     return {"status": "ok", **times, "saved": saved / before if saved is not None and before else None, "reason": why}
 
 
-def _failed(why: str) -> dict[str, Any]:
+def failed_row(why: str) -> dict[str, Any]:
+    """Status, times and reason of a program without an answer."""
     none = dict.fromkeys(("as_written_s", "rapid_s", "stream_s", "saved_s", "saved"))
     return {"status": "failed", **none, "reason": printable(why)}
 

@@ -9,14 +9,12 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.job import read_job
-from trajopt_cli.parameter_study.backups import outcome, run_command
-from trajopt_cli.parameter_study.offsets import is_offset, moved, shifted
-from trajopt_cli.parameter_study.point import cell_data
+from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.parameter_study.backups import failed_row, outcome, run_command
+from trajopt_cli.parameter_study.cell_keys import put
+from trajopt_cli.parameter_study.point import cell_data, job_at, without_root
 from trajopt_cli.parameter_study.study_file import Study
-from trajopt_cli.runs.files import write_file
 from trajopt_cli.runs.transaction import write_files
-from trajopt_cli.study.places import What, site_of
 
 PLANS = "plans"
 """Of a study's results folder: the results folders of points, by their numbers."""
@@ -27,26 +25,25 @@ def keep_plan(study: Study, index: int, folder: Path, options: Sequence[str] = (
 
     folder: of the study's results; the plan's is PLANS/index in it. options: of optimize, besides. Gives status, times
     [s] and the reason of a failure as a row of a batch has them. Raises InputError for a point that the study does not
-    have, and for one whose work objects stand elsewhere, which is not written as text.
+    have.
     """
     if not 0 <= index < len(study.design):
         raise InputError(f"has no point {index}, but 0 to {len(study.design) - 1}", file=str(study.path))
     inputs, point = study.inputs, study.design.point(index)
-    values = dict(zip(inputs.keys, point.values, strict=True))
-    offsets = {key: value for key, value in values.items() if is_offset(key)}
-    programs = shifted([*inputs.programs.values()][point.program], offsets)
+    try:
+        job = job_at(inputs, point)
+    except InputError as error:
+        return failed_row(without_root(inputs, str(error)))
+    data = cell_data(inputs, dict(zip(inputs.keys, point.values, strict=True)))
+    if any(key.startswith(("place.base.", "place.rail.")) for key in inputs.keys):
+        rail = job.cell.rail
+        X = job.cell.X_WB if rail is None else rail.X_WR
+        frame = {"position": X[:3, 3].tolist(), "wxyz": wxyz_from_rotation(X[:3, :3]).tolist()}
+        put(data, "base" if rail is None else "rail.frame", frame)
+    texts = {Path(one.path).name: one.text.encode(one.encoding) for one in job.program.files.values()}
     with TemporaryDirectory(prefix="trajopt-plan-") as place:
-        cell, names = Path(place, inputs.cell_file), [Path(one.path).name for one in programs]
-        texts = {name: one.text.encode(one.encoding) for name, one in zip(names, programs, strict=True)}
-        data = json.dumps(cell_data(inputs, values), indent=1).encode()  # which YAML reads, too
-        write_files(Path(place), {**inputs.beside, **texts, inputs.cell_file: data})
-        for what, ranges in moved(offsets):
-            site = site_of(read_job([Path(place, name) for name in names], cell, inputs.entry), what, ranges)
-            if site.what is What.STATION:
-                raise InputError(
-                    f"place.{site.name}: a work object's place is in the program, and is not written there"
-                )
-            write_file(cell, site.changed_cell(tuple(one.low for one in ranges), str(cell)).encode())
+        cell = json.dumps(data, indent=1).encode()  # which YAML reads, too
+        write_files(Path(place), {**inputs.beside, **texts, inputs.cell_file: cell})
         out = folder.resolve() / PLANS / str(index)
-        words = ["optimize", *names, "--cell", inputs.cell_file, "--entry", inputs.entry]
+        words = ["optimize", *texts, "--cell", inputs.cell_file, "--entry", inputs.entry]
         return outcome(*run_command([*words, "--output", str(out), "--json", *options], place))

@@ -68,21 +68,16 @@ def shifted(files: Sequence[TextFile], values: Mapping[str, float]) -> list[Text
     return out or [*files]
 
 
-def moved(values: Mapping[str, float]) -> Iterator[tuple[str, tuple[Range, ...]]]:
-    """What stands elsewhere, as site_of has it, and by how much. values: by key."""
-    whats: dict[str, list[Range]] = {}
+def placed(job: Job, values: Mapping[str, float]) -> Job:
+    """A job with its base, rail and work objects elsewhere. values: by key. Raises InputError as site_of does."""
+    ranges: dict[str, list[Range]] = {}
     for key, value in values.items():
         kind, name, axis = key.split(".")
         if kind == PLACE:
             what = name if name in (What.BASE, What.RAIL) else f"{What.STATION}:{name}"
-            whats.setdefault(what, []).append(Range(axis, value, value))
-    yield from ((what, tuple(ranges)) for what, ranges in whats.items())
-
-
-def placed(job: Job, values: Mapping[str, float]) -> Job:
-    """A job with its base, rail and work objects elsewhere. values: by key. Raises InputError as site_of does."""
-    for what, ranges in moved(values):
-        job = site_of(job, what, ranges).at(tuple(one.low for one in ranges))
+            ranges.setdefault(what, []).append(Range(axis, value, value))
+    for what, some in ranges.items():
+        job = site_of(job, what, tuple(some)).at(tuple(one.low for one in some))
     return job
 
 

@@ -163,8 +163,12 @@ def evaluate(inputs: PointInputs, point: Point) -> Row:
         row = blank(inputs, point, "memory", f"took {bound} of memory")
     finally:
         guard.end()
-    row["reason"] = row["reason"].replace(f"{_root(inputs)}/", "") if inputs.beside else row["reason"]
-    return row
+    return {**row, "reason": without_root(inputs, row["reason"])}
+
+
+def without_root(inputs: PointInputs, said: str) -> str:
+    """A message without the folder of this process in its paths."""
+    return said.replace(f"{_root(inputs)}/", "") if inputs.beside else said
 
 
 def worked_out(text: str, inputs: PointInputs, point: Point, row: Mapping[str, Any] | None = None) -> float:
