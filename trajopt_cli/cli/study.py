@@ -27,15 +27,9 @@ if TYPE_CHECKING:
 class _RunUnlessNamed(TyperGroup):
     """`trajopt study STUDY.yaml` is `trajopt study run STUDY.yaml`."""
 
-    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Of the base class, with run before what is no command."""
-        if args and args[0] not in self.commands and args[0].endswith((".yaml", ".yml")):
-            args = ["run", *args]
-        return super().resolve_command(ctx, args)
-
     def parse_args(self, ctx: Any, args: list[str]) -> Any:
-        """Options of run may stand before the file."""
-        if args and args[0].startswith("--") and args[0] != "--help":
+        """Of the base class, with run before a study file and before options of run."""
+        if args and args[0] != "--help" and (args[0].startswith("--") or args[0].endswith((".yaml", ".yml"))):
             args = ["run", *args]
         return super().parse_args(ctx, args)
 
@@ -43,17 +37,12 @@ class _RunUnlessNamed(TyperGroup):
 app = typer.Typer(cls=_RunUnlessNamed, help="Vary a cell and plan every point.", rich_markup_mode=None)
 
 Output = Annotated[
-    Path | None,
-    typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/STUDY."),
+    Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/STUDY.")
 ]
 StudyFile = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help="What varies, and what is asked.")]
 Scheduler = Annotated[
     str | None,
-    typer.Option(
-        "--scheduler",
-        metavar="tcp://HOST:PORT",
-        help="A Dask cluster's scheduler; default: this computer.",
-    ),
+    typer.Option("--scheduler", metavar="tcp://HOST:PORT", help="A Dask cluster's scheduler; default: this computer."),
 ]
 
 

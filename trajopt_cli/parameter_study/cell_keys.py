@@ -1,4 +1,5 @@
-"""Keys of a cell file by their dotted path: the units of a number there, its value, and the file with another one."""
+"""Keys of a cell file by their dotted path: the units of a number there, of an offset, too; its value, and the file
+with another one."""
 
 from __future__ import annotations
 
@@ -8,19 +9,28 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 from pydantic import BaseModel, BeforeValidator
 
 from trajopt_cli.cell.document import CellDocument
-from trajopt_cli.quantity import Reader, number, numbers
+from trajopt_cli.quantity import ANGLE, LENGTH, Reader, number, numbers
+from trajopt_cli.study.places import YAW
 
 Data = dict[str, Any]
 """A cell file as yaml_file.parse gives it."""
 
+PLACE, TARGET = "place", "target"
 SOURCE = "varied by a study"
 """The source of a limit that the cell file does not give itself."""
 _ITEMS = {"low": 0, "high": 1, "x": 0, "y": 1, "z": 2}
 _ENDS, _AXES = ("low", "high"), ("x", "y", "z")
 
 
+def is_offset(path: str) -> bool:
+    """Whether a key names an offset, not a key of the cell file."""
+    return path.split(".")[0] in (PLACE, TARGET)
+
+
 def units_at(path: str) -> Mapping[str, float]:
     """The units that a number at a key may have, by factor; empty where no number with a unit belongs."""
+    if is_offset(path):
+        return ANGLE if path.split(".")[-1] == YAW else LENGTH
     kinds: list[Any] = [CellDocument]
     for part in path.split("."):
         inner = [one for kind in kinds for one in _inside(kind, part)]
@@ -88,7 +98,8 @@ def leaves(path: str, value: Any) -> Iterator[tuple[str, str, Any]]:
             yield f"{path}_{name}", si_unit(units), inner
     else:
         head, _, last = path.rpartition(".")
-        yield (f"{head}_{last}" if _item(last) is not None else path), si_unit(units), value
+        item = _item(last) is not None and not is_offset(path)
+        yield (f"{head}_{last}" if item else path), si_unit(units), value
 
 
 def _item(part: str) -> int | None:

@@ -11,25 +11,15 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.rapid_text import plain
 from trajopt_cli.job import Job
 from trajopt_cli.motion import TextFile
-from trajopt_cli.quantity import ANGLE, LENGTH, complain
+from trajopt_cli.parameter_study.cell_keys import PLACE, TARGET
+from trajopt_cli.quantity import complain
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Aggregate, DataDeclaration
-from trajopt_cli.study.places import YAW, Range, What, site_of
+from trajopt_cli.study.places import Range, What, site_of
 from trajopt_cli.units import MM
 from trajopt_cli.validation import hint
 
-PLACE, TARGET = "place", "target"
 _AXES = ("x", "y", "z")
-
-
-def is_offset(key: str) -> bool:
-    """Whether a key names an offset, not a key of the cell file."""
-    return key.split(".")[0] in (PLACE, TARGET)
-
-
-def units_of_offset(key: str) -> Mapping[str, float]:
-    """The units of an offset, by factor."""
-    return ANGLE if key.split(".")[-1] == YAW else LENGTH
 
 
 def check_offset(key: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,9 +17,9 @@ from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job, job_on
 from trajopt_cli.motion import TextFile
-from trajopt_cli.parameter_study.cell_keys import Data, leaves, put, si_unit, value_at
+from trajopt_cli.parameter_study.cell_keys import Data, is_offset, leaves, put, value_at
 from trajopt_cli.parameter_study.guard import Guard, OutOfMemory, OutOfTime
-from trajopt_cli.parameter_study.offsets import is_offset, placed, shifted, units_of_offset
+from trajopt_cli.parameter_study.offsets import placed, shifted
 from trajopt_cli.parameter_study.price import price
 from trajopt_cli.parameter_study.sampling import Point
 from trajopt_cli.pipeline.planning import Clock, as_written, may_change
@@ -83,14 +83,6 @@ class PointInputs:
         return sha256(pickle.dumps([getattr(self, name) for name in self.__dataclass_fields__])).hexdigest()
 
 
-def level_leaves(key: str, value: Any) -> Iterator[tuple[str, str, Any]]:
-    """Name of the column, SI unit and value, of each single value that a key is given."""
-    if is_offset(key):
-        yield key, si_unit(units_of_offset(key)), value
-    else:
-        yield from leaves(key, value)
-
-
 def column_name(name: str, unit: str) -> str:
     """A column's name with its unit: limits.rail.velocity_m_per_s."""
     return f"{name}_{unit.replace('/', '_per_')}" if unit else name
@@ -137,7 +129,7 @@ def blank(inputs: PointInputs, point: Point, status: str, reason: str) -> Row:
     row |= {"point": point.index, "program": [*inputs.programs][point.program], "status": status, "reason": reason}
     texts = {column.name for column in inputs.columns if column.kind == "string"}
     for key, value in zip(inputs.keys, point.values, strict=True):
-        for name, unit, single in level_leaves(key, value):
+        for name, unit, single in leaves(key, value):
             name = column_name(name, unit)
             row[name] = _text(single) if name in texts else float(single)
     return row

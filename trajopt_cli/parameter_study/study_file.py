@@ -16,26 +16,9 @@ from pydantic_core import PydanticCustomError
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.job import MAIN, Job, cell_path_for, read_job
-from trajopt_cli.parameter_study.cell_keys import Data, in_si, units_at, value_at
-from trajopt_cli.parameter_study.offsets import (
-    TARGET,
-    check_offset,
-    is_offset,
-    placed,
-    shifted,
-    target_names,
-    units_of_offset,
-)
-from trajopt_cli.parameter_study.point import (
-    FIRST_LEGAL,
-    FULL,
-    Column,
-    PointInputs,
-    cell_at,
-    column_name,
-    level_leaves,
-    worked_out,
-)
+from trajopt_cli.parameter_study.cell_keys import TARGET, Data, in_si, is_offset, leaves, units_at, value_at
+from trajopt_cli.parameter_study.offsets import check_offset, placed, shifted, target_names
+from trajopt_cli.parameter_study.point import FIRST_LEGAL, FULL, Column, PointInputs, cell_at, column_name, worked_out
 from trajopt_cli.parameter_study.sampling import GRID, METHODS, Design, Factor, normal
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.quantity import RATIO, TIME, complain, number, positive
@@ -256,7 +239,7 @@ class _Reading:
             for levels in factor.levels or [(0.0,)]:
                 for key, level in zip(factor.keys, levels, strict=True):
                     where = "offset" if is_offset(key) else "cell file"
-                    for name, unit, value in level_leaves(key, level):
+                    for name, unit, value in leaves(key, level):
                         full = column_name(name, unit)
                         numeric = isinstance(value, int | float) and not isinstance(value, bool)
                         kind = (
@@ -332,7 +315,7 @@ def _meant(written: str, jobs: Sequence[Job]) -> list[str]:
 def _factor(written: str, keys: tuple[str, ...], section: LevelsSection, job: Job, cell: Data) -> Factor:
     """What keys take, from what the study file says."""
     key = keys[0]
-    units = units_of_offset(key) if is_offset(key) else units_at(key)
+    units = units_at(key)
     read = number(units or RATIO)
     if section.values is not None:
         several = len(keys) > 1
@@ -376,7 +359,7 @@ def _in_force(key: str, job: Job, cell: Data) -> float:
 
 def _level(key: str, value: Any) -> Any:
     """A level of a list with its numbers in SI; of an offset a number."""
-    return number(units_of_offset(key))(value) if is_offset(key) else in_si(value, units_at(key))
+    return number(units_at(key))(value) if is_offset(key) else in_si(value, units_at(key))
 
 
 def _files_of(cell: Cell, plant: Plant) -> tuple[Path, ...]:
