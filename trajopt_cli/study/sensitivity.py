@@ -30,7 +30,7 @@ from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.answers import study_record, write_answer
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
 from trajopt_cli.table import TextTable
-from trajopt_cli.workers import cores, shared_out
+from trajopt_cli.workers import cores, in_turns, shared_out
 
 APART = 0.3
 """Share by which first order and the plan solved again may differ before that is reported."""
@@ -176,7 +176,7 @@ def asked(
             listen(told.value, Progress(f"{count[told]} of {len(every)} levers"))
 
     rows: dict[Target, list[Row]] = {one: [] for one in at_hand}
-    for (target, i), answer in shared_out(
+    for (target, i), answer in in_turns(  # on this computer, where the plan's nonlinear program is compiled
         {name: partial(_told, name[0], task, patience) for name, task in tasks.items()}, hear, workers
     ).items():
         rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.active, answer.why))
