@@ -1,4 +1,5 @@
-"""What a file is that was given in the place of another: a program, a cell, a task, a robot, results or a joint CSV."""
+"""What a file is that was given in the place of another: a program, a cell, a task, a robot, a study, results
+or a joint CSV."""
 
 from __future__ import annotations
 
@@ -15,6 +16,7 @@ _KINDS = {
     "cell file": ("a cell file", "'trajopt optimize PROGRAM.mod --cell {0}'"),
     "task file": ("a task file of the iiwa", "'trajopt iiwa segments {0}'"),
     "robot file": ("a robot file", "'robot: {0}' in a cell file"),
+    "study file": ("a study file", "'trajopt study run {0}'"),
     "results folder": ("a results folder", "'trajopt verify {0}' or 'trajopt view {0}'"),
     "joint CSV": ("a CSV file", "'trajopt verify {0} --program PROGRAM.mod'"),
 }
@@ -38,6 +40,8 @@ def kind_of(path: Path) -> str | None:
         return None
     if "urdf" in keys:
         return "robot file"
+    if "vary" in keys:
+        return "study file"
     if keys & _TASK:
         return "task file"
     return "cell file" if keys & _CELL else None
@@ -46,7 +50,7 @@ def kind_of(path: Path) -> str | None:
 def refuse_other(path: str | Path, wanted: str) -> None:
     """Raise InputError where a file is of another kind than wanted, naming its kind and the command that takes it.
 
-    wanted: "program", "cell file", "task file", "robot file", "results folder" or "joint CSV".
+    wanted: "program", "cell file", "task file", "robot file", "study file", "results folder" or "joint CSV".
     """
     kind = kind_of(Path(path))
     if kind is not None and kind != wanted:

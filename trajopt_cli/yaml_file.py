@@ -44,7 +44,7 @@ def read_text(path: str | Path, what: str) -> str:
             size = max(os.fstat(file.fileno()).st_size, len(content))
     except OSError as error:
         raise InputError(f"cannot read the {what}: {error.strerror}", file=str(path)) from error
-    if what in ("cell file", "task file", "robot file"):
+    if what in ("cell file", "task file", "robot file", "study file"):
         refuse_other(path, what)
     _check_size(size, str(path), "take a coarser grid" if what == "table" else _SMALLER)
     try:

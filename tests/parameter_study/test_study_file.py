@@ -162,3 +162,15 @@ def test_without_the_extra_one_line_says_what_to_install(tmp_path: Path, library
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert done.returncode == 2
     assert done.stderr == f"{library} is not installed: pip install 'trajopt-cli[study]'\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("a.mod", "MODULE A\nENDMODULE\n"), ("b.yaml", "robot: irb140\nlimits: {}\n")]
+)
+def test_another_kind_of_file_is_told_by_its_kind(tmp_path: Path, name: str, text: str) -> None:
+    (tmp_path / name).write_text(text)
+    kind = {"a.mod": "RAPID program", "b.yaml": "cell file"}[name]
+    with pytest.raises(InputError, match=f"{kind}, not a study file"):
+        read_study(tmp_path / name)
+    with pytest.raises(InputError, match="study file, not a cell file"):
+        load_cell(written(tmp_path))
