@@ -19,23 +19,29 @@ _AROUND = 1 / 16  # of the mean, by which a cap holds before and after its place
 _WHOLE = 1e-9  # of a period: a time this close to whole periods is whole
 
 
-def least_time(s: Array, top: Array, push: Array) -> float:
+Rows = tuple[Array, Array]
+"""Slopes and bends, each (2, n, m): where each interval begins and where it ends |slope d2s/dt2 + bend (ds/dt)^2| <= 1
+holds for every column."""
+
+
+def least_time(s: Array, top: Array, push: Array, rows: Rows | None = None) -> float:
     """How long [s] the fastest law of bounded acceleration takes, from rest to rest; arguments as of rest_to_rest."""
-    return _fastest(s, top, push).duration
+    return _fastest(s, top, push, rows).duration
 
 
-def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Array | None:
+def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int, rows: Rows | None = None) -> Array | None:
     """Places every h [s], from s[0] to s[-1], both exact and at rest; as fast as caps allow. None where the whole
     is shorter than the mean.
 
     s (n+1,): increasing; top, push (n,): the greatest ds/dt and |d2s/dt2| between neighbours, above zero. mean: how
     many periods the acceleration takes to build up; 1 for none. Where top and push are constant, divided differences of
-    the result keep them, and third ones push / (mean h).
+    the result keep them, and third ones push / (mean h). rows: further limits; the mean may pass them by a little.
     """
-    law = _fastest(s, top, push)
+    law = _fastest(s, top, push, rows)
     if mean > 1:
         bins = _Bins(law.times, h)
-        law = _fastest(s, *(bins.spread(cap, max(1, round(_AROUND * mean))) for cap in (top, push)))
+        held_top, held_push = (bins.spread(cap, max(1, round(_AROUND * mean))) for cap in (top, push))
+        law = _fastest(s, held_top, held_push, rows)
         law = _without_peaks(law, h, mean)
         if not law.rates.any():
             return None
@@ -50,11 +56,15 @@ def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Arra
     return np.asarray(out)
 
 
-def _fastest(s: Array, top: Array, push: Array) -> TimeLaw:
+def _fastest(s: Array, top: Array, push: Array, rows: Rows | None) -> TimeLaw:
     """The law of bounded acceleration, from rest to rest."""
     node_top = np.concatenate([[0.0], np.minimum(top[:-1], top[1:]), [0.0]])
-    rows = (1 / push)[None, :, None], np.zeros((1, len(push), 1))
-    return TimeLaw(s, fastest_laws(s, node_top[None], rows, rows, 0.0, 0.0).rates[0])
+    own = (1 / push)[:, None], np.zeros((len(push), 1))
+    sides = [own, own]
+    if rows is not None:
+        sides = [(np.hstack([own[0], rows[0][k]]), np.hstack([own[1], rows[1][k]])) for k in (0, 1)]
+    begins, ends = ((slopes[None], bends[None]) for slopes, bends in sides)
+    return TimeLaw(s, fastest_laws(s, node_top[None], begins, ends, 0.0, 0.0).rates[0])
 
 
 class _Bins:

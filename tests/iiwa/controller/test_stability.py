@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -9,6 +11,7 @@ from scipy.linalg import expm
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.controller.stability import StabilityVerdict, largest_period, poles, stability, stability_map
+from trajopt_cli.iiwa.job.texts import law_table
 from trajopt_cli.iiwa.task.model import Compliance, Integration
 
 H = 1e-3
@@ -177,3 +180,14 @@ def test_the_map_is_the_verdict_of_every_pair() -> None:
                     assert grid[i, j] == StabilityVerdict.UNSTABLE
                 else:
                     assert grid[i, j] == stability(all_axes(stiffness, damping, 25), H, integration)[0].verdict
+
+
+def test_the_table_of_laws_says_when_each_holds() -> None:
+    first, second = stability(all_axes(1000, 500, 25), H), stability(all_axes(500, 500, 25), H)
+    changed = law_table([*first, *(replace(axis, since=2.5) for axis in second)], H)
+    holds = changed.heads.index("holds [s]")
+    assert [(row[holds], row[changed.heads.index(">K")]) for row in changed.rows] == [
+        ("0 to 2.5", "1000"),
+        ("2.5 on", "500"),
+    ]
+    assert "holds [s]" not in law_table(first, H).heads

@@ -33,6 +33,7 @@ class AxisStability:
 
     damping_ratio: of the continuous law, below 1 it overshoots, inf at k = 0. slowest [s]: the longest time constant,
     after which e^-1 of a deviation is left (at k = 0: of a speed); inf where nothing dies out. sentence: what to know.
+    since [s]: when the law begins to hold.
     """
 
     axis: str
@@ -45,6 +46,7 @@ class AxisStability:
     damping_ratio: float
     slowest: float
     sentence: str
+    since: float = 0.0
 
 
 def stability(

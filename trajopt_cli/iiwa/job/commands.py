@@ -21,11 +21,15 @@ from trajopt_cli.table import TextTable
 Tell = Callable[[str], None]
 
 
-def segments(task: Path, output: Path | None, task_file: Path | None, angles: str | None, tell: Tell) -> Answer:
+def segments(
+    task: Path, output: Path | None, task_file: Path | None, angles: str | None, tell: Tell
+) -> Answer | Refused:
     """Interpolate a task's poses and write the sequence. output: its folder, None for results/TASK; task_file: of a
     RAPID program or CSV path; angles: "relative" or "absolute", None for the task's own."""
     folder = output or Path("results") / task.stem
     made = make_segments(task, folder, task_file, AngleMeaning(angles) if angles else None, tell)
+    if isinstance(made, Refused):
+        return made
     line = texts.sequence_line(made.opened.equilibrium)
     notes = [f"note: {note}" for note in made.notes]
     passed = texts.passing_lines(made.facts, made.opened.task.route)

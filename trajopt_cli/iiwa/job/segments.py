@@ -16,11 +16,13 @@ from trajopt_cli.iiwa.job.folder import (
     start_distance,
     write_task_run,
 )
+from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.equilibrium import counted
+from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.loader import load_task, minimal_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Task
 from trajopt_cli.iiwa.task.segments import SegmentFacts, planned
-from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.robot.srs import SrsRobot, load_srs
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 from trajopt_cli.units import DEG, MM
@@ -67,17 +69,20 @@ def make_segments(
     task: Path | None,
     angles: AngleMeaning | None,
     tell: Callable[[str], None] = lambda _: None,
-) -> Segments:
+) -> Segments | Refused:
     """Interpolate the poses of a task file (or of a RAPID program or a path as CSV with one) and write folder.
 
-    angles: how the sequence counts them, None for the task's own way. tell: hears of progress. Raises InputError for
-    mistakes, and nothing is written then.
+    angles: how the sequence counts them, None for the task's own way. tell: hears of progress. Refused where the joints
+    are to time the segments and cannot; raises InputError for mistakes; nothing is written then.
     """
     check_place(folder, "--output")
     check_replaceable(folder)
     read, task_path, program = read_task(path, task)
-    equilibrium, facts = planned(read.route, tell)
     robot = load_srs(read.robot, read.X_WB)
+    try:
+        equilibrium, facts = planned(read.route, tell, arm_of(read, robot) if read.by_joints else None)
+    except Untimed as untimed:
+        return Refused("cannot be timed", [f"{task_path}: {untimed}"])
     opened = Opened(read, robot, equilibrium)
     if angles is not None:
         try:
@@ -107,6 +112,12 @@ def make_segments(
         {"task": task_path.name, "sequence": section},
     )
     return Segments(opened, facts, notes, folder)
+
+
+def arm_of(task: Task, robot: SrsRobot) -> ArmOnPath:
+    """The arm whose joints time a task's route."""
+    frames = task.X_FT, task.start_joints, robot.profile(task.limits)
+    return ArmOnPath(robot, *frames, task.definition, task.arm_angle, task.route.meaning)
 
 
 def _fact_record(fact: SegmentFacts) -> dict[str, Any]:

@@ -199,7 +199,7 @@ def run_controller(
     for change in task.changes:
         if change.compliance is not None:
             changed = stability(change.compliance, sequence.h, task.integration)
-            axes += changed
+            axes += tuple(replace(axis, since=change.t) for axis in changed)
             bad = (axis for axis in changed if axis.verdict is StabilityVerdict.UNSTABLE)
             unstable += [f"with the change at {change.t:g} s {axis.sentence}" for axis in bad]
     if unstable:
@@ -278,6 +278,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
         "stability": [
             {
                 "axis": axis.axis,
+                "from_s": axis.since,
                 "verdict": axis.verdict.name.lower(),
                 "largest_period_s": _finite(axis.h_max),
                 "damping_ratio": _finite(axis.damping_ratio),

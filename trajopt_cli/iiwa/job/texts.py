@@ -157,14 +157,20 @@ def chosen_lines(plan: ArmPlan) -> list[str]:
 
 
 def law_table(axes: Iterable[AxisStability], h: float) -> TextTable:
-    """The law per axis; axes of the same numbers share a line."""
-    groups: dict[tuple[float, float, float], list[AxisStability]] = {}
+    """The law per axis, with changes when each holds; axes of the same numbers share a line."""
+    groups: dict[tuple[float, float, float, float], list[AxisStability]] = {}
     for axis in axes:
-        groups.setdefault((axis.k, axis.d, axis.m), []).append(axis)
+        groups.setdefault((axis.since, axis.k, axis.d, axis.m), []).append(axis)
+    begins = sorted({since for since, *_ in groups})
+    until = dict(zip(begins, (f"to {t:g}" for t in begins[1:]), strict=False))
+    when: dict[str, Callable[[list[AxisStability]], str]] = {
+        "holds [s]": lambda group: f"{group[0].since:g} {until.get(group[0].since, 'on')}"
+    }
     return tabulate(
         f"the controller's law at {h / MM:g} ms",
         groups.values(),
         {
+            **(when if until else {}),
             "~axis": lambda group: ", ".join(dict.fromkeys(axis.axis for axis in group)),
             ">K": lambda group: f"{group[0].k:g}",
             ">D": lambda group: f"{group[0].d:g}",

@@ -80,7 +80,20 @@ _CAPS = {
 }
 # What a task says besides its way; the controller's business, which verify does not judge.
 _CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact")
-_WAY = ("h", "profile", "rotation", "angles", "poses", "program", "approach", "passing", "start", "tool", "base")
+_WAY = (
+    "h",
+    "profile",
+    "rotation",
+    "angles",
+    "poses",
+    "program",
+    "approach",
+    "passing",
+    "timing",
+    "start",
+    "tool",
+    "base",
+)
 _PROFILES = ("thesis", "trapezoid", "s-curve")
 _ARM = ("robot", "limits", "arm_angle")
 

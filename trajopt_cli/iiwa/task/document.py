@@ -369,6 +369,7 @@ class TaskDocument(Section):
     passing: Annotated[
         PassingSection | None, BeforeValidator(_passing, json_schema_input_type=PassingSection | Literal["stop"])
     ] = None
+    timing: Literal["poses", "joints"] = "poses"
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
     a_max: Acceleration | None = None

@@ -227,6 +227,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         if (one := document.sensor) is None
         else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
         contact=None if document.contact is None else _contact(document.contact, at),
+        by_joints=document.timing == "joints",
         notes=(*doubts, *notes, *path.notes),
         sources=texts,
     )

@@ -284,6 +284,7 @@ class Task:
 
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
+    by_joints: whether the joints' speeds and accelerations time the route, too.
     notes: what the user should know. sources: name -> text of the files the task came from, the task file first.
     """
 
@@ -305,6 +306,7 @@ class Task:
     pushes: tuple[Push, ...]
     sensor: Sensor | None
     contact: Contact | None
+    by_joints: bool = False
     notes: tuple[str, ...] = ()
     sources: Mapping[str, str] = field(default_factory=dict)
 

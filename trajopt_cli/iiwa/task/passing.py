@@ -14,12 +14,14 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
+from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.legs import MOST_ROWS
 from trajopt_cli.iiwa.task.model import Passing
 from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded
-from trajopt_cli.timing.varying_caps import least_time, rest_to_rest
+from trajopt_cli.timing.varying_caps import Rows, least_time, rest_to_rest
 
 CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
+_BINDING = (*CAPS, "joint speed", "joint acceleration")
 ALLOWED = 1e-6
 """Relative: divided differences of the rows may exceed a cap by this, besides what rounding of coordinates makes."""
 
@@ -37,6 +39,7 @@ class Passage:
 
     tops (6,): the greatest divided differences of the rows, in the order of CAPS. away [m], turned [rad]: how far the
     rows are from the chain, and its poses from the curve, at most. binds: the cap that is nearest for most of the time.
+    q (m, 7) [rad]: the joints, of an arm that is to follow.
     """
 
     pose: Array
@@ -45,13 +48,18 @@ class Passage:
     away: float
     turned: float
     binds: str
+    q: Array | None
 
 
-def passage(chain: Polyline, caps: Array, passing: Passing, h: float, place: str) -> Passage:
+def passage(
+    chain: Polyline, caps: Array, passing: Passing, h: float, place: str, arm: ArmOnPath | None = None, name: str = ""
+) -> Passage:
     """The way along a chain of poses, from rest to rest. caps (n, 6): of each leg in the order of CAPS, inf where the
-    profile does not ask. place: of the chain, for messages.
+    profile does not ask. place: of the chain, for messages. arm: whose joints keep their speeds and accelerations, too;
+    name: of the chain, for what it cannot follow.
 
-    Raises InputError for a tolerance that is lost in rounding, and for more than MOST_ROWS rows.
+    Raises InputError for a tolerance that is lost in rounding, and for more than MOST_ROWS rows; Untimed for what the
+    arm cannot follow at any speed.
     """
     used = _used(chain, caps)
     try:
@@ -60,23 +68,31 @@ def passage(chain: Polyline, caps: Array, passing: Passing, h: float, place: str
         raise InputError(f"passing: {error}; give a larger one", file=place) from error
     grid = _grid(curve, h)
     limits = _limits(curve, chain, used, grid)
+    if arm is not None:
+        q = arm.joints(*curve.poses(grid), name)
+        top, limits.rows = arm.on(q, grid)
+        limits.top = np.minimum(limits.top, top)
     mean = max(1, ceil(limits.lasting / h - 1e-9))
-    periods = least_time(grid, limits.top, limits.push(mean * h)) / h
+    periods = least_time(grid, limits.top, limits.push(mean * h), limits.rows) / h
     if periods > MOST_ROWS:
+        if arm is not None:
+            raise Untimed(arm.fastest(q, name))
         message = f"passing takes {periods:.3g} periods of {h:g} s at the corners' speeds, at most {MOST_ROWS:.3g}"
         raise InputError(f"{message}; give a larger tolerance, higher caps or a longer period", file=place)
-    found = _driven(curve, chain, caps, limits, grid, h, mean)
+    found = _driven(curve, chain, caps, limits, grid, h, mean, arm, name)
     if found is None or len(found.at) > max(_SLOW * chain.at[-1] / h, chain.at[-1] / h + 2 * mean):
         # ramps too short for the acceleration to build up: less of it builds up sooner
         worse = 0
         for shorter in _shorter(mean):
-            other = _driven(curve, chain, caps, limits, grid, h, shorter)
+            other = _driven(curve, chain, caps, limits, grid, h, shorter, arm, name)
             if other is not None and (found is None or len(other.at) < len(found.at)):
                 found, worse = other, 0
             elif found is not None:
                 worse += 1
             if worse == _WORSE:
                 break
+    if found is None and arm is not None:
+        raise Untimed(arm.fastest(q, name))
     if found is None:
         raise InputError("passing: the caps cannot be kept along these poses; give lower speeds", file=place)
     rows = deviations(curve, chain, found.at)
@@ -85,28 +101,38 @@ def passage(chain: Polyline, caps: Array, passing: Passing, h: float, place: str
     if R is not None:
         pose[:, 3:] = angles_of(R)
     away, turned = (max(float(a.max()), float(b.max())) for a, b in zip(rows, met, strict=True))
-    return Passage(pose, R, found.tops, away, turned, _binding(found.shares, len(pose)))
+    return Passage(pose, R, found.tops, away, turned, _binding(found.shares, len(pose)), found.q)
 
 
 @dataclass(frozen=True, eq=False)
 class _Driven:
-    """Rows that keep every cap: times of the chain at (m,), poses, differences' tops (6,) and their shares of caps."""
+    """Rows that keep every cap: times of the chain at (m,), poses, differences' tops (6,), their shares of caps, each
+    with its order, and joints."""
 
     at: Array
     pose: Array
     R: Array | None
     tops: Array
-    shares: list[Array]
+    shares: _Shares
+    q: Array | None
 
 
 def _driven(
-    curve: Rounded, chain: Polyline, caps: Array, limits: _Limits, grid: Array, h: float, mean: int
+    curve: Rounded,
+    chain: Polyline,
+    caps: Array,
+    limits: _Limits,
+    grid: Array,
+    h: float,
+    mean: int,
+    arm: ArmOnPath | None,
+    name: str,
 ) -> _Driven | None:
     """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
     longer than the way."""
-    top, push = limits.top, limits.push(mean * h)
+    top, push, rows = limits.top, limits.push(mean * h), limits.rows
     for k in range(_TIMES):
-        at = rest_to_rest(grid, top, push, h, mean)
+        at = rest_to_rest(grid, top, push, h, mean, rows)
         if at is None:
             return None
         pose, R = curve.poses(at)
@@ -116,15 +142,21 @@ def _driven(
             R[0], R[-1] = chain.R[0], chain.R[-1]
         differences = divided_differences(pose, R, h)
         shares = _shares(differences, at, chain, caps, h, np.abs(pose[:, :3]).max())
+        q = None
+        if arm is not None:
+            if len(pose) < 4:
+                return None
+            q = arm.joints(pose, R, name)
+            shares += zip((1, 2), arm.shares(q, h), strict=True)
         worst = _worst(shares, len(at))
         if worst.max() <= 1 + ALLOWED:
-            return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares)
-        if k < _LOCAL:
-            top, push = _lowered(top, push, grid, at, worst, mean)
-        else:
-            # what is left wanders about with every change: all of the way a little slower ends it
-            by = worst.max() * (1 + 1e-4)
-            top, push = top / by, push / by**2
+            return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares, q)
+        # what is left after a while wanders about with every change: all of the way a little slower ends it
+        by = _slower(grid, at, worst, mean) if k < _LOCAL else np.full(len(top), worst.max() * (1 + 1e-4))
+        top, push = top / by, push / by**2
+        if rows is not None:
+            slopes, bends = (part * by[:, None] ** 2 for part in rows)
+            rows = slopes, bends
     return None
 
 
@@ -175,15 +207,17 @@ def _grid(curve: Rounded, h: float) -> Array:
     return np.append(inner, curve.knots[-1])
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class _Limits:
     """What the curve leaves between places of the grid: top (n,), the greatest rate, and of both parts the sizes of the
     first three derivatives with their caps of acceleration and jerk. lasting [s]: what acceleration takes to build up.
+    rows: of the joints' accelerations, where an arm is to follow.
     """
 
     top: Array
     parts: list[tuple[Array, Array, Array, Array, Array]]
     lasting: float
+    rows: Rows | None = None
 
     def push(self, mean: float) -> Array:
         """The greatest change of rate (n,) where it takes so long [s] to build up."""
@@ -220,8 +254,11 @@ def _limits(curve: Rounded, chain: Polyline, used: Array, grid: Array) -> _Limit
     return _Limits(top, parts, max(lasting, default=0.0))
 
 
-def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Array, h: float, size: float) -> list[Array]:
-    """Each difference as a share of its cap; rounding of coordinates of this size taken off."""
+_Shares = list[tuple[int, Array]]
+
+
+def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Array, h: float, size: float) -> _Shares:
+    """Each difference with its order, as a share of its cap; rounding of coordinates of this size taken off."""
     out = []
     for k, found in enumerate(differences):
         order = k // 2 + 1
@@ -229,15 +266,14 @@ def _shares(differences: list[Array], at: Array, chain: Polyline, caps: Array, h
         middle = at[order // 2 : order // 2 + len(found)]
         leg = np.clip(np.searchsorted(chain.at, middle, side="right") - 1, 0, len(caps) - 1)
         noise = 2**order * _ROUNDING * max(1.0, size) / h**order
-        out.append(np.maximum(found - noise, 0.0) / caps[leg, k])
+        out.append((order, np.maximum(found - noise, 0.0) / caps[leg, k]))
     return out
 
 
-def _worst(rates: list[Array], count: int) -> Array:
+def _worst(rates: _Shares, count: int) -> Array:
     """The factor (count,) of time by which each row is too fast."""
     worst = np.zeros(count)
-    for k, share in enumerate(rates):
-        order = k // 2 + 1
+    for order, share in rates:
         slow = share ** (1 / order)
         for shift in range(order + 1):
             part = worst[shift : shift + len(slow)]
@@ -245,8 +281,8 @@ def _worst(rates: list[Array], count: int) -> Array:
     return worst
 
 
-def _lowered(top: Array, push: Array, grid: Array, at: Array, worst: Array, mean: int) -> tuple[Array, Array]:
-    """Caps lowered where rows break one, as far around as the mean looks."""
+def _slower(grid: Array, at: Array, worst: Array, mean: int) -> Array:
+    """By what (n,) rates are to be lowered where rows break a cap, as far around as the mean looks."""
     factor = np.maximum(worst, 1.0)
     factor = np.where(factor > 1, 1.002 * factor, 1.0)
     reach = 2 * mean + 2
@@ -256,13 +292,12 @@ def _lowered(top: Array, push: Array, grid: Array, at: Array, worst: Array, mean
         wide = np.maximum(wide[:-step], wide[step:])
         have += step
     row = np.clip(np.searchsorted(at, grid[:-1], side="right") - 1, 0, len(at) - 1)
-    by = wide[row]
-    return top / by, push / by**2
+    return np.asarray(wide[row])
 
 
-def _binding(rates: list[Array], count: int) -> str:
+def _binding(rates: _Shares, count: int) -> str:
     """The cap that is nearest at most rows."""
     table = np.zeros((len(rates), count))
-    for k, share in enumerate(rates):
+    for k, (_, share) in enumerate(rates):
         table[k, : len(share)] = share
-    return CAPS[int(np.bincount(np.argmax(table, axis=0), minlength=len(CAPS)).argmax())]
+    return _BINDING[int(np.bincount(np.argmax(table, axis=0)).argmax())]

@@ -16,10 +16,11 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.joint_timing import ArmOnPath
 from trajopt_cli.iiwa.task.laws import FullSpeed, Ramps, full_speed, ramps
 from trajopt_cli.iiwa.task.legs import MOST_ROWS, StraightSegment, legs, path_of, whole_periods
-from trajopt_cli.iiwa.task.model import COORDINATES, Profile, RotationLaw, Route, Waypoint
-from trajopt_cli.iiwa.task.passing import passage
+from trajopt_cli.iiwa.task.model import COORDINATES, Passing, Profile, RotationLaw, Route, Waypoint
+from trajopt_cli.iiwa.task.passing import CAPS, Passage, passage
 from trajopt_cli.iiwa.task.rounded import Polyline
 
 _LONG = 10_000  # poses that are passed at once, from which on progress is told
@@ -94,15 +95,19 @@ class _Rows:
 
 @of_kind(ErrorKind.PROGRAM)
 def planned(
-    route: Route, progress: Callable[[str], None] = lambda _: None
+    route: Route, progress: Callable[[str], None] = lambda _: None, arm: ArmOnPath | None = None
 ) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     """A route's sequence, poses every h from its first pose to its last, and what became of each of its segments.
 
-    Every stop is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.legs or
-    many_legs.path_of refuses, for steps that are lost in the rounding of the coordinates, and for more than MOST_ROWS
-    rows.
+    arm: whose joints keep their limits of speed and acceleration, too; None for the caps of the poses alone. Every stop
+    is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.legs or legs.path_of
+    refuses, for steps that are lost in the rounding of the coordinates, for more than MOST_ROWS rows, and for an arm
+    with profile thesis; joint_timing.Untimed for what the arm cannot follow at any speed.
     """
-    return _stopping(route) if route.passing is None else _passed(route, progress)
+    if arm is not None and route.profile is Profile.THESIS:
+        message = "timing: joints needs accelerations, and profile thesis knows none; give trapezoid or s-curve"
+        raise InputError(message, file=route.waypoints[0].place)
+    return _stopping(route, arm) if route.passing is None else _passed(route, progress, arm)
 
 
 def interpolate(route: Route) -> Equilibrium:
@@ -110,7 +115,7 @@ def interpolate(route: Route) -> Equilibrium:
     return planned(route)[0]
 
 
-def _stopping(route: Route) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+def _stopping(route: Route, arm: ArmOnPath | None) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     """As planned, for a route that stops at every pose."""
     segments = legs(route)
     _check_count(segments, route)
@@ -120,10 +125,16 @@ def _stopping(route: Route) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     for leg in segments:
         duration, v_top, omega_top, binds = 0.0, 0.0, 0.0, ""
         if not leg.stands:
-            law = _law(leg, route)
-            pose, R = _travel(leg, law, route)
+            if arm is None:
+                law = _law(leg, route)
+                pose, R = _travel(leg, law, route)
+                binds = law.binds
+            else:
+                found_law = _by_joints(leg, route, arm)
+                pose, binds, arm = found_law.pose, found_law.binds, replace(arm, near=_last(found_law))
+                R = rotation(pose[:, 3:]) if found_law.R is None else found_law.R
             v_top, omega_top = (float(one.max()) / route.h for one in _steps(pose, R, route.rotation))
-            duration, binds = rows.add(pose[1:], R[1:], leg.origin.name, leg.goal.name), law.binds
+            duration = rows.add(pose[1:], R[1:], leg.origin.name, leg.goal.name)
         dwell = rows.stand(leg.goal, leg.end)
         names = leg.origin.name, leg.goal.name
         facts.append(SegmentFacts(*names, leg.L_p, leg.L_theta, duration, v_top, omega_top, binds, dwell))
@@ -133,7 +144,24 @@ def _stopping(route: Route) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     return found, tuple(facts)
 
 
-def _passed(route: Route, progress: Callable[[str], None]) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+def _by_joints(leg: StraightSegment, route: Route, arm: ArmOnPath) -> Passage:
+    """A leg from rest to rest within the joints' limits, too."""
+    R = None if leg.turn is None else rotation(np.array([leg.origin.pose[3:], leg.goal.pose[3:]]))
+    chain = Polyline(np.array([0.0, 1.0 / leg.rates[0].value]), np.array([leg.start, leg.end]), R)
+    caps = np.array([[np.inf if (cap := getattr(leg.speeds, name)) is None else cap for name in CAPS]])
+    if route.profile is Profile.TRAPEZOID:
+        caps[:, 4:] = np.inf
+    return passage(chain, caps, Passing(np.inf, np.inf), route.h, leg.goal.place, arm, leg.name)
+
+
+def _last(found: Passage) -> Array:
+    assert found.q is not None
+    return np.asarray(found.q[-1])
+
+
+def _passed(
+    route: Route, progress: Callable[[str], None], arm: ArmOnPath | None
+) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
     """As planned, for a route that passes poses without a stop."""
     path = path_of(route)
     waypoints, passing, facts = route.waypoints, route.passing, list[SegmentFacts]()
@@ -147,7 +175,11 @@ def _passed(route: Route, progress: Callable[[str], None]) -> tuple[Equilibrium,
         if goal - first > _LONG:
             progress(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
         chain = Polyline(path.at[poses] - path.at[first], path.pose[poses], None if R_given is None else R_given[poses])
-        found = passage(chain, path.caps[part], passing, route.h, here.place)
+        found = passage(
+            chain, path.caps[part], passing, route.h, here.place, arm, f"segment {here.name} -> {there.name}"
+        )
+        if arm is not None:
+            arm = replace(arm, near=_last(found))
         R = rotation(found.pose[:, 3:]) if found.R is None else found.R
         time = rows.add(found.pose[1:], R[1:], here.name, there.name)
         dwell = rows.stand(there, path.pose[goal])
