@@ -82,6 +82,8 @@ GOOD = [
     "endless_passes: 3",
     "hold_rail: {procedures: [Weld], lines: [41, 'hinge.mod:44'], waits: true}",
     "constant_speed: [weld, 41, 'glue.mod:35-48']",
+    "free: {axis: z, within: [-180 deg, 90 deg], in: [Drill, tDrill, 41]}",
+    "free: [{axis: x}, {axis: z, within: '[-0.5, 0.5] rad'}]",
     "pass_limit: 10\nstatement_limit: 100\nassume_identity: [tGrip]\nstubs: [Log]\noptional: [p1]",
     "free_speed: true\njerk_limits: false\nprofile: optimistic",
     "base: null",
@@ -114,6 +116,9 @@ BAD = [
     "hold_rail: {waits: 1}",
     "free_speed: 1",
     "stubs: Log",
+    "free: z",
+    "free: {axis: w}",
+    "free: {axis: z, in: []}",
 ]
 
 

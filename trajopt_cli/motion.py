@@ -90,6 +90,15 @@ class FlyBy(NamedTuple):
     joint: bool = False
 
 
+class FreeTurn(NamedTuple):
+    """The tool may be turned about an axis of its own, axis (3,), a unit vector: by low to high [rad] from as it was
+    taught, low <= 0 <= high."""
+
+    axis: tuple[float, float, float]
+    low: float
+    high: float
+
+
 @dataclass(frozen=True)
 class Load:
     """mass [kg], cog: centre of gravity [m], aom: its axes of moment (w, x, y, z) as written, inertia about them
@@ -352,7 +361,8 @@ class PoseMove(_Move):
 
     X_WO: the frame in which the target is written, program displacement included, so X_WT = X_WO X_OT; shared by
     the motions that have the same one. None where there is none (a work object that the robot holds). via: names of the
-    arguments before ToPoint."""
+    arguments before ToPoint. free: how the tool may be turned, at its end and on a line or an arc on its way to it;
+    None where it may not. turn [rad]: how far it is turned already from as taught, in X_WT."""
 
     via: ClassVar[tuple[str, ...]] = ()
 
@@ -361,6 +371,8 @@ class PoseMove(_Move):
     tool: Tool
     wobj: str = "wobj0"
     X_WO: Array | None = None
+    free: FreeTurn | None = None
+    turn: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WT", readonly(self.X_WT))

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup
-from trajopt_cli.motion import Source
+from trajopt_cli.motion import FreeTurn, Source
 
 Answer = float | bool | str
 
@@ -61,6 +61,17 @@ class HoldRail:
     waits: bool | None = None
     gripper: bool | None = None
     free: bool | Mapping[str | Lines, Source] = False
+
+
+class FreeTool(NamedTuple):
+    """Where the tool may be turned about an axis of its own. place: in the cell file. names: of procedures, with all
+    that they call, of instructions and of tools, as spelled; lines: while the statements that begin there run. Without
+    either everywhere."""
+
+    turn: FreeTurn
+    place: Source
+    names: tuple[str, ...] = ()
+    lines: tuple[Lines, ...] = ()
 
 
 class RailPlace(NamedTuple):
@@ -144,7 +155,8 @@ class Scenario:
     in its plant. rail: None where there is none. rail_at: where it stands for targets that leave it open, by
     RailPlace.name as condition_key has it. active_units: the mechanical units that are active when the program starts,
     names in lower case; None for all that share no axis. partner: what the other robots take [s] for the moves that
-    they make together with this one (MultiMove), by \ID. settle: what stops take that are waited for.
+    they make together with this one (MultiMove), by \ID. settle: what stops take that are waited for. free: where the
+    tool may be turned; of several that hold for a move the last one counts.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -167,6 +179,12 @@ class Scenario:
     active_units: frozenset[str] | None = None
     partner: Mapping[int, float] = field(default_factory=dict)
     settle: Settling = NO_SETTLING
+    free: tuple[FreeTool, ...] = ()
+
+    @property
+    def without_lines(self) -> Scenario:
+        """For the same program in another text, whose lines are others: without what is named by line."""
+        return replace(self, hold_rail=HoldRail(), constant_speed=ConstantSpeed(), free=())
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -12,6 +12,7 @@ import spoiled_holds
 import spoiled_runs
 import spoiled_shapes
 import spoiled_stops
+import spoiled_turns
 from legal_motion import (
     A_IN,
     A,
@@ -34,7 +35,7 @@ from trajopt_cli.joint_csv import header, read_csv_text
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge import verify as judge
 
-REGISTERED = (spoiled_holds, spoiled_runs, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
+REGISTERED = (spoiled_holds, spoiled_runs, spoiled_shapes, spoiled_stops, spoiled_turns)  # importing them fills SPOILED
 
 
 @cache

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from dataclasses import MISSING, dataclass, fields
 from itertools import pairwise
+from math import pi
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -507,6 +508,28 @@ class AttachSection(_Section):
 Part = Annotated[Lines | str, PlainValidator(_part, json_schema_input_type=int | str)]
 
 
+class FreeSection(_Section):
+    """The tool may be turned about an axis of its own by an angle in within [rad]. parts (in): procedures,
+    instructions, tools and lines; none for everywhere."""
+
+    axis: Literal["x", "y", "z"]
+    within: Annotated[tuple[float, float], BeforeValidator(numbers(ANGLE, 2))] = (-pi, pi)
+    parts: tuple[Part, ...] | None = Field(alias="in", default=None, min_length=1)
+
+    @model_validator(mode="after")
+    def _around_taught(self) -> FreeSection:
+        low, high = self.within
+        if not -pi - 1e-9 <= low <= 0 <= high <= pi + 1e-9:
+            degrees = f"; if these are degrees, write '[{low:g}, {high:g}] deg'" if max(-low, high) > 2 * pi else ""
+            raise complain(
+                f"within goes from {low:g} to {high:g} rad; it holds 0, as taught, and at most half a turn to each"
+                f" side, -180 to 180 deg{degrees}"
+            )
+        if low == high:
+            raise complain("within leaves the tool no turn; widen it, or remove the section")
+        return self
+
+
 class HoldRailSection(_Section):
     """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output. None: as
     waits.rail says."""
@@ -587,6 +610,10 @@ class CellDocument(_Section):
     hold_rail: HoldRailSection = HoldRailSection()
     rail_at: dict[StrictStr, Length] = Field(default_factory=dict)
     constant_speed: tuple[Part, ...] = ()
+    free: Annotated[
+        tuple[FreeSection, ...],
+        BeforeValidator(_one_or_more, json_schema_input_type=FreeSection | tuple[FreeSection, ...]),
+    ] = ()
     order: dict[StrictStr, Annotated[tuple[Part, ...], Field(min_length=2)]] = Field(default_factory=dict)
     free_speed: StrictBool = False
     jerk_limits: StrictBool = False

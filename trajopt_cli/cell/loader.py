@@ -15,6 +15,7 @@ from trajopt_cli.cell.document import (
     FenceSection,
     FrameSection,
     FreeRail,
+    FreeSection,
     PositionerSection,
     SolidSection,
 )
@@ -23,9 +24,10 @@ from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.motion import Source
+from trajopt_cli.motion import FreeTurn, Source
 from trajopt_cli.scenario import (
     ConstantSpeed,
+    FreeTool,
     Given,
     HoldRail,
     Lines,
@@ -171,7 +173,16 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         },
         active_units=None if document.start.units is None else frozenset(map(str.lower, document.start.units)),
         partner=dict(document.partner),
+        free=tuple(_free(one, Source(file, line_of(f"free.{i}", lines), 1)) for i, one in enumerate(document.free)),
     )
+
+
+def _free(section: FreeSection, place: Source) -> FreeTool:
+    parts, (low, high) = section.parts or (), section.within
+    axis = (float(section.axis == "x"), float(section.axis == "y"), float(section.axis == "z"))
+    names = tuple(part for part in parts if isinstance(part, str))
+    lines = tuple(part for part in parts if not isinstance(part, str))
+    return FreeTool(FreeTurn(axis, max(low, -np.pi), min(high, np.pi)), place, names, lines)
 
 
 def _freed(

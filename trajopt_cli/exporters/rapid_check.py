@@ -30,7 +30,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits
-from trajopt_cli.scenario import ConstantSpeed, HoldRail, Scenario
+from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
 
 # What is written is rounded to 0.001 mm and 1e-6, and then to the 24 bits of a num. So rapid.csv is what the controller
@@ -52,7 +52,7 @@ def read_again(
     """The program of edited texts, by path, read as the program was. Raises InputError as reading does."""
     files = [replace(file, text=texts[path]) for path, file in program.files.items()]
     # Lines that the scenario names are those of the text as it was.
-    world = replace(scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())
+    world = scenario.without_lines
     return run_program(files, world, program.entry, PlantKinematics(plant.at_home))
 
 

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
-from trajopt_cli.judge.geometry import Arc, Path, angle_between, lengths, off_triangles, rotation_vectors
+from trajopt_cli.judge.free_turns import off_taught, swing_of, turn_of, turned_by
+from trajopt_cli.judge.geometry import Arc, Line, Path, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
@@ -43,6 +44,7 @@ def check_shapes(
                     out.extend(_path_findings(run, leg))
                     out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))
+                    out.extend(_even_turn(run, leg) if rapid else ())
                     if rapid and timeline.rows.mechanism.has_rail:
                         out.extend(_rail_share(run, leg))
                 case MoveExtJ():
@@ -70,7 +72,7 @@ def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
     assert point.move is not None
     t, s, free = places.t[part], run.fractions[part], run.zone[part] < 0
     off = off_path(path, places.p[part], s)
-    turned = angle_between(places.R[part], path.at(np.clip(s, 0.0, 1.0))[1])
+    turned = off_taught(places.R[part], path.at(np.clip(s, 0.0, 1.0))[1], run.free(leg))
     # a doubt about the place on the way is one about the wanted angle there
     doubt_p, doubt_angle = places.doubt_p[part], places.doubt_angle[part]
     doubt_R = doubt_angle + (0.0 if path.only_turns else path.angle / path.length) * doubt_p
@@ -192,8 +194,18 @@ def _off_turns(run: StopInterval, here: Indices, visits: Indices) -> Array:
         for k in np.unique(visits).tolist()
     }
     entry, leave = (np.array([edges[k][side] for k in visits.tolist()]) for side in (0, 1))
-    found = rotation_vectors(np.swapaxes(R_P[visits], 1, 2) @ run.places.R[here])
-    granted = lengths(np.cross(entry, leave)) / 16 + run.places.doubt_angle[here]
+    found = np.swapaxes(R_P[visits], 1, 2) @ run.places.R[here]
+    twisted = np.zeros(len(visits))
+    for k in edges:
+        if (free := run.free(k - 1) or run.free(k)) is None:
+            continue
+        # A turn z about the tool's axis before a swing s bends the swing's vector by |z| |s| / 2 at most.
+        at, both = visits == k, np.stack([R_P[k].T @ run.edge(leg, k, "turning")[1] for leg in (k - 1, k)])
+        swings, turns = rotation_vectors(swing_of(both, free)), np.abs(turn_of(both, free))
+        found[at], entry[at], leave[at] = swing_of(found[at], free), swings[0], swings[1]
+        twisted[at] = turns.max() * lengths(swings).max() / 2
+    found = rotation_vectors(found)
+    granted = twisted + lengths(np.cross(entry, leave)) / 16 + run.places.doubt_angle[here]
     granted += np.array([_sag(run, k) for k in edges])[np.searchsorted(list(edges), visits)]
     # a place at a zone's edge may be a hair outside
     sizes = run.zones("turning")[visits]
@@ -237,6 +249,31 @@ def _rail_share(run: StopInterval, leg: int) -> Iterator[Finding]:
     yield finding(f"rail along {path.kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
                   bool(off[i] <= JOINT_TARGET), time=float(rows.t[where[i]]), source=visit.point.source,
                   note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
+
+
+def _even_turn(run: StopInterval, leg: int) -> Iterator[Finding]:
+    """A free tool against how a RAPID controller turns it at every place outside the zones of orientation: on a line
+    evenly the shorter way between its orientations at the first and last of them (slerp), on an arc with the path."""
+    path, free, point = run.paths[leg], run.free(leg), run.visits[leg + 1].point
+    here = np.arange(len(run.places.t))[run.on(leg)][run.beyond(leg, "turning")]
+    if path is None or free is None or len(here) < 3:
+        return
+    s, R = np.clip(run.fractions[here], 0.0, 1.0), run.places.R[here]
+    R_taught = path.at(s)[1]
+    ends = turned_by(R_taught[[0, -1]], free, turn_of(np.swapaxes(R_taught[[0, -1]], 1, 2) @ R[[0, -1]], free))
+    X_0, X_1 = np.eye(4), np.eye(4)
+    X_0[:3, :3], X_1[:3, :3] = ends
+    if isinstance(path, Line):
+        wanted = Line.between(X_0, X_1, R).at((s - s[0]) / max(s[-1] - s[0], 1e-9))[1]
+    else:
+        wanted = turned_by(R_taught, free, np.full(len(s), turn_of(R_taught[0].T @ R[0], free)))
+    rate = float(angle_between(*ends)) / (max(s[-1] - s[0], 1e-9) * path.length)
+    doubt = run.places.doubt_angle[here] + rate * run.places.doubt_p[here]
+    off = np.maximum(angle_between(R, wanted) - doubt - doubt[[0, -1]].max(), 0.0)
+    i = int(np.argmax(off))
+    yield finding(f"turn along {path.kind}", "TCP", float(off[i]), LINE_ROTATION, "rad", bool(off[i] <= LINE_ROTATION),
+                  time=float(run.places.t[here[i]]), source=point.source,
+                  note=f": a RAPID controller turns the tool evenly on the way to {point.name}")  # fmt: skip
 
 
 def _end_doubt(rows: Rows, before: Visit, visit: Visit) -> Array:

@@ -22,7 +22,7 @@ from trajopt_cli.judge.timeline import Timeline, Visit, rows_of_run
 from trajopt_cli.judge.tolerances import LINE_POSITION, LINE_ROTATION
 from trajopt_cli.judge.tool_kinematics import Places, ToolKinematics
 from trajopt_cli.judge.waypoint_matching import off_chords
-from trajopt_cli.motion import FlyBy, PathMove, UnitMove, turned_under
+from trajopt_cli.motion import FlyBy, FreeTurn, PathMove, UnitMove, turned_under
 
 Indices = NDArray[np.intp]
 
@@ -80,6 +80,11 @@ class StopInterval:
         R = self.frame.R[before.depart : max(visit.arrive, before.depart) + 1]
         move = visit.point.move
         return wanted_path(move, self.X_WT[leg], self.X_WT[leg + 1], R) if isinstance(move, PathMove) else None
+
+    def free(self, leg: int) -> FreeTurn | None:
+        """How the tool may be turned on a line or an arc; None where it may not, and on one that only turns it."""
+        path = self.paths[leg]
+        return None if path is None or path.only_turns else self.visits[leg + 1].point.free
 
     def zones(self, kind: str) -> Array:
         """Sizes (n + 1,) of the visits' zones [m]: radius, turning or external; negative for stops."""

@@ -16,6 +16,7 @@ from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.motion import (
     ExternalAxes,
     FlyBy,
+    FreeTurn,
     Move,
     MoveAbsJ,
     MoveExtJ,
@@ -42,7 +43,7 @@ class ProgramPoint:
     tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
     out. holds: the waits that follow, with their index. fly_by: None for a stop. curve: the path of a move that asks
     for another one than a line, None where only the joints know its start. written: the rail [m] as the program writes
-    it at a stop, where it is free; None for none.
+    it at a stop, where it is free; None for none. free: how the tool may be turned there; X_WF is as taught.
     """
 
     index: int
@@ -58,6 +59,7 @@ class ProgramPoint:
     fly_by: FlyBy | None = None
     curve: Path | None = None
     written: float | None = None
+    free: FreeTurn | None = None
 
     @property
     def curved(self) -> bool:
@@ -164,7 +166,7 @@ def end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional:
         X_WF = _at_joints(plant, motion.q, wanted)
         return ProgramPoint(index, motion, motion.source, name, X_WF, X_FT, motion.q, wanted, optional)
     rail, X_WF = wanted if plant.rail_fixed else None, motion.X_WT @ inverse_pose(X_FT)
-    return ProgramPoint(index, motion, motion.source, name, X_WF, X_FT, None, rail, optional)
+    return ProgramPoint(index, motion, motion.source, name, X_WF, X_FT, None, rail, optional, free=motion.free)
 
 
 def _at_joints(plant: Machine, arm: Array, rail: float | None) -> Array | None:

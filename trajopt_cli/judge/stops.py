@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
+from trajopt_cli.judge.free_turns import off_taught, turn_of, turned_by
 from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stands_for
 from trajopt_cli.judge.rail import rail_beside
@@ -167,7 +168,7 @@ def _off(visit: Visit, frame: ToolKinematics, row: int) -> tuple[float, float, s
     """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
     X_WT = visit.X_WF @ visit.point.X_FT
     d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))
-    d_R = float(angle_between(frame.rotations(np.array([row]))[0], X_WT[:3, :3]))
+    d_R = float(off_taught(frame.rotations(np.array([row]))[0], X_WT[:3, :3], visit.point.free))
     if d_p / STOP_POSITION >= d_R / STOP_ROTATION:
         return d_p, STOP_POSITION, "m"
     return d_R, STOP_ROTATION, "rad"
@@ -314,8 +315,10 @@ def _drift(rows: Rows, visit: Visit, before: Visit, frame: ToolKinematics) -> It
     if soon and not rows.marked:
         return
     source = visit.holds[0].wait.source if visit.holds else visit.point.source
-    yield deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.point.X_FT, source,
-                     f" at {visit.point.name}")  # fmt: skip
+    X_WT, free = visit.X_WF @ visit.point.X_FT, visit.point.free
+    if free is not None:  # as it was turned when it came
+        X_WT[:3, :3] = turned_by(X_WT[:3, :3], free, turn_of(X_WT[:3, :3].T @ frame.R[visit.arrive], free))
+    yield deviation("dwell drift", frame.places(first, max(first, last)), X_WT, source, f" at {visit.point.name}")
 
 
 def deviation(check: str, places: Places, X_WT: Array, source: Source | None, note: str) -> Finding:

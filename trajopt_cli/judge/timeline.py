@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.judge.geometry import angle_between, inverse_pose, lengths
+from trajopt_cli.judge.free_turns import off_taught
+from trajopt_cli.judge.geometry import inverse_pose, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stands_for, stays
 from trajopt_cli.judge.rail import Indices, still_from
 from trajopt_cli.judge.samples import Rows, unseen
@@ -161,7 +162,7 @@ def _away(frame: ToolKinematics, a: int, b: int, point: ProgramPoint) -> Array:
     if point.fly_by.joint:
         X_WT = X_WT @ inverse_pose(point.X_FT) @ frame.X_FT
     if point.fly_by.in_place:
-        return angle_between(frame.rotations(np.arange(a, b + 1)), X_WT[:3, :3])
+        return off_taught(frame.rotations(np.arange(a, b + 1)), X_WT[:3, :3], point.free)
     return lengths(frame.p[a : b + 1] - X_WT[:3, 3])
 
 
@@ -197,7 +198,7 @@ def build_timeline(
 def _first_stop(rows: Rows, frame: ToolKinematics, start: ProgramPoint, rapid: bool) -> Visit:
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
-    here = ProgramPoint(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
+    here = replace(start, index=-1, move=None, source=None, arm=None, rail=None, optional=False)
     look = looking(rows, frame, here, rapid)
     events = events_of(look(worth_a_look(rows, frame, here)))
     event = events[0] if events and events[0].first == 0 else Event(0, 0, np.array([], dtype=np.intp), 0)

@@ -33,6 +33,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.judge.free_turns import off_taught
 from trajopt_cli.judge.geometry import angle_between, lengths
 from trajopt_cli.judge.program_points import ProgramPoint, stays
 from trajopt_cli.judge.rail import rail_beside
@@ -139,9 +140,14 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
     d_p = np.maximum(lengths(frame.p[at] - X_WT[:3, 3]) - frame.doubt_p[at], 0.0)
-    d_R = np.maximum(angle_between(frame.rotations(at), X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
+    d_R = np.maximum(off_taught(frame.rotations(at), X_WT[:3, :3], stop.free) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
+    if stop.free is not None:  # any turn will do, but one: as in the row before or behind
+        R = frame.rotations(at)
+        near_by = [np.clip(at + step, 0, len(rows.t) - 1) for step in (-1, 1)]
+        apart = [np.where(k == at, np.inf, angle_between(R, frame.rotations(k))) for k in near_by]
+        tight &= np.minimum(*apart) - 2 * frame.doubt_R[at] <= STOP_ROTATION
     distance = np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION)
     return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
 
@@ -244,7 +250,7 @@ def _turned_past(rows: Rows, frame: ToolKinematics, point: ProgramPoint) -> tupl
 def off_turns(frame: ToolKinematics, point: ProgramPoint, chords: NDArray[np.intp]) -> tuple[Array, Array]:
     """Angles (m,) between a point's orientation and the nearer end of intervals, and how far the tool turns in each."""
     R, after = frame.rotations(chords), frame.rotations(chords + 1)
-    off = np.minimum(*(angle_between(one, point.X_WT[:3, :3]) for one in (R, after)))
+    off = np.minimum(*(off_taught(one, point.X_WT[:3, :3], point.free) for one in (R, after)))
     return np.asarray(off), np.asarray(angle_between(R, after))
 
 
@@ -301,7 +307,7 @@ def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[Prog
             None if part is None else np.asarray(part).tobytes() for part in (point.X_WF, point.X_FT, point.arm)
         )
         curve = None if point.curve is None or point.fly_by is None else id(point)
-        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, curve)
+        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, curve, point.free)
         if full not in known:
             frame = frames[np.asarray(point.X_FT).tobytes()]
             if point.fly_by is not None:

@@ -18,7 +18,7 @@ from trajopt_cli.problem.scopes import Scopes, nodes
 from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.language.syntax import For, Label, LateCall, Node, Number, ProcedureCall, Routine
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import ConstantSpeed, HoldRail, Scenario
+from trajopt_cli.scenario import Scenario
 
 _MOST = 2_000_000  # characters that copies may add
 _NAME_LIMIT = 32
@@ -36,7 +36,7 @@ def unrolled(program: Program, plant: Plant, scenario: Scenario, routines: Colle
     if all(texts[path] == file.text for path, file in program.files.items()):
         return program
     files = [replace(file, text=texts[path]) for path, file in program.files.items()]
-    world = replace(scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())  # their lines are those as given
+    world = scenario.without_lines  # their lines are those as given
     read = run_program(files, world, program.entry, PlantKinematics(plant.at_home))
     same = len(read.motions) == len(program.motions)
     if not same or any(type(a) is not type(b) for a, b in zip(program.motions, read.motions, strict=True)):

@@ -11,6 +11,7 @@ from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.rapid.concurrent import laid_beside
 from trajopt_cli.rapid.entry import find_entry
+from trajopt_cli.rapid.execution.free_turns import fill_free
 from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.execution.named import fill_constant_speed
@@ -106,6 +107,7 @@ def try_program(
             run.rail_places.warn_unused()
         fill_holds(run, modules)
         fill_constant_speed(run, modules)
+        fill_free(run, modules)
     except InputError as error:
         _show(run, error)
         if not run.external.missing:

@@ -1,0 +1,54 @@
+"""A tool that may be turned about its axis: what the judge lets pass, and its swings and turns against pinocchio."""
+
+from __future__ import annotations
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from legal_motion import judged as verify
+from spoiled_turns import SECTOR, bent, turned_case
+
+from trajopt_cli.judge.free_turns import beyond_sector, off_taught, swing_of, turn_of, turned_by
+from trajopt_cli.motion import FreeTurn
+from trajopt_cli.problem.plan import Target
+
+
+@pytest.mark.parametrize("target", [None, *Target])
+@pytest.mark.parametrize("turns", [(0.0, 0.0), (0.3, 0.3), (-0.4, 0.45)])
+def test_turned_stops_and_lines_are_legal(turns: tuple[float, float], target: Target | None) -> None:
+    case = turned_case(*turns)
+    report = verify(case.program, case.plant, case.rows(), target=target)
+    assert report.legal, report.worst.message
+
+
+def test_a_stream_may_turn_as_it_likes_on_a_line() -> None:
+    case = turned_case(0.1, 0.1, bent(turned_case(0.1, 0.1).pieces[1], 0.2))
+    assert verify(case.program, case.plant, case.rows()).legal
+    assert not verify(case.program, case.plant, case.rows(), target=Target.RAPID).legal
+
+
+def test_a_swing_and_a_turn_make_the_rotation() -> None:
+    rng = np.random.default_rng(3)
+    for _ in range(50):
+        u = rng.normal(size=3)
+        u /= np.linalg.norm(u)
+        free, angle = FreeTurn(tuple(u), -1.0, 1.0), rng.uniform(-np.pi, np.pi)
+        square = np.cross(u, rng.normal(size=3))
+        S = pin.exp3(square / np.linalg.norm(square) * rng.uniform(0, 3.0))
+        R = S @ pin.exp3(u * angle)
+        assert turn_of(R, free) == pytest.approx(angle, abs=1e-9)
+        assert swing_of(R[None], free)[0] == pytest.approx(S, abs=1e-9)
+
+
+def test_the_sector_is_measured_either_way_around() -> None:
+    assert beyond_sector(np.array([0.0, 0.6, -0.7, np.pi]), SECTOR) == pytest.approx([0, 0.1, 0.2, np.pi - 0.5])
+    behind = FreeTurn((0.0, 0.0, 1.0), -np.pi, 0.0)
+    assert beyond_sector(np.array([np.pi, 0.1, 3.0]), behind) == pytest.approx([0, 0.1, np.pi - 3.0])
+
+
+def test_tilt_and_turn_count_whichever_is_farther() -> None:
+    R = pin.exp3(np.array([0.3, -0.2, 0.1]))
+    tilted = turned_by(R @ pin.exp3(np.array([1e-3, 0.0, 0.0])), SECTOR, np.array(0.2))
+    assert off_taught(tilted[None], R, SECTOR)[0] == pytest.approx(1e-3, rel=1e-6)
+    assert off_taught(turned_by(R, SECTOR, np.array(0.7))[None], R, SECTOR)[0] == pytest.approx(0.2)
+    assert off_taught(tilted[None], R, None)[0] == pytest.approx(0.2, rel=1e-4)
