@@ -324,6 +324,7 @@ SHARED: dict[str, tuple[str, ...]] = {
     "motion": (),
     "warnings": (),
     "problem.plan": ("Target",),
+    "scenario": ("PositionerAxis",),
     "shapes": (),
     "trajectory": ("Trajectory",),
     "units": (),
@@ -367,7 +368,7 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
 COMPLIANT_SHARED = {
     "errors", "findings", "geometry", "joint_csv", "limits", "motion", "print_resolution", "warnings", "quantity",
     "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "sheet", "trajectory",
-    "file_kinds", "units", "validation", "yaml_file",
+    "file_kinds", "scenario", "units", "validation", "yaml_file",
 }  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -56,20 +57,24 @@ class Capsule:
 class Mesh:
     """A triangle mesh: vertices (n, 3) [m], triangles (m, 3) of their indices, X (4, 4) in the frame it is given in.
 
-    Closed surfaces are solid: a body inside them overlaps.
+    Closed surfaces are solid: a body inside them overlaps. of: the mesh with the same surface that this one is moved
+    from, so that what is found out about a surface need not be found out again.
     """
 
     name: str
     vertices: Array
     triangles: TriangleArray
     X: Array = field(default_factory=lambda: np.eye(4))
+    of: Mesh | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "X", _pose(self.X, f"mesh '{self.name}'"))
+        if self.of is not None:
+            return
         object.__setattr__(self, "vertices", readonly(self.vertices))
         triangles = np.array(self.triangles, dtype=np.int64)
         triangles.setflags(write=False)
         object.__setattr__(self, "triangles", triangles)
-        object.__setattr__(self, "X", _pose(self.X, f"mesh '{self.name}'"))
         for what, values in (("vertices", self.vertices), ("triangles", triangles)):
             if values.ndim != 2 or values.shape[1] != 3 or not len(values):
                 raise ValueError(f"mesh '{self.name}': {what} have shape {values.shape}, wanted (n, 3)")
@@ -97,12 +102,22 @@ class MeshFile:
 Shape = Box | Capsule | Mesh
 
 
+class Rides(NamedTuple):
+    """What a solid stands on: a positioner (in lower case), and the number of its axes, from the floor on, that turn
+    it."""
+
+    unit: str
+    axes: int
+
+
 @dataclass(frozen=True, eq=False)
 class Solid:
-    """A shape that must not be touched, but by the links in ignore."""
+    """A shape that must not be touched, but by the links in ignore. rides: it turns with a positioner. A cell gives
+    it in the frame that the positioner's axis carries, a plant in the world, as it stands with all axes at start."""
 
     shape: Shape | MeshFile
     ignore: frozenset[str] = frozenset()
+    rides: Rides | None = None
 
     @property
     def name(self) -> str:
@@ -149,6 +164,8 @@ def moved(shape: Shape, X: ArrayLike) -> Shape:
     X = np.asarray(X, dtype=np.float64)
     if isinstance(shape, Capsule):
         return replace(shape, a=X[:3, :3] @ shape.a + X[:3, 3], b=X[:3, :3] @ shape.b + X[:3, 3])
+    if isinstance(shape, Mesh):
+        return replace(shape, X=X @ shape.X, of=shape.of or shape)
     return replace(shape, X=X @ shape.X)
 
 

@@ -420,13 +420,15 @@ def _beside(value: str) -> str:
 
 
 class SolidSection(_Section):
-    """A body: one of box, capsule, mesh or fence; ignore names the links that may touch it."""
+    """A body: one of box, capsule, mesh or fence; ignore names the links that may touch it. on: a positioner that
+    carries it, STN1, or one of its axes from the floor on, STN1.1; its frame is then the one that this axis carries."""
 
     box: BoxSection | None = None
     capsule: CapsuleSection | None = None
     mesh: MeshSection | None = None
     fence: FenceSection | None = None
     ignore: tuple[StrictStr, ...] = ()
+    on: StrictStr | None = None
 
     @model_validator(mode="after")
     def _one_shape(self) -> SolidSection:

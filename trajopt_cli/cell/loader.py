@@ -37,7 +37,7 @@ from trajopt_cli.scenario import (
     Scenario,
     condition_key,
 )
-from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Solid
+from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Rides, Solid
 from trajopt_cli.validation import hint
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
@@ -88,7 +88,8 @@ def frame_pose(section: FrameSection) -> Array:
     return pose(R, section.position)
 
 
-def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, ...]:
+def _solids(sections: Mapping[str, SolidSection], folder: Path, units: Mapping[str, int]) -> tuple[Solid, ...]:
+    """units: how many axes each positioner has, by its name in lower case."""
     out = []
     for name, section in sections.items():
         if section.fence is not None:
@@ -103,8 +104,16 @@ def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, 
         else:
             assert section.mesh is not None
             shape = MeshFile(name, folder / section.mesh.file, frame_pose(section.mesh), section.mesh.scale)
-        out.append(Solid(shape, frozenset(section.ignore)))
+        out.append(Solid(shape, frozenset(section.ignore), _rides(section.on, units)))
     return tuple(out)
+
+
+def _rides(on: str | None, units: Mapping[str, int]) -> Rides | None:
+    """The positioner that carries a body, `STN1`, or its first axes, `STN1.1`; None without one that is known."""
+    unit, _, axis = (on or "").lower().partition(".")
+    many = units.get(unit, 0)
+    axes = many if not axis else int(axis) if axis.isdecimal() else 0
+    return Rides(unit, axes) if 0 < axes <= many else None
 
 
 def _robot(given: str, folder: Path) -> str:
@@ -216,6 +225,7 @@ def _axes(sections: Iterable[PositionerSection]) -> tuple[PositionerAxis, ...]:
 
 def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     rail = document.rail
+    units = {name.lower(): len(axes) for name, axes in document.positioners.items()}
     overrides = tuple(
         LimitOverride(axis, kind, value, section.source)
         for axis, section in document.limits.by_axis().items()
@@ -249,8 +259,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         torque_limits=document.torque_limits,
         settle=(document.settle.fine, document.settle.inpos),
         droppable=frozenset(name.lower() for name in document.optional),
-        obstacles=_solids(document.obstacles, Path(file).parent),
-        attached=_solids(document.attached, Path(file).parent),
+        obstacles=_solids(document.obstacles, Path(file).parent, units),
+        attached=_solids(document.attached, Path(file).parent, {}),
         may_touch=document.may_touch,
         clearance=document.clearance,
         tool_radius=document.tool_radius,
@@ -279,11 +289,18 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         walls = [wall.name for wall in _walls(name, body.fence)] if body.fence is not None else []
         for other in sorted({*walls} & {*bodies} - {name}):
             raise cell.error(f"{bodies[other]}.{other}", f"a wall of fence '{name}' has this name; give it another one")
+    for name, body in document.obstacles.items():
+        if body.on is not None and body.fence is not None:
+            raise cell.error(f"obstacles.{name}.on", "a fence stands on the floor; give the positioner a box")
+        if body.on is not None and _rides(body.on, units) is None:
+            known = [*document.positioners, *(f"{one}.1" for one, axes in document.positioners.items() if axes[1:])]
+            text = f"'{body.on}' is no positioner of this file, nor an axis of one"
+            raise cell.error(f"obstacles.{name}.on", f"{text}; {hint(body.on, known)}" if known else text)
     for i, one in enumerate(document.attach):
         if one.part not in document.obstacles:
-            known = hint(one.part, [*document.obstacles])
+            close = hint(one.part, [*document.obstacles])
             raise cell.error(
-                f"attach.{i}.part", f"'{one.part}' is no obstacle; say under obstacles where it stands; {known}"
+                f"attach.{i}.part", f"'{one.part}' is no obstacle; say under obstacles where it stands; {close}"
             )
     for i, one in enumerate(document.attach):
         if document.obstacles[one.part].fence is not None:
@@ -291,6 +308,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     for name, body in document.attached.items():
         if body.fence is not None:
             raise cell.error(f"attached.{name}.fence", "a fence stands on the floor; give the flange a box")
+        if body.on is not None:
+            raise cell.error(f"attached.{name}.on", "the flange carries it; a positioner carries obstacles")
         if name in document.obstacles:
             raise cell.error(f"attached.{name}", "an obstacle has this name too; give each body its own")
     return cell

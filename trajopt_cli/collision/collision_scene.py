@@ -3,19 +3,23 @@
 Clear means: the distance wanted from every body that stands, none from its own links, and MARGIN more, so that a plan
 that is free here is free for the judge, who measures by other means. A question about several motions at once names
 the motion of each row: what stands and what is carried may differ between them.
+
+Of a motion during which positioners turn bodies, a question also says how far they have turned: turns (m, U), the share
+of each of the motion's units; without that, such bodies are left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, rotation_about
-from trajopt_cli.motion import Program
-from trajopt_cli.problem.collision_objects import Bodies, bodies_on
+from trajopt_cli.motion import Program, UnitMove
+from trajopt_cli.path.turning import Turn
+from trajopt_cli.problem.collision_objects import Bodies, Turned, bodies_on
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.proximity.near import WORLD, NearPairs
@@ -59,12 +63,17 @@ class _Pair:
     least distance between them, the margin included."""
 
     body: _Body
-    other: _Body | Solid
+    other: _Body | _Turned | Solid
     wanted: float
 
     @property
     def frame(self) -> int:
         """What carries the other."""
+        return WORLD if isinstance(self.other, Solid) else self.other.frame
+
+    @property
+    def since(self) -> int:
+        """Behind which link joints move the body against the other; WORLD for all axes."""
         return self.other.frame if isinstance(self.other, _Body) else WORLD
 
     @property
@@ -75,12 +84,12 @@ class _Pair:
     @property
     def levers(self) -> Array:
         """How far (6,) each joint moves the body against the other per turn: those behind the other's link."""
-        return np.where(np.arange(len(self.body.levers)) >= self.frame, self.body.levers, 0.0)
+        return np.where(np.arange(len(self.body.levers)) >= self.since, self.body.levers, 0.0)
 
     @property
     def shapes(self) -> tuple[Shape, int, Shape, int]:
         """Both with their frames."""
-        other = self.other.shape if isinstance(self.other, _Body) else self.other.loaded
+        other = self.other.loaded if isinstance(self.other, Solid) else self.other.shape
         return self.body.shape, self.body.frame, other, self.frame
 
 
@@ -95,22 +104,68 @@ class _Body:
     levers: Array
 
 
-class _Scene:
-    """The pairs to look at during some motions."""
+@dataclass(frozen=True, eq=False)
+class _Turned:
+    """A shape that units (by number) turn, in the world as it stands before that. levers (U,): how far a point of it
+    goes at most [m] while each unit turns by all of its angle."""
 
-    def __init__(self, robot: RobotModel, pairs: Sequence[_Pair], settings: Settings):
-        self.robot, self.pairs, self._settings = robot, pairs, settings
+    name: str
+    shape: Shape
+    frame: int
+    units: tuple[int, ...]
+    levers: Array
+
+    @classmethod
+    def of(cls, turned: Turned, frame: int, units: Sequence[UnitMove]) -> _Turned:
+        """A body of a motion with these units."""
+        points, radius = outline(turned.solid.loaded)
+        levers, far, last = np.zeros(len(units)), 0.0, np.zeros(3)
+        for j in reversed(turned.units):
+            p, u = np.array(units[j].p), np.array(units[j].u)
+            if j == turned.units[-1]:  # it has the body as it stands
+                lever = float(np.linalg.norm(np.cross(points - p, u), axis=1).max()) + radius
+                far = float(np.linalg.norm(points - p, axis=1).max()) + radius
+            else:  # a ball about the axis behind it has
+                lever = far = far + float(np.linalg.norm(last - p))
+            levers[j], last = lever * abs(units[j].angle), p
+        return cls(turned.solid.name, turned.solid.loaded, frame, turned.units, levers)
+
+
+class _Scene:
+    """The pairs to look at during some motions. units: that turn bodies then; q has a column of its share for each."""
+
+    def __init__(self, robot: RobotModel, pairs: Sequence[_Pair], settings: Settings, units: Sequence[UnitMove] = ()):
+        self.robot, self.pairs, self._settings, self.units = robot, pairs, settings, units
         self.wanted = np.array([pair.wanted for pair in pairs])
-        rides = [float(pair.frame == WORLD) for pair in pairs]  # the rail takes one along and not the other
+        found = {pair.other.frame: pair.other.units for pair in pairs if isinstance(pair.other, _Turned)}
+        self._turned = [found[frame] for frame in sorted(found)]
+        rides = [float(pair.since == WORLD) for pair in pairs]  # the rail takes one along and not the other
         own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
         if robot.linkage:  # axis 2 shifts the upper arm against the base and turns it against the lower arm
             own[:, 1] = np.maximum(own[:, 1], own[:, 2])
         self.levers = np.column_stack([rides, own]) if robot.has_rail else own
+        if units:
+            none = np.zeros(len(units))
+            its = [pair.other.levers if isinstance(pair.other, _Turned) else none for pair in pairs]
+            self.levers = np.column_stack([self.levers, np.array(its)])
         self.near = NearPairs([pair.shapes for pair in pairs])
+
+    def poses(self, q: Array) -> Array:
+        """The frames (m, F, 4, 4) of all bodies: the robot's, then those that units turn."""
+        n = self.robot.layout.n
+        X = links(self.robot, q[:, :n])
+        if not self._turned:
+            return X
+        each = [
+            Turn(np.array(unit.p), np.array(unit.u), unit.angle).pose(s)
+            for unit, s in zip(self.units, q[:, n:].T, strict=True)
+        ]
+        own = [reduce(np.matmul, [each[i] for i in numbers]) for numbers in self._turned]
+        return np.concatenate([X, np.stack(own, axis=1)], axis=1)
 
     def least(self, q: Array) -> Array:
         """The least distance over all pairs (m,), less what is wanted."""
-        X = links(self.robot, q)
+        X = self.poses(q)
         bound = self.near.bound(X) - self.wanted
         rows = np.arange(len(q))
         first = np.argmin(bound, axis=1)
@@ -121,7 +176,7 @@ class _Scene:
 
     def free(self, q: Array) -> BoolArray:
         """Whether (m,) no pair is too close."""
-        X = links(self.robot, q)
+        X = self.poses(q)
         rows, pairs = np.nonzero(self.near.bound(X) < self.wanted)
         out = np.ones(len(q), dtype=bool)
         out[rows[self.distance(X, rows, pairs) < 0]] = False
@@ -162,7 +217,7 @@ class _Scene:
     def _look(self, q: Array, half: Array, alive: BoolArray, owner: IndexArray, out: BoolArray) -> None:
         """Looks at the middles q (k, n) of ways on which bodies move by half (k, pairs) at most: alive (k, pairs) is
         left where a pair may still meet, and out[owner] (k,) where none does."""
-        X = links(self.robot, q)
+        X = self.poses(q)
         alive &= self.near.bound(X) - self.wanted < half
         rows, pairs = np.nonzero(alive)
         distance = self.distance(X, rows, pairs)
@@ -182,31 +237,41 @@ class CollisionScene:
         ]
         known: dict[Bodies, int] = {}
         self._scenes: list[_Scene] = []
+        self._turning: dict[int, _Scene] = {}
         number = []
         for index in range(-1, len(program.motions)):
             bodies = bodies_on(plant, program, index)
             if bodies not in known:
                 known[bodies] = len(self._scenes)
-                self._scenes.append(_Scene(plant.robot, [*_pairs(plant, moving, bodies)], plant.settings))
+                pairs = [*_pairs(plant, moving, bodies)]
+                still = [pair for pair in pairs if not isinstance(pair.other, _Turned)]
+                if bodies.turned:
+                    self._turning[len(self._scenes)] = _Scene(plant.robot, pairs, plant.settings, bodies.units)
+                self._scenes.append(_Scene(plant.robot, still, plant.settings))
             number.append(known[bodies])
         self._number = np.array(number)
 
     @cached_property
     def anything(self) -> bool:
         """Whether there is anything to stay clear of."""
-        return any(scene.pairs for scene in self._scenes)
+        return any(scene.pairs for scene in (*self._scenes, *self._turning.values()))
 
     def scene(self, index: int) -> int:
         """A number that is equal for motions with the same bodies."""
         return int(self._number[index + 1])
 
-    def distances(self, q: Array, index: int | IndexArray) -> Array:
+    def turning(self, index: int) -> int:
+        """How many axes turn during a motion, where any of them turns bodies; else 0."""
+        scene = self._turning.get(self.scene(index))
+        return 0 if scene is None else len(scene.units)
+
+    def distances(self, q: Array, index: int | IndexArray, turns: Array | None = None) -> Array:
         """The least distance (m,) at axes q (m, n) during motions index, less what is wanted and CLEAR_MARGIN; infinite
         where there is nothing."""
         out = np.full(len(q), np.inf)
-        for scene, rows in self._by_scene(len(q), index):
+        for scene, rows in self._by_scene(len(q), index, turns):
             for part in _parts(rows, self._settings.batch // 2):
-                out[part] = scene.least(q[part])
+                out[part] = scene.least(_with(scene, q, turns)[part])
         return out
 
     def free(self, q: Array, index: int | IndexArray) -> BoolArray:
@@ -223,25 +288,44 @@ class CollisionScene:
         first = 2 * np.arange(len(q_0))
         return self.ways_free(np.stack([q_0, q_1], axis=1).reshape(-1, q_0.shape[1]), first, first + 1, index)
 
-    def ways_free(self, q: Array, first: IndexArray, last: IndexArray, index: int | IndexArray) -> BoolArray:
+    def ways_free(
+        self, q: Array, first: IndexArray, last: IndexArray, index: int | IndexArray, turns: Array | None = None
+    ) -> BoolArray:
         """The same of ways (m,) that lead straight from each of axes q (N, n) to the next, from row first to last."""
         out = np.ones(len(first), dtype=bool)
-        for scene, rows in self._by_scene(len(first), index):
-            out[rows] = scene.ways_free(q, first[rows], last[rows])
+        for scene, rows in self._by_scene(len(first), index, turns):
+            out[rows] = scene.ways_free(_with(scene, q, turns), first[rows], last[rows])
+        return out
+
+    def free_beside(self, q: Array, first: IndexArray, last: IndexArray, index: int) -> BoolArray:
+        """The same of ways during a motion whose units turn from rest to rest by themselves, rows being even shares of
+        the way. Which share goes with which is up to both time laws, each between even speed and even acceleration
+        (s = 2 tau^2 up to the middle): so the units ahead, level and behind are looked at."""
+        out = self.ways_free(q, first, last, index)
+        if not (many := self.turning(index)):
+            return out
+        share = np.zeros(len(q))
+        for a, b in zip(first.tolist(), last.tolist(), strict=True):
+            share[a : b + 1] = np.linspace(0, 1, b - a + 1)
+        late = np.where(share < 0.5, 2 * share**2, 1 - np.sqrt(np.maximum(1 - share, 0.0) / 2))
+        soon = np.where(share < 0.5, np.sqrt(share / 2), 1 - 2 * (1 - share) ** 2)
+        for one in (share, late, soon):
+            some = np.flatnonzero(out)
+            out[some] = self.ways_free(q, first[some], last[some], index, np.tile(one[:, None], many))
         return out
 
     def way_free(self, q: Array, index: int) -> bool:
         """The same of one way through axes q (N, n)."""
         return bool(self.ways_free(q, np.zeros(1, dtype=np.intp), np.array([len(q) - 1]), index)[0])
 
-    def contacts(self, q: Array, index: int | IndexArray, within: float) -> Contacts:
+    def contacts(self, q: Array, index: int | IndexArray, within: float, turns: Array | None = None) -> Contacts:
         """All pairs nearer than what is wanted, the margin and within [m] at axes q (m, n), by rows."""
         parts: list[tuple[IndexArray, IndexArray, Array, Array, BoolArray]] = []
         names: list[str] = []
-        for scene, all_mine in self._by_scene(len(q), index):
-            own_pairs = np.array([pair.frame != WORLD for pair in scene.pairs])
+        for scene, all_mine in self._by_scene(len(q), index, turns):
+            own_pairs = np.array([pair.since != WORLD for pair in scene.pairs])
             for mine in _parts(all_mine, self._settings.batch // 2):
-                X = links(self._robot, q[mine])
+                X = scene.poses(_with(scene, q, turns)[mine])
                 rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
                 found = scene.near.nearest(X, rows, pairs)
                 distance = found.distance - scene.wanted[pairs]
@@ -257,11 +341,11 @@ class CollisionScene:
         order = np.lexsort((number, row))
         return Contacts(row[order], number[order], tuple(names), distance[order], gradient[order], own[order])
 
-    def hits(self, q: Array, index: int) -> list[Hit]:
+    def hits(self, q: Array, index: int, turns: Array | None = None) -> list[Hit]:
         """Each pair that is too close at any of axes q (m, n) during a motion, where it is worst; the worst first."""
         out = []
-        for scene, _ in self._by_scene(len(q), index):
-            X = links(self._robot, q)
+        for scene, _ in self._by_scene(len(q), index, turns):
+            X = scene.poses(_with(scene, q, turns))
             rows, pairs = np.nonzero(scene.near.bound(X) < scene.wanted)
             distance = scene.distance(X, rows, pairs)
             for number in np.unique(pairs[distance < 0]).tolist():
@@ -273,17 +357,22 @@ class CollisionScene:
                 out.append(Hit(q[rows[i]], pair.body.name, pair.other.name, missing, touch, own, margin))
         return sorted(out, key=lambda hit: -hit.missing)
 
-    def _by_scene(self, m: int, index: int | IndexArray) -> Iterator[tuple[_Scene, IndexArray]]:
+    def _by_scene(
+        self, m: int, index: int | IndexArray, turns: Array | None = None
+    ) -> Iterator[tuple[_Scene, IndexArray]]:
         """The scenes in which there is something to look at, with the rows asked about them."""
+        turning = {} if turns is None else self._turning
         if isinstance(index, int | np.integer):
-            scene = self._scenes[self._number[int(index) + 1]]
+            number = int(self._number[int(index) + 1])
+            scene = turning.get(number, self._scenes[number])
             if scene.pairs and m:
                 yield scene, np.arange(m)
             return
         of = self._number[index + 1]
-        for number in np.unique(of):
-            if self._scenes[number].pairs:
-                yield self._scenes[number], np.flatnonzero(of == number)
+        for number in np.unique(of).tolist():
+            scene = turning.get(number, self._scenes[number])
+            if scene.pairs:
+                yield scene, np.flatnonzero(of == number)
 
 
 @lru_cache(maxsize=8)
@@ -296,6 +385,11 @@ def collision_scene_of(problem: Problem) -> CollisionScene | None:
     """What a problem's motions must stay clear of; None where that is nothing, or where nothing may change that could
     avoid it: the program as written is driven as it is, and the judge tells."""
     return _known(problem.plant, problem.program) if problem.freedom.ways else None
+
+
+def _with(scene: _Scene, q: Array, turns: Array | None) -> Array:
+    """Axes q (m, n) with the shares of a scene's units behind them."""
+    return q if turns is None or not scene.units else np.hstack([q, turns[:, : len(scene.units)]])
 
 
 def _parts(rows: IndexArray, batch: int) -> Iterator[IndexArray]:
@@ -356,6 +450,12 @@ def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pa
         for body in (*links, *held):
             if body.name not in solid.ignore and (body.frame > 0 or plant.robot.has_rail):
                 yield _Pair(body, solid, plant.clearance + plant.settings.clearance_margin)
+    frames = {units: _FLANGE + 1 + i for i, units in enumerate(sorted({one.units for one in bodies.turned}))}
+    for turned in bodies.turned:
+        other = _Turned.of(turned, frames[turned.units], bodies.units)
+        for body in (*links, *held):
+            if body.name not in turned.solid.ignore:
+                yield _Pair(body, other, plant.clearance + plant.settings.clearance_margin)
     by_name = {body.name: body for body in (*links, *held)}
     for first, second in plant.self_pairs:
         if second in by_name:  # else it is not carried now
@@ -366,12 +466,12 @@ def _gradients(
     robot: RobotModel, scene: _Scene, X_WL: Array, pairs: IndexArray, on_body: Array, normal: Array
 ) -> Array:
     """How distances change with each axis (k, n): along the normal, as the body's nearest point moves against what it
-    is held against. X_WL (k, 8, 4, 4)."""
+    is held against. X_WL (k, F, 4, 4)."""
     layout = robot.layout
     out = np.zeros((len(pairs), layout.n))
     arm = out[:, layout.arm]
     frame = np.array([pair.body.frame for pair in scene.pairs], dtype=np.intp)[pairs]
-    since = np.array([pair.frame for pair in scene.pairs], dtype=np.intp)[pairs]
+    since = np.array([pair.since for pair in scene.pairs], dtype=np.intp)[pairs]
     for j in range(6):
         X = X_WL[:, j + 1]
         axis = X[:, :3, :3] @ robot.chain[j].axis

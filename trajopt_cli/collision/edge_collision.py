@@ -27,6 +27,8 @@ _AVOID_ALIKE = 0.5  # s more between states of the same branches as some between
 _AVOID_FAILURES = 5  # ways that are looked for in vain in a whole program before no more are. Not measured.
 _AVOID_WAYS = 8  # ways found that are tried between other states.
 
+_TURN_ROWS = 17  # along a straight way beside something that turns: the time laws bend between them.
+
 _HELD = 1e-9  # m of a rail that stands
 
 
@@ -92,7 +94,7 @@ class EdgeCollision:
             edge.known[i, j] = True
             edge.add(i[~free], j[~free], np.full((~free).sum(), np.inf))
             return
-        free = self.around.free_between(a.q[i], b.q[j], leg.motion)
+        free = self._straight_free(leg, a.q[i], b.q[j])
         edge.known[i[free], j[free]] = True
         i, j = i[~free], j[~free]
         if not len(i):
@@ -123,6 +125,15 @@ class EdgeCollision:
             extra[0], settled[0] = np.inf, True
         edge.known[i[settled], j[settled]] = True
         edge.add(i, j, extra)
+
+    def _straight_free(self, leg: Leg, q_0: Array, q_1: Array) -> BoolArray:
+        """Whether (m,) straight ways from axes q_0 to q_1 (m, n) are clear, also of what turns meanwhile."""
+        if not self.around.turning(leg.motion):
+            return self.around.free_between(q_0, q_1, leg.motion)
+        shares = np.linspace(0, 1, _TURN_ROWS)[:, None]
+        q = (q_0[:, None] + shares * (q_1 - q_0)[:, None]).reshape(-1, q_0.shape[1])
+        first = _TURN_ROWS * np.arange(len(q_0))
+        return self.around.free_beside(q, first, first + _TURN_ROWS - 1, leg.motion)
 
     def _given_up(self, leg: Leg) -> bool:
         """Whether no more ways are looked for in a leg's motion."""
@@ -197,5 +208,10 @@ class EdgeCollision:
         out = ~known | reached
         some = np.flatnonzero(known & reached)
         if len(some):
-            out[some] = self.around.ways_free(q, starts[some], starts[some] + len(shares) - 1, leg.motion)
+            first, last = starts[some], starts[some] + len(shares) - 1
+            if leg.units:  # they turn in step with the way
+                turns = np.tile(shares, (max(self.around.turning(leg.motion), 1), m)).T
+                out[some] = self.around.ways_free(q, first, last, leg.motion, turns)
+            else:
+                out[some] = self.around.free_beside(q, first, last, leg.motion)
         return np.asarray(out)

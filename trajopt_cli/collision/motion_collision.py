@@ -12,7 +12,8 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
-from trajopt_cli.trajectories.leg_trajectories import LegMotion, sample_times, samples
+from trajopt_cli.trajectories.leg_trajectories import sample_times, samples
+from trajopt_cli.trajectories.unit_shares import unit_shares, units_of
 
 # s between two places of a motion that is looked at, besides its breaks: at 40 rad/s2 and 0.5 m it leaves the straight
 # way between them by 0.06 mm.
@@ -25,9 +26,9 @@ def touching(axes: Axes, problem: Problem, draft: Iterate) -> tuple[int, ...]:
     if around is None:
         return ()
     numbers = [k for k, motion in enumerate(draft.legs) if motion is not None]
-    q, first, last = _courses(axes, [motion for motion in draft.legs if motion is not None])
+    q, first, last, turns = _courses(axes, problem, draft, numbers)
     index = np.array([problem.legs[k].motion for k in numbers])
-    free = around.ways_free(q, first, last, index)
+    free = around.ways_free(q, first, last, index, turns)
     return tuple(k for k, clear in zip(numbers, free, strict=True) if not clear)
 
 
@@ -41,12 +42,13 @@ def hit_on(axes: Axes, problem: Problem, draft: Iterate, k: int) -> Hit | None:
     around, motion = collision_scene_of(problem), draft.legs[k]
     if around is None or motion is None:
         return None
-    return worst(around, _courses(axes, [motion])[0], problem.legs[k].motion)
+    q, _, _, turns = _courses(axes, problem, draft, [k])
+    return worst(around, q, problem.legs[k].motion, turns)
 
 
-def worst(around: CollisionScene, q: Array, index: int) -> Hit | None:
+def worst(around: CollisionScene, q: Array, index: int, turns: Array | None = None) -> Hit | None:
     """The worst that a way through axes q (m, n) touches, on it and between its places."""
-    return next(iter(around.hits(_dense(q), index)), None)
+    return next(iter(around.hits(_dense(q), index, None if turns is None else _dense(turns))), None)
 
 
 def names_on(around: CollisionScene, q: Array, index: int) -> tuple[str, ...]:
@@ -61,9 +63,12 @@ def _dense(q: Array) -> Array:
     return np.concatenate([*steps, q[-1:]])
 
 
-def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArray, IndexArray]:
-    """Places (N, n) along motions, one after the other, and the first and last row of each."""
-    settings = axes.settings
+def _courses(
+    axes: Axes, problem: Problem, draft: Iterate, numbers: Sequence[int]
+) -> tuple[Array, IndexArray, IndexArray, Array | None]:
+    """Places (N, n) along a draft's legs of these numbers, one after the other, the first and last row of each, and how
+    far units have turned there (N, U), None where none turns."""
+    settings, motions = axes.settings, [motion for k in numbers if (motion := draft.legs[k]) is not None]
     # at their breaks, and often enough between them for straight ways in between
     looks = (sample_times(one, _CHECK_STEP, 1, settings.most_samples)[0] for one in motions)
     times = [np.clip(t, 0.0, one.T) for t, one in zip(looks, motions, strict=True)]
@@ -71,4 +76,10 @@ def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArra
     q = np.empty((ends[-1] if len(ends) else 0, axes.n))
     for at, sample in samples(axes, motions, times):
         q[at] = sample.q
-    return q, ends - [len(t) for t in times], ends - 1
+    first = ends - [len(t) for t in times]
+    many = max([len(units_of(problem, k)) for k in numbers], default=0)
+    turns = np.zeros((len(q), many)) if many else None
+    for k, motion, t, row in zip(numbers, motions, times, first.tolist(), strict=True):
+        if turns is not None and (count := len(units_of(problem, k))):
+            turns[row : row + len(t), :count] = unit_shares(problem, k, motion, t)[0]
+    return q, first, ends - 1, turns

@@ -17,7 +17,7 @@ from trajopt_cli.judge.continuous_collision import LOOKS, OVERLOOKED, Body, Clos
 from trajopt_cli.judge.findings import SourceAt
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import FLANGE, Mechanism, mechanism_of
-from trajopt_cli.judge.scene import BodyInterval, shape_of, standing_still
+from trajopt_cli.judge.scene import BodyInterval, shape_of, standing_still, tables_of
 from trajopt_cli.motion import Move, Program, Source, motion_name
 from trajopt_cli.shapes import TOOL, Capsule, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
@@ -50,20 +50,25 @@ def check_clearance(
     is the robot may be seen, as its rows and their digits show it [m].
     """
     mechanism = mechanism_of(plant)
-    sweep = Sweep(mechanism, trajectory)
+    tables = tables_of(program, plant, trajectory)
+    sweep = Sweep(mechanism, trajectory, tables)
     last = len(trajectory.t) - 1
     legs = [leg for leg in legs or () if leg.first < leg.last] or standing_still(program, plant, last)
     links = {n: Body(n, plant.robot.capsules[n], i) for i, n in enumerate(mechanism.link_names)
              if n in plant.robot.capsules}  # fmt: skip
     carried = {shape: Body(shape.name, shape, FLANGE) for leg in legs for shape in map(shape_of, leg.carried)}
     facing: dict[str, _Spans] = {solid.name: _Spans(last) for solid in plant.obstacles}
-    own = _Spans(last)
+    own, turned = _Spans(last), dict[Shape, Body]()
     for leg in legs:
         held = [carried[shape_of(solid)] for solid in leg.carried]
         for solid in leg.standing:
+            other: Shape | Body = shape_of(solid)
+            if solid.rides is not None:
+                number = FLANGE + 1 + tables.number[solid.rides]
+                other = turned.setdefault(shape_of(solid), Body(solid.name, shape_of(solid), number))
             for body in (*links.values(), *held):
-                if _meet(mechanism, body, solid):
-                    facing[solid.name].add(leg, body, shape_of(solid))
+                if _meet(mechanism, body, solid) or (solid.rides in tables.turning and body.name not in solid.ignore):
+                    facing[solid.name].add(leg, body, other)
         named = {**links, **{body.name: body for body in held}}
         for first, second in plant.self_pairs:
             if second in named:

@@ -18,6 +18,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.judge.geometry import inverse_pose, lengths
 from trajopt_cli.judge.mechanism import FLANGE, Mechanism
+from trajopt_cli.judge.turntables import Turntables
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import Capsule, Shape, outline
 from trajopt_cli.trajectory import Trajectory
@@ -41,7 +42,7 @@ thousands of looks to say to OVERLOOKED how far."""
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A shape that a frame of the mechanism carries: a link by its index, or FLANGE."""
+    """A shape that a frame carries: a link of the mechanism by its index, or FLANGE; behind that those of tables."""
 
     name: str
     shape: Shape
@@ -176,13 +177,20 @@ def _batches(x: IndexArray) -> Iterator[IndexArray]:
 class _Look:
     """The robot in the middle of intervals (m, 2) of s, and how far its axes go from there within them."""
 
-    def __init__(self, mechanism: Mechanism, course: InterpolatedMotion, nodes: Array):
+    def __init__(
+        self, mechanism: Mechanism, course: InterpolatedMotion, nodes: Array, tables: Turntables | None = None
+    ):
         s_0, s_1 = nodes.T
         middle = (s_0 + s_1) / 2
         self.middle = np.where(s_1 - s_0 > 1, np.floor(middle), middle)
         q = course.at(self.middle)
         swing = course.swing(s_0, s_1, q)
+        k = len(mechanism.names)
+        self._tables, self._theta, self._swing = tables, q[:, k:], swing[:, k:]
+        q, swing = q[:, :k], swing[:, :k]
         self.X_WL, self._axes = mechanism.links(q)
+        if tables is not None:
+            self.X_WL = np.concatenate([self.X_WL, tables.poses(self._theta)], axis=1)
         self._arm = swing[:, -6:]
         self._arm[:, 2] += abs(mechanism.linkage) * self._arm[:, 1]  # joint 3 of the URDF turns with axes 2 and 3
         self._rail = swing[:, 0] if mechanism.has_rail else np.zeros(len(q))
@@ -203,6 +211,11 @@ class _Look:
         parts = self._body(body)[1]
         arm: Array = parts[:, max(since, 0) :].sum(axis=1)
         return arm + self._rail if since < 0 else arm
+
+    def turned(self, body: Body) -> Array:
+        """How far (m,) the points of a body on a table move at most."""
+        assert self._tables is not None
+        return self._tables.moved(body.shape, body.frame - FLANGE - 1, self._theta, self._swing)
 
     def _body(self, body: Body) -> tuple[Array, Array]:
         """Outline in the world, and how far each joint that moves the body moves its points: radius times angle."""
@@ -229,6 +242,8 @@ class _Placed:
 
     def moved(self, look: _Look) -> Array:
         """How far (m,) the bodies' points move against each other at most."""
+        if self._other is not None and self._other.frame > FLANGE:
+            return look.moved(self._body, -1) + look.turned(self._other)
         return look.moved(self._body, -1 if self._other is None else self._other.frame)
 
     def bound(self, look: _Look, rows: IndexArray) -> Array:
@@ -265,12 +280,16 @@ def _box(shape: Shape) -> tuple[Array, Array, Array]:
 class Sweep:
     """A robot's bodies along a course: the least distance of a group of pairs, and when it is first too small."""
 
-    def __init__(self, mechanism: Mechanism, trajectory: Trajectory):
-        self._mechanism, self._trajectory = mechanism, trajectory
+    def __init__(self, mechanism: Mechanism, trajectory: Trajectory, tables: Turntables | None = None):
+        self._mechanism, self._tables = mechanism, tables
+        self._trajectory = trajectory if tables is None else trajectory.whole
 
     @cached_property
     def _course(self) -> InterpolatedMotion:
         return InterpolatedMotion(self._trajectory)
+
+    def _look(self, nodes: Array) -> _Look:
+        return _Look(self._mechanism, self._course, nodes, self._tables)
 
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
@@ -284,7 +303,7 @@ class Sweep:
                 return replace(best, proven=False)
             middle = np.empty(len(nodes))
             for part in _batches(np.arange(len(nodes))):
-                look = _Look(self._mechanism, self._course, nodes[part])
+                look = self._look(nodes[part])
                 middle[part] = look.middle
                 bounds = []
                 for column, pair in enumerate(pairs):
@@ -315,7 +334,7 @@ class Sweep:
                 return None if first is None else replace(first, proven=False)
             middle = np.empty(len(nodes))
             for part in _batches(np.arange(len(nodes))):
-                look = _Look(self._mechanism, self._course, nodes[part])
+                look = self._look(nodes[part])
                 middle[part] = look.middle
                 for column, pair in enumerate(pairs):
                     rows = np.flatnonzero(alive[part, column] & (nodes[part, 0] < before))
@@ -343,7 +362,7 @@ class Sweep:
         out = []
         starts = [[first for first, _ in near.spans or ((0, 0),)] for near in group]
         for row in sorted({first for own in starts for first in own}):
-            look = _Look(self._mechanism, self._course, np.full((1, 2), float(row)))
+            look = self._look(np.full((1, 2), float(row)))
             for near, pair, own in zip(group, pairs, starts, strict=True):
                 if row in own:
                     distance = float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0])

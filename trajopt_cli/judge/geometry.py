@@ -14,6 +14,7 @@ import pinocchio as pin
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import CirPathMode, MoveC, MoveL, PathMove, UnitMove, motion_name, turned_under
+from trajopt_cli.scenario import PositionerAxis
 
 _POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
 _FLAT = 1e-9  # sine of the angle between two chords below which three points lie on one line
@@ -64,6 +65,20 @@ def turned_back(units: Sequence[UnitMove], X: Array) -> Array:
     E = np.eye(4)
     E[:3, :3], E[:3, 3] = R[0], x[0]
     return np.asarray(inverse_pose(E) @ X)
+
+
+def mounted(axis: PositionerAxis) -> Array:
+    """The frame (4, 4) about whose z a positioner's axis turns, on the axis before it or in the world."""
+    w, x, y, z = axis.q
+    return np.asarray(pin.XYZQUATToSE3(np.array([*axis.p, x, y, z, w])).homogeneous)
+
+
+def table_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> Array:
+    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad]."""
+    X = np.eye(4)
+    for axis, angle in zip(axes, at, strict=True):
+        X = X @ mounted(axis) @ pin.SE3(pin.exp3(np.array([0.0, 0.0, angle])), np.zeros(3)).homogeneous
+    return X
 
 
 def inverse_pose(X: Array) -> Array:

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.shapes import Capsule, Grip, Solid
 
 
@@ -75,7 +76,11 @@ class Machine(Protocol):
 
     @property
     def obstacles(self) -> tuple[Solid, ...]:
-        """Bodies in the world."""
+        """Bodies in the world; those that ride on a positioner as they stand with its axes at start."""
+
+    @property
+    def units(self) -> Mapping[str, tuple[PositionerAxis, ...]]:
+        """Positioners by name, in lower case."""
 
     @property
     def attached(self) -> tuple[Solid, ...]:

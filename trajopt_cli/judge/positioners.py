@@ -15,6 +15,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.judge.geometry import lengths, turned
+from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.samples import Along, Pieces, Rows, shortest
 from trajopt_cli.judge.timeline import Timeline, Visit
 from trajopt_cli.judge.tolerances import DWELL, JOINT, JOINT_TARGET
@@ -25,14 +26,29 @@ from trajopt_cli.trajectory import Trajectory
 _POSITION = "positioner position"
 
 
-def check_columns(program: Program, trajectory: Trajectory, dropped: Collection[int] = ()) -> None:
+def check_columns(
+    program: Program, trajectory: Trajectory, dropped: Collection[int] = (), plant: Machine | None = None
+) -> None:
     """Raise InputError for columns of positioners that the program does not turn, and where the path over a work object
-    that turns cannot be told for want of one."""
+    that turns, or the place of a body that rides on a positioner, cannot be told for want of one."""
     there = () if trajectory.tables is None else trajectory.tables.names
     moved = {unit.column for motion in program.motions for unit in getattr(motion, "units", ())}
     if strange := [name for name in there if name not in moved]:
         text = f"the file has a column {strange[0]}, by which no positioner of the program turns: leave it out"
         raise InputError(text)
+    carries = {
+        (one.rides.unit, axis.eax): one.name
+        for one in (() if plant is None else plant.obstacles)
+        if plant is not None and one.rides is not None
+        for axis in plant.units[one.rides.unit][: one.rides.axes]
+    }
+    for motion in program.motions:
+        for unit in getattr(motion, "units", ()):
+            if unit.column not in there and (name := carries.get((unit.unit, unit.eax))):
+                raise InputError(
+                    f"the file has no column {unit.column} [rad], by which {unit.unit} turns '{name}' during"
+                    f" {motion_name(motion)} ({motion.source}): add where it stands in every row"
+                )
     for i, motion in enumerate(program.motions):
         for unit in turned_under(motion) if i not in dropped else ():
             if unit.column not in there:

@@ -3,7 +3,8 @@
 The optimiser has its own answer to this. Here a leg reaches from the row where one point is left to the row where the
 next one is left; a part is taken and released at the pose of the point where that happens. Two things touch that must
 not be held against each other: a part and what it stands on, on the leg that lifts it and the one that sets it down;
-and the gripper and a part, on the leg to where it is taken and the one away from where it is released.
+and the gripper and a part, on the leg to where it is taken and the one away from where it is released. What rides on a
+positioner is told as it stands with all axes at start, see turntables; a part that is left on such a body rides, too.
 """
 
 from __future__ import annotations
@@ -20,9 +21,11 @@ from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import mechanism_of
 from trajopt_cli.judge.program_points import end_of_move
 from trajopt_cli.judge.timeline import Visit
+from trajopt_cli.judge.turntables import Turntables, since_start
 from trajopt_cli.motion import Happens, Motion, Move, MoveExtJ, Program, SignalEvent, Tool, Wait
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, MeshFile, Shape, Solid, moved
+from trajopt_cli.trajectory import Trajectory
 
 _RESTS = 1e-3  # m: a part that is nearer to another body, or nearer than the clearance wanted, stands on it
 
@@ -60,6 +63,11 @@ def legs_of(program: Program, plant: Machine, visits: Sequence[Visit], last: int
     return out
 
 
+def tables_of(program: Program, plant: Machine, trajectory: Trajectory) -> Turntables:
+    """What positioners turn during a file."""
+    return Turntables(program, plant, trajectory, _Scene.of(program, plant).at if plant.units else {})
+
+
 def standing_still(program: Program, plant: Machine, last: int) -> list[BodyInterval]:
     """One leg of rows 0 to last with the bodies as they are at the start."""
     scene = _Scene.of(program, plant)
@@ -83,6 +91,7 @@ class _Scene:
         self._held: dict[str, Solid] = {}
         self._taken: dict[Grip, Solid] = {}  # where it was taken first: there the next one stands
         self._capsules: dict[bytes, tuple[Solid, ...]] = {}
+        self.at: dict[tuple[str, int], float] = {}  # of positioners' axes, rad
 
     @classmethod
     def of(cls, program: Program, plant: Machine) -> _Scene:
@@ -106,25 +115,36 @@ class _Scene:
 
     def happens(self, motion: Motion, X_WF: Array) -> Iterator[tuple[str, bool]]:
         """Take and release what a motion that ends with the flange at X_WF asks for: the part, and whether taken."""
+        self.at.update({(unit.unit, unit.eax): unit.end for unit in getattr(motion, "units", ())})
         for grip in self._plant.grips:
             name = grip.part
             if name in self._held and grip.detach is not None and _fires(grip.detach, motion):
                 held = self._held.pop(name)
-                self._stands[name] = replace(held, shape=moved(shape_of(held), X_WF))
+                self._stands[name] = replace(held, shape=moved(shape_of(held), X_WF), rides=None)
+                under = {other for _, other in self.rests_on(name)}
+                rides = next((one.rides for one in self._stands.values() if one.name in under and one.rides), None)
+                back = inverse_pose(since_start(self._plant, rides, self.at)) @ X_WF
+                self._stands[name] = replace(held, shape=moved(shape_of(held), back), rides=rides)
                 yield name, False
             elif name in self._stands and _fires(grip.at, motion):
                 solid = self._taken.setdefault(grip, self._stands[name])
                 self._stands[name] = solid
                 yield name, True
                 del self._stands[name]
-                self._held[name] = replace(solid, shape=moved(shape_of(solid), inverse_pose(X_WF)))
+                self._held[name] = replace(solid, shape=moved(self._now(solid), inverse_pose(X_WF)))
 
     def rests_on(self, part: str) -> set[tuple[str, str]]:
         """The part, which stands, with all that it stands on."""
         near = max(_RESTS, self._plant.clearance)
-        shape, here = shape_of(self._stands[part]), np.eye(4)
+        shape, here = self._now(self._stands[part]), np.eye(4)
         others = [solid for solid in self._stands.values() if solid.name != part]
-        return {(part, one.name) for one in others if Pair(shape, shape_of(one)).distance(here, here) <= near}
+        return {(part, one.name) for one in others if Pair(shape, self._now(one)).distance(here, here) <= near}
+
+    def _now(self, solid: Solid) -> Shape:
+        """The shape where it stands in the world."""
+        return (
+            moved(shape_of(solid), since_start(self._plant, solid.rides, self.at)) if solid.rides else shape_of(solid)
+        )
 
     def _capsule(self, tool: Tool | None) -> tuple[Solid, ...]:
         """From the flange to one radius before the TCP."""

@@ -62,7 +62,7 @@ def verify(
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
     _check_rows(trajectory.whole)
-    check_columns(program, trajectory, dropped or ())
+    check_columns(program, trajectory, dropped or (), plant)
     points = points_of(program, plant, dropped or (), optional=dropped is None)
     rows = look(plant, trajectory, resolution, marks=len(points) - 1)
     rapid = target is Target.RAPID

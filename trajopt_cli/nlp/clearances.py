@@ -20,6 +20,7 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.clearance_queries import ClearanceQueries
 from trajopt_cli.trajectories.iterate import Iterate, Margins
 from trajopt_cli.trajectories.leg_trajectories import JointNodes, LegMotion, PathLeg, sample_times
+from trajopt_cli.trajectories.unit_shares import unit_shares
 
 # m that an answer may be inside a body and still find the way out. Measured on eight windows beside a box, with first
 # answers 44 to 125 mm deep: without it two had no clean answer; five with answers 5 to 24 mm deep ended the same with
@@ -42,16 +43,17 @@ class Tangents:
     @classmethod
     def about(
         cls, scene: ClearanceQueries, leg: Leg, q: Array, room: Array, settings: Settings,
-        fixed: Collection[int] = (), within: float | None = None, own: bool = False,
+        fixed: Collection[int] = (), within: float | None = None, own: bool = False, turns: Array | None = None,
     ) -> Tangents | None:  # fmt: skip
         """Of the pairs that are nearest at axes q (N+1, n), where these are numbers; None where none is within [m].
         own: of the robot with itself, too.
 
         room (N+1,): what is asked for beyond the distance wanted [m]; a hair at least where there is one. A node that
-        is fixed stays as it is.
+        is fixed stays as it is. turns (N+1, U): how far units have turned at the nodes.
         """
         there = np.flatnonzero(np.isfinite(q).all(axis=1))
-        found = scene.contacts(q[there], leg.motion, settings.near if within is None else within)
+        turned = None if turns is None else turns[there]
+        found = scene.contacts(q[there], leg.motion, settings.near if within is None else within, turned)
         order = np.argsort(found.distance, kind="stable")
         order = order if own else order[~found.own[order]]
         if not len(order):
@@ -102,7 +104,8 @@ class Clearances:
             )
             fixed = [node for node, i in ((0, k), (motion.N, k + 1)) if self._given(i)]
             within = _FAR if k in self._through else settings.near
-            found = Tangents.about(self._scene, leg, q, m.room, settings, fixed, within, k in self._touched)
+            turns = self._turns(k, motion, motion.breaks())
+            found = Tangents.about(self._scene, leg, q, m.room, settings, fixed, within, k in self._touched, turns)
             if found is not None or k in self._beside:
                 self._beside.add(k)
                 out[k] = found or Tangents.none(q.shape[0], q.shape[1], settings.body_pairs)
@@ -155,6 +158,12 @@ class Clearances:
         """The least distance of leg k beyond that wanted [m]."""
         return float(min(x.min() for x in self._distances(k, motion)))
 
+    def _turns(self, k: int, motion: LegMotion, t: Array) -> Array | None:
+        """How far units have turned (m, U) at times t (m,) of leg k; None where they turn no bodies."""
+        if self._scene is None or not self._scene.turning(self._problem.legs[k].motion):
+            return None
+        return unit_shares(self._problem, k, motion, t)[0]
+
     def _distances(self, k: int, motion: LegMotion) -> tuple[Array, Array]:
         """The least distance beyond that wanted [m] at every break of leg k's motion (N+1,), and between them (N,)."""
         if (known := self._known.get((k, motion))) is not None:
@@ -165,7 +174,8 @@ class Clearances:
         q = motion.sample(self._axes, t).q
         there = np.isfinite(q).all(axis=1)
         found = np.full(len(t), -np.inf)
-        found[there] = self._scene.distances(q[there], self._problem.legs[k].motion)
+        turns = self._turns(k, motion, t[there])
+        found[there] = self._scene.distances(q[there], self._problem.legs[k].motion, turns)
         inner = found[:-1].copy()
         inner[first] = np.inf
         self._known[k, motion] = found[np.append(first, -1)], np.minimum.reduceat(inner, first)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import PurePath
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,18 +21,30 @@ from trajopt_cli.motion import (
     Program,
     SignalEvent,
     Tool,
+    UnitMove,
     Wait,
 )
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, Solid, moved
+
+_Angles = dict[tuple[str, int], float]  # of axes of units, rad
 
 RESTS = 1e-3
 """m: a part nearer than this to another body, or nearer than the clearance wanted, stands on it."""
 
 
 @dataclass(frozen=True, eq=False)
+class Turned:
+    """A solid that positioners turn during a motion: in the world, as it stands at the start of that, and the numbers
+    of the motion's units that turn it, from the floor on."""
+
+    solid: Solid
+    units: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class Bodies:
-    """carried: in the flange frame. standing: in the world. All meshes loaded.
+    """carried: in the flange frame. standing: in the world. turned: by units during the motion. All meshes loaded.
 
     A solid's ignore names the links, and of a standing one also the carried bodies, that may touch it. Which links are
     held against a carried body: plant.self_pairs, by its name.
@@ -39,6 +52,8 @@ class Bodies:
 
     carried: tuple[Solid, ...]
     standing: tuple[Solid, ...]
+    turned: tuple[Turned, ...] = ()
+    units: tuple[UnitMove, ...] = ()
 
 
 def bodies_on(plant: Plant, program: Program, index: int) -> Bodies:
@@ -46,7 +61,8 @@ def bodies_on(plant: Plant, program: Program, index: int) -> Bodies:
 
     A part is taken and released at the end of a move, or with a wait or an output. On the move that lifts it and the
     one that sets it down it may touch what it stands on; the gripper may touch it on the move to where it is taken and
-    the one from where it is released. Equal answers for one plant and program are the same object, equal shapes too.
+    the one from where it is released. A part that is released on what a positioner carries turns with it from then on.
+    Equal answers for one plant and program are the same object, equal shapes too.
     Raises InputError where a part is taken or released at a pose that the program leaves to the axes.
     """
     return _all(plant, program)[index + 1]
@@ -106,6 +122,22 @@ class _Change:
     touching: frozenset[str]
 
 
+class _State(NamedTuple):
+    """During a motion, of a leg or of the rest behind it: what is held, what stands, where positioners stand at first
+    and what turns then."""
+
+    leg: int
+    rests: bool
+    held: tuple[Solid, ...]
+    standing: tuple[Solid, ...]
+    at: _Angles
+    units: tuple[UnitMove, ...] = ()
+
+    def rest(self, parts: _Parts) -> _State:
+        """Of a wait or an output: behind what happens with it."""
+        return self._replace(rests=True, held=parts.held, standing=parts.standing)
+
+
 @lru_cache(maxsize=8)
 def _all(plant: Plant, program: Program) -> tuple[Bodies, ...]:
     parts, leg = _Parts(plant), 0
@@ -113,15 +145,14 @@ def _all(plant: Plant, program: Program) -> tuple[Bodies, ...]:
     for motion in program.before or ():
         X_WF = _ends(plant, motion, X_WF)
         parts.after(motion, X_WF)
-    states = [(leg, False, parts.held, parts.standing)]
+    states = [_State(leg, False, parts.held, parts.standing, dict(parts.at))]
     changes: dict[int, list[_Change]] = {}  # at the end of each leg: a move with all that follows up to the next move
     for motion in program.motions:
-        before = parts.held, parts.standing
         leg += isinstance(motion, Move)
+        before = _State(leg, False, parts.held, parts.standing, dict(parts.at), getattr(motion, "units", ()))
         X_WF = _ends(plant, motion, X_WF)
         changes.setdefault(leg, []).extend(parts.after(motion, X_WF))
-        held, standing = before if isinstance(motion, Move) else (parts.held, parts.standing)
-        states.append((leg, not isinstance(motion, Move), held, standing))
+        states.append(before if isinstance(motion, Move) else before.rest(parts))
     known, tools = _Known(plant), tools_of(program)
 
     def allowed(leg: int, rests: bool) -> dict[str, frozenset[str]]:
@@ -130,9 +161,9 @@ def _all(plant: Plant, program: Program) -> tuple[Bodies, ...]:
         then = _may(plant, changes.get(leg, []), changes.get(leg + 1, [])) if rests else {}
         return {name: here.get(name, frozenset()) | then.get(name, frozenset()) for name in (*here, *then)}
 
-    may = {(leg, rests): allowed(leg, rests) for leg, rests, _, _ in states}
+    may = {(leg, rests): allowed(leg, rests) for leg, rests in {(state.leg, state.rests) for state in states}}
     given = zip((*tools[:1], *tools) if tools else (None,), states, strict=True)
-    return tuple(known.bodies(tool, held, standing, may[leg, rests]) for tool, (leg, rests, held, standing) in given)
+    return tuple(known.bodies(tool, state, may[state.leg, state.rests]) for tool, state in given)
 
 
 def _may(plant: Plant, left: Sequence[_Change], reached: Sequence[_Change]) -> dict[str, frozenset[str]]:
@@ -155,18 +186,39 @@ class _Known:
         self._plant = plant
         self._tools: dict[bytes, tuple[Solid, ...]] = {}
         self._allowed: dict[tuple[Solid, frozenset[str]], Solid] = {}
-        self._bodies: dict[tuple[tuple[Solid, ...], tuple[Solid, ...]], Bodies] = {}
+        self._placed: dict[tuple[Solid, bytes], Solid] = {}
+        self._bodies: dict[tuple[object, ...], Bodies] = {}
 
-    def bodies(
-        self, tool: Tool | None, held: tuple[Solid, ...], standing: tuple[Solid, ...], may: dict[str, frozenset[str]]
-    ) -> Bodies:
+    def bodies(self, tool: Tool | None, state: _State, may: dict[str, frozenset[str]]) -> Bodies:
         """may: the carried bodies that may touch a standing one, by its name."""
         key = b"" if tool is None or tool.stationary else np.asarray(tool.X_FT[:3, 3]).tobytes()
         if key not in self._tools:
             self._tools[key] = tool_capsule(tool, self._plant.tool_radius)
-        carried = (*self._plant.attached, *self._tools[key], *held)
-        around = tuple(self._allow(solid, may.get(solid.name, frozenset())) for solid in standing)
-        return self._bodies.setdefault((carried, around), Bodies(carried, around))
+        carried = (*self._plant.attached, *self._tools[key], *state.held)
+        around = [self._allow(self._stands(one, state.at), may.get(one.name, frozenset())) for one in state.standing]
+        under = [self._under(solid, state.units) for solid in around]
+        still = tuple(solid for solid, units in zip(around, under, strict=True) if not units)
+        turned = tuple((solid, units) for solid, units in zip(around, under, strict=True) if units)
+        all_of = carried, still, turned, state.units if turned else ()
+        if all_of not in self._bodies:
+            self._bodies[all_of] = Bodies(carried, still, tuple(Turned(*one) for one in turned), all_of[-1])
+        return self._bodies[all_of]
+
+    def _stands(self, solid: Solid, at: _Angles) -> Solid:
+        """Where it is with positioners at these angles."""
+        if solid.rides is None:
+            return solid
+        X = self._plant.stands(solid, at)
+        key = solid, X.tobytes()
+        if key not in self._placed:
+            self._placed[key] = replace(solid, shape=moved(solid.loaded, X))
+        return self._placed[key]
+
+    def _under(self, solid: Solid, units: tuple[UnitMove, ...]) -> tuple[int, ...]:
+        if solid.rides is None:
+            return ()
+        axes = {axis.eax for axis in self._plant.units[solid.rides.unit][: solid.rides.axes]}
+        return tuple(i for i, unit in enumerate(units) if unit.unit == solid.rides.unit and unit.eax in axes)
 
     def _allow(self, solid: Solid, may: frozenset[str]) -> Solid:
         if may <= solid.ignore:
@@ -176,37 +228,53 @@ class _Known:
 
 class _Parts:
     """The parts that are taken on the way: held in the flange frame, standing (with all other obstacles) in the world.
-    One that a grip takes again stands where it took the first; the one before is gone then."""
+    One that a grip takes again stands where it took the first; the one before is gone then. at: where positioners
+    stand; what rides on one stands here as with all axes at start."""
 
     def __init__(self, plant: Plant):
         self._plant = plant
         self.held: tuple[Solid, ...] = ()
         self.standing: tuple[Solid, ...] = plant.obstacles
+        self.at: _Angles = {}
         self._first: dict[Grip, Solid] = {}
 
     def after(self, motion: Motion, X_WF: Array | None) -> list[_Change]:
         """What changes at the end of a motion, the flange at X_WF."""
         out = []
+        for unit in getattr(motion, "units", ()):
+            self.at[unit.unit, unit.eax] = unit.end
         for grip in self._plant.grips:
             held = next((solid for solid in self.held if solid.name == grip.part), None)
             if held is not None and grip.detach is not None and fires(grip.detach, motion):
-                here = replace(held, shape=moved(held.loaded, _known(X_WF, motion, grip)))
+                here = replace(held, shape=moved(held.loaded, _known(X_WF, motion, grip)), rides=None)
+                under = self._rests_on(here)
+                rides = next((one.rides for one in self.standing if one.name in under and one.rides), None)
+                here = replace(here, rides=rides)
+                back = inverse_pose(self._plant.stands(here, self.at))
                 self.held = tuple(solid for solid in self.held if solid is not held)
-                self.standing = (*self.standing, here)
-                out.append(_Change(grip.part, False, self._rests_on(here)))
+                self.standing = (*self.standing, replace(here, shape=moved(here.loaded, back)))
+                out.append(_Change(grip.part, False, under))
             elif held is None and fires(grip.at, motion):
                 stands = next(solid for solid in self.standing if solid.name == grip.part)
                 here = self._first.setdefault(grip, stands)
                 self.standing = tuple(solid for solid in self.standing if solid is not stands)
-                out.append(_Change(grip.part, True, self._rests_on(here)))
-                shape = moved(here.loaded, inverse_pose(_known(X_WF, motion, grip)))
+                out.append(_Change(grip.part, True, self._rests_on(self._now(here))))
+                shape = moved(self._now(here).loaded, inverse_pose(_known(X_WF, motion, grip)))
                 self.held = (*self.held, replace(here, shape=shape))
         return out
+
+    def _now(self, solid: Solid) -> Solid:
+        """Where it stands in the world."""
+        return (
+            solid
+            if solid.rides is None
+            else replace(solid, shape=moved(solid.loaded, self._plant.stands(solid, self.at)))
+        )
 
     def _rests_on(self, part: Solid) -> frozenset[str]:
         from trajopt_cli.proximity.near import WORLD, NearPairs
 
-        others = [solid for solid in self.standing if solid is not part]
+        others = [self._now(solid) for solid in self.standing if solid.name != part.name]
         pairs = NearPairs([(part.loaded, 0, one.loaded, WORLD) for one in others])
         numbers = np.arange(len(others))
         distance = pairs.nearest(np.eye(4)[None, None], 0 * numbers, numbers).distance

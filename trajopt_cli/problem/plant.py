@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -9,14 +10,15 @@ import numpy as np
 from trajopt_cli import settings as defaults
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, pose, readonly
+from trajopt_cli.geometry import Array, inverse_pose, pose, readonly, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot, robot_names
 from trajopt_cli.robot.structure import NO_CONFDATA
+from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.settings import Settings
-from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid
+from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid, moved
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -39,8 +41,8 @@ class Plant:
     flange frame, all meshes loaded. may_touch: pairs of links, or of a link and an attached body, that are not held
     against each other. clearance: the least distance wanted between the robot and an obstacle [m]. tool_radius [m]: of
     the capsule from flange to TCP that stands for the tool of each motion; 0 for none, as where something is attached.
-    grips: which obstacles the flange takes and leaves, and when. See problem.collision_objects. turning: external axes
-    of positioners, 0 for eax_a. settings: the planner's chosen numbers.
+    grips: which obstacles the flange takes and leaves, and when. See problem.collision_objects. units: positioners by
+    name, in lower case. settings: the planner's chosen numbers.
     """
 
     robot: RobotModel
@@ -58,7 +60,7 @@ class Plant:
     clearance: float = 0.0
     tool_radius: float = 0.0
     grips: tuple[Grip, ...] = ()
-    turning: frozenset[int] = frozenset()
+    units: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
     settings: Settings = field(default_factory=lambda: defaults.DEFAULT)
     home: Array | None = None
 
@@ -89,6 +91,20 @@ class Plant:
         """The obstacles that the flange takes on the way."""
         taken = {grip.part for grip in self.grips}
         return tuple(solid for solid in self.obstacles if solid.name in taken)
+
+    @property
+    def turning(self) -> frozenset[int]:
+        """External axes of positioners, 0 for eax_a."""
+        return frozenset(axis.eax for axes in self.units.values() for axis in axes)
+
+    def stands(self, solid: Solid, at: Mapping[tuple[str, int], float]) -> Array:
+        """How a solid has moved (4, 4) in the world since the start, with axes of units, 0 for eax_a, at [rad]."""
+        if solid.rides is None:
+            return np.eye(4)
+        unit, many = solid.rides
+        axes = self.units[unit][:many]
+        now = [at.get((unit, axis.eax), axis.start) for axis in axes]
+        return carried_by(axes, now) @ inverse_pose(carried_by(axes, [axis.start for axis in axes]))
 
     @property
     def angle_unchecked(self) -> tuple[str, ...]:
@@ -123,6 +139,14 @@ class Plant:
             return None
         value = extax[self.rail_eax]
         return None if value is None else value * MM
+
+
+def carried_by(axes: Sequence[PositionerAxis], at: Sequence[float]) -> Array:
+    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad]."""
+    X = np.eye(4)
+    for axis, angle in zip(axes, at, strict=True):
+        X = X @ pose(rotation_from_wxyz(np.array(axis.q)) @ rotation_about([0, 0, 1], angle), axis.p)
+    return X
 
 
 def build_plant(cell: Cell) -> Plant:
@@ -171,7 +195,7 @@ def build_plant(cell: Cell) -> Plant:
         clearance=cell.clearance,
         tool_radius=0.0 if cell.attached else cell.tool_radius,
         grips=cell.grips,
-        turning=frozenset(axis.eax for axes in cell.scenario.positioners.values() for axis in axes),
+        units=cell.scenario.positioners,
     )
     return replace(plant, may_touch=_may_touch(cell, plant))
 
@@ -270,14 +294,18 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
     for name in sorted(solid.ignore):
         if name not in known:
             raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")
-    if not isinstance(solid.shape, MeshFile):
-        return solid
-    from trajopt_cli.proximity.meshes import load_mesh
+    shape = solid.shape
+    if isinstance(shape, MeshFile):
+        from trajopt_cli.proximity.meshes import load_mesh
 
-    try:
-        return Solid(load_mesh(solid.shape), solid.ignore)
-    except InputError as error:
-        raise cell.error(f"{key}.mesh.file", error.message) from error
+        try:
+            shape = load_mesh(shape)
+        except InputError as error:
+            raise cell.error(f"{key}.mesh.file", error.message) from error
+    if solid.rides is not None:
+        axes = cell.scenario.positioners[solid.rides.unit][: solid.rides.axes]
+        shape = moved(shape, carried_by(axes, [axis.start for axis in axes]))
+    return replace(solid, shape=shape)
 
 
 def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...]:

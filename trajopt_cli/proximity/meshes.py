@@ -58,13 +58,17 @@ def _with_noughts(path: Path, folder: Path) -> Path:
     return copy
 
 
-@lru_cache(maxsize=64)
 def convex(mesh: Mesh) -> Any:
     """coal's convex body, in the mesh's own axes, where a mesh is the whole surface of one; else None.
 
     It is one where every edge lies between two triangles, nothing lies on one side of any triangle's plane (to a
     millionth of the mesh's size), and it has some volume.
     """
+    return _convex(mesh.of or mesh)
+
+
+@lru_cache(maxsize=64)
+def _convex(mesh: Mesh) -> Any:
     near = _ROUNDING * float(np.ptp(mesh.vertices, axis=0).max())
     _, first, same = np.unique(
         np.round(mesh.vertices / max(near, 1e-12)), axis=0, return_index=True, return_inverse=True
@@ -133,12 +137,17 @@ def coal_geometry(shape: Shape) -> tuple[Any, Array]:
         case Mesh() if (body := convex(shape)) is not None:
             return body, np.asarray(shape.X)
         case Mesh():
-            model = coal.BVHModelOBBRSS()
-            model.beginModel(len(shape.triangles), len(shape.vertices))
-            model.addVertices(np.array(shape.vertices))
-            model.addTriangles(np.array(shape.triangles))
-            model.endModel()
-            return model, np.asarray(shape.X)
+            return _surface(shape.of or shape), np.asarray(shape.X)
+
+
+@lru_cache(maxsize=64)
+def _surface(mesh: Mesh) -> Any:
+    model = coal.BVHModelOBBRSS()
+    model.beginModel(len(mesh.triangles), len(mesh.vertices))
+    model.addVertices(np.array(mesh.vertices))
+    model.addTriangles(np.array(mesh.triangles))
+    model.endModel()
+    return model
 
 
 def with_z(z: Array) -> Array:

@@ -23,18 +23,22 @@ class Contacts:
 
 
 class ClearanceQueries(Protocol):
-    """Distances of a program's motions to what stands in its cell; index: of a motion, or one for each row."""
+    """Distances of a program's motions to what stands in its cell; index: of a motion, or one for each row. turns
+    (m, U): the share that each unit of the motion has turned; without it, what they turn is left out."""
 
     def scene(self, index: int) -> int:
         """A number that motions with the same bodies around them share."""
 
-    def distances(self, q: Array, index: int | IndexArray) -> Array:
+    def turning(self, index: int) -> int:
+        """How many axes turn during a motion, where any of them turns bodies; else 0."""
+
+    def distances(self, q: Array, index: int | IndexArray, turns: Array | None = None) -> Array:
         """The least distance less what is wanted (m,) [m] at axes q (m, n)."""
 
     def free(self, q: Array, index: int | IndexArray) -> BoolArray:
         """Which of axes q (m, n) touch nothing."""
 
-    def contacts(self, q: Array, index: int | IndexArray, within: float) -> Contacts:
+    def contacts(self, q: Array, index: int | IndexArray, within: float, turns: Array | None = None) -> Contacts:
         """Pairs of bodies that are nearer than within [m] beyond what is wanted."""
 
 
