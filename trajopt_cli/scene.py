@@ -2,27 +2,29 @@
 
 Frame i of a chain is the one behind its i-th element, BASE the one before the first: X_WF = base · placement_1 ·
 joint_1(q_1) · placement_2 · joint_2(q_2) ... Whoever draws takes poses from here or works them out by this rule.
+Behind the chain come the frames of positioners' axes: how what they carry has moved since the start, parent · X ·
+turn about z · X^-1.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly, rotation_about
+from trajopt_cli.geometry import Array, inverse_pose, readonly, rotation_about
 from trajopt_cli.motion import MoveAbsJ, PathMove, PoseMove, Program
 from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.plant import Plant, carried_by
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.shapes import Box, Capsule, Shape
-from trajopt_cli.trajectory import Trajectory, hermite
+from trajopt_cli.shapes import Box, Capsule, Rides, Shape, moved
+from trajopt_cli.trajectory import TABLE, Trajectory, hermite
 
 BASE, WORLD = -1, -2
 """Frames that no element of the chain moves."""
@@ -57,6 +59,19 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
+class TableAxis:
+    """A positioner's axis: unit, number from 0, external axis. parent: the frame it stands on. X (4, 4): where it is in
+    the world at start, at which angle [rad]."""
+
+    unit: str
+    number: int
+    eax: int
+    parent: int
+    X: Array
+    start: float
+
+
+@dataclass(frozen=True, eq=False)
 class Body:
     """A shape, meshes loaded, in a frame of the chain or in the world. role: LINK, TOOL_ROLE, OBSTACLE, RAIL, CARRIAGE
     or PART. since, until [s]: when it is there, of a motion's start."""
@@ -70,12 +85,14 @@ class Body:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """A robot in its cell. base (4, 4): where the chain begins in the world. bodies: that are there all the time."""
+    """A robot in its cell. base (4, 4): where the chain begins in the world. bodies: that are there all the time.
+    tables: the positioners' axes that carry bodies."""
 
     base: Array
     chain: tuple[Joint, ...]
     bodies: tuple[Body, ...]
     axes: tuple[str, ...]
+    tables: tuple[TableAxis, ...] = ()
 
     @property
     def flange(self) -> int:
@@ -97,8 +114,8 @@ class Scene:
     def poses(self, q: Array) -> Array:
         """The same in the world (n, len(chain), 4, 4)."""
         X, out = self.base, []
-        for moved in self.moved(q):
-            out.append(X := X @ moved)
+        for step in self.moved(q):
+            out.append(X := X @ step)
         return np.stack(out, axis=1)
 
 
@@ -119,7 +136,8 @@ class Cycle:
 
     tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
     and arcs; none for a motion that has no such parts. parts: bodies that are there for a time, WORLD or on the flange:
-    what it takes and leaves, and the capsule that stands for the tool.
+    what it takes and leaves, and the capsule that stands for the tool. turned (n, T) [rad]: the scene's tables, since
+    the start; None for none.
     """
 
     name: str
@@ -128,6 +146,7 @@ class Cycle:
     tools: tuple[tuple[float, Array], ...] = field(default_factory=lambda: ((0.0, np.eye(4)),))
     driven: tuple[tuple[float, float], ...] = ()
     parts: tuple[Body, ...] = ()
+    turned: Array | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "t", readonly(self.t))
@@ -141,8 +160,43 @@ def scene_of_plant(plant: Plant, moving: Iterable[str] = ()) -> Scene:
     because a cycle has them as parts."""
     left_out, rail = set(moving), plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
-    obstacles = [solid.loaded for solid in plant.obstacles if solid.name not in left_out]
-    return scene_of_robot(plant.robot, obstacles, [solid.loaded for solid in plant.attached], stroke)
+    there = [solid for solid in plant.obstacles if solid.name not in left_out]
+    obstacles = [solid.loaded for solid in there if solid.rides is None]
+    scene = scene_of_robot(plant.robot, obstacles, [solid.loaded for solid in plant.attached], stroke)
+    riding = [Body(one.loaded, table_frame(plant, one.rides), OBSTACLE) for one in there if one.rides is not None]
+    return replace(scene, bodies=(*scene.bodies, *riding), tables=tables_of(plant))
+
+
+def tables_of(plant: Plant) -> tuple[TableAxis, ...]:
+    """The axes of the positioners that carry bodies; none where nothing rides."""
+    riding = {solid.rides.unit for solid in plant.obstacles if solid.rides is not None}
+    first, out = len(chain_of(plant.robot)), list[TableAxis]()
+    for unit in sorted(riding):
+        for i, axis in enumerate(plant.units[unit]):
+            X = carried_by(plant.units[unit][: i + 1], [one.start for one in plant.units[unit][: i + 1]])
+            parent = first + len(out) - 1 if i else WORLD
+            out.append(TableAxis(unit, i, axis.eax, parent, X, axis.start))
+    return tuple(out)
+
+
+def table_frame(plant: Plant, rides: Rides) -> int:
+    """The frame of what rides on a positioner."""
+    found = [(one.unit, one.number + 1) for one in tables_of(plant)]
+    return len(chain_of(plant.robot)) + found.index((rides.unit, rides.axes))
+
+
+def turned_since(tables: Sequence[TableAxis], rows: Trajectory | None, n: int, program: Program | None = None) -> Array:
+    """How far tables have turned (n, T) [rad] since the start, by the columns of rows; an axis without one stands where
+    it does when a program begins."""
+    before = [unit for motion in (program and program.before) or () for unit in getattr(motion, "units", ())]
+    at = {(unit.unit, unit.eax): unit.end for unit in before}
+    out = np.empty((n, len(tables)))
+    for j, one in enumerate(tables):
+        names = [f"{TABLE}{'abcdef'[one.eax]}{tail}" for tail in (f"_{one.unit}", "")]
+        name = next((name for name in names if rows is not None and name in rows.names), None)
+        angle = at.get((one.unit, one.eax), one.start)
+        out[:, j] = (angle if name is None or rows is None else rows.q[:, rows.names.index(name)]) - one.start
+    return out
 
 
 def scene_of_robot(
@@ -199,14 +253,20 @@ def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = No
                 driven[-1] = (driven[-1][0], planned.t_1)
             else:
                 driven.append((planned.t_0, planned.t_1))
-    t, q = _sampled(plan.trajectory)
+    k = len(plan.trajectory.names)
+    t, q = _sampled(plan.trajectory.whole)
+    q, rows = q[:, :k], q[:, k:]
+    turned = None
+    if plant is not None and (tables := tables_of(plant)):
+        its = plan.trajectory.tables
+        turned = turned_since(tables, None if its is None else Trajectory(its.names, t, rows), len(t), program)
     parts: tuple[Body, ...] = ()
     if plant is not None:
         flange = len(chain_of(plant.robot)) - 1
         parts = tuple(_parts(program, plan, plant, flange))
         for (since, shape), (until, _) in pairwise([*capsules, (math.inf, None)]):
             parts += () if shape is None else (Body(shape, flange, TOOL_ROLE, since, until),)
-    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven), parts)
+    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven), parts, turned)
 
 
 def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoint]:
@@ -239,12 +299,22 @@ def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[
     names = {solid.name for solid in plant.parts}
     under: dict[str, tuple[float, int, Shape]] = {}
     moments = [(0.0, -1), *((one.t_0, one.index) for one in plan.motions if not one.dropped)] if names else []
+    first = [unit for motion in program.before or () for unit in getattr(motion, "units", ())]
+    at, done = {(unit.unit, unit.eax): unit.end for unit in first}, 0
     for time, index in moments:
+        for motion in program.motions[done : max(index, 0)]:
+            at.update({(unit.unit, unit.eax): unit.end for unit in getattr(motion, "units", ())})
+        done = max(index, done)
         bodies = bodies_on(plant, program, index)
-        for frame, solids in ((flange, bodies.carried), (WORLD, bodies.standing)):
-            for shape in (solid.loaded for solid in solids if solid.name in names):
-                before = under.get(shape.name)
-                if before is None or before[2] is not shape:
+        for own, solids in ((flange, bodies.carried), (WORLD, (*bodies.standing, *(t.solid for t in bodies.turned)))):
+            for solid in (solid for solid in solids if solid.name in names):
+                frame, shape, before = own, solid.loaded, under.get(solid.name)
+                if own == WORLD and solid.rides is not None:
+                    frame = table_frame(plant, solid.rides)
+                    if before is not None and before[1] == frame:
+                        continue  # it turns with the table
+                    shape = moved(shape, inverse_pose(plant.stands(solid, at)))
+                if before is None or before[1:] != (frame, shape):
                     if before is not None and time > before[0]:
                         yield Body(before[2], before[1], PART, before[0], time)
                     under[shape.name] = time, frame, shape

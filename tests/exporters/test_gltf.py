@@ -15,7 +15,8 @@ from trajopt_cli.exporters.gltf import gltf
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
+from trajopt_cli.scenario import PositionerAxis
+from trajopt_cli.shapes import Box, Capsule, Mesh, Rides, Solid
 from trajopt_cli.trajectory import Trajectory
 
 ASIDE = pose(rotation_about([1, 0, 0], 0.3), [1.0, 0.2, 0.4])
@@ -135,3 +136,23 @@ def test_the_same_motion_gives_the_same_bytes_and_another_robots_is_refused() ->
     assert gltf(sweep(plant), plant, "a plan") == gltf(sweep(plant), plant, "a plan")
     with pytest.raises(InputError, match=r"moves joint_1, .*, not the axes of ABB IRB 140-6/0\.81 on a linear track"):
         gltf(sweep(plant_without_rail()), plant, "a plan")
+
+
+def test_a_body_on_a_table_turns_with_it() -> None:
+    """The table's second axis has turned by 90 degrees behind its first one's 90, in closed form: a box over it."""
+    first = PositionerAxis(1, (0.6, 0.2, 0.3), (1, 0, 0, 0), (-3, 3), 1, 1, 0.0, "a test")
+    tilted = PositionerAxis(2, (0.1, 0, 0), (np.sqrt(0.5), 0, np.sqrt(0.5), 0), (-3, 3), 1, 1, 0.0, "a test")
+    X = pose(rotation_about([0, 1, 0], np.pi / 2), [0.7, 0.2, 0.3])  # of the second axis at start
+    box = Box("box", np.array([0.1, 0.2, 0.3]), X @ pose(np.eye(3), [0.2, 0, 0.1]))
+    plant = replace(
+        plant_without_rail(), units={"stn1": (first, tilted)}, obstacles=(Solid(box, rides=Rides("stn1", 2)),)
+    )
+    rows = sweep(plant)
+    share = np.linspace(0, 1, len(rows.t))[:, None]
+    tables = Trajectory(("eax_b", "eax_c"), rows.t, np.pi / 2 * np.hstack([share, share]))
+    read = Read(gltf(replace(rows, tables=tables), plant, "a plan"))
+    node = next(i for i, name, *_ in read.surfaces() if name == "box")
+    turned = pose(rotation_about([0, 0, 1], np.pi / 2), [0.6, 0.2, 0.3]) @ pose(np.eye(3), [0.1, 0, 0])
+    turned = turned @ pose(rotation_about([0, 1, 0], np.pi / 2) @ rotation_about([0, 0, 1], np.pi / 2), [0, 0, 0])
+    np.testing.assert_allclose(read.X_WN(node, 0), UP @ box.X, atol=1e-6)
+    np.testing.assert_allclose(read.X_WN(node, -1), UP @ turned @ pose(np.eye(3), [0.2, 0, 0.1]), atol=1e-6)

@@ -28,6 +28,7 @@ from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scene import WORLD, plan_cycle, scene_of_plant
 from trajopt_cli.shapes import Box, Mesh
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")
@@ -214,15 +215,20 @@ def test_two_tables_turn_their_own_bodies() -> None:
         assert isinstance(planned(plant, program), answer)
 
 
-def test_a_part_that_is_left_on_a_table_turns_with_it() -> None:
-    """A cube is set down on the plate, which then turns by -90 degrees: its centre (dx, dy) has become (dy, -dx)."""
-    plant, program = job(
+def left_on_the_table() -> tuple[Plant, Program]:
+    """A cube is taken at pA and set down on the plate at pB, which then turns."""
+    return job(
         "MoveJ pA,v1000,fine,tool0;\nWaitTime 0.2;\nMoveJ pB,v1000,fine,tool0;\nWaitTime 0.2;\n"
         "MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0; MoveJ pT,v500,fine,tool0;",
         "plate: {on: STN1, box: {size: [0.5, 0.5, 0.02], position: [0, 0, 0.01]}}\n"
         "cube: {box: {size: [0.04, 0.04, 0.26], position: [0.55, -0.15, 0.25]}}",
         CELL.replace("obstacles:", "attach: [{part: cube, at: 9, detach: 11}]\nobstacles:"),
     )
+
+
+def test_a_part_that_is_left_on_a_table_turns_with_it() -> None:
+    """A cube is set down on the plate, which then turns by -90 degrees: its centre (dx, dy) has become (dy, -dx)."""
+    plant, program = left_on_the_table()
     left, turned, then = (bodies_on(plant, program, i) for i in (4, 5, 6))
     places = {one.name: one.loaded.X[:3, 3] for one in left.standing}
     np.testing.assert_allclose(places["cube"], [0.55, 0.1, 0.25], atol=1e-9)
@@ -298,3 +304,23 @@ def test_a_file_without_the_table_s_column_is_refused() -> None:
     assert isinstance(plan, Plan)
     with pytest.raises(InputError, match="eax_b"):
         verify(program, plant, replace(plan.trajectory, tables=None))
+
+
+def test_the_page_has_a_part_on_the_table_from_when_it_is_left_there() -> None:
+    """The rule of the page's script, followed here: where the cube ends is the closed form of the test above."""
+    plant, program = left_on_the_table()
+    plan = planned(plant, program)
+    assert isinstance(plan, Plan)
+    scene, cycle = scene_of_plant(plant, ["cube"]), plan_cycle("a", program, plan, plant)
+    (table_,) = scene.tables
+    (plate,) = (one for one in scene.bodies if one.shape.name == "plate")
+    frame = len(scene.chain)
+    assert plate.frame == frame
+    stands, held, rides = (one for one in cycle.parts if one.shape.name == "cube")
+    assert (stands.frame, held.frame, rides.frame) == (WORLD, scene.flange, frame)
+    assert cycle.turned is not None
+    np.testing.assert_allclose(cycle.turned[[0, -1], 0], [0, -np.pi / 2], atol=1e-9)
+    assert isinstance(rides.shape, Box)
+    X = table(-np.pi / 2) @ np.linalg.inv(table(0)) @ rides.shape.X
+    np.testing.assert_allclose(X[:3, 3], [0.55 - 0.2, 0.3, 0.25], atol=1e-9)
+    np.testing.assert_allclose(table_.X, table(0), atol=1e-12)

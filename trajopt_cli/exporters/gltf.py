@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, rotation_about, wxyz_from_rotation
+from trajopt_cli.geometry import Array, inverse_pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.scene import BASE, WORLD, scene_of_plant
+from trajopt_cli.scene import BASE, OBSTACLE, WORLD, scene_of_plant, turned_since
 from trajopt_cli.shapes import Box, Capsule, Mesh
 from trajopt_cli.trajectory import Trajectory
 
@@ -97,8 +97,16 @@ def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
             animate(nodes[i], "translation", X[:, :3, 3], "VEC3")
         elif joint.kind != "fixed":
             animate(nodes[i], "rotation", _xyzw(X[:, :3, :3]), "VEC4")
+    turned = turned_since(scene.tables, trajectory.tables, len(trajectory.t))
+    for i, table in enumerate(scene.tables):
+        mount = file.node(f"{table.unit} {table.number + 1} mount", nodes[table.parent], table.X)
+        turns = file.node(f"{table.unit} {table.number + 1}", mount, np.eye(4))
+        animate(turns, "rotation", _xyzw(rotation_about([0, 0, 1], turned[:, i])), "VEC4")
+        nodes[len(scene.chain) + i] = file.node(
+            f"{table.unit} {table.number + 1} carries", turns, inverse_pose(table.X)
+        )
     for body in scene.bodies:
-        file.shape(body.shape, nodes[body.frame], _OBSTACLE if body.frame == WORLD else _ARM)
+        file.shape(body.shape, nodes[body.frame], _OBSTACLE if body.role == OBSTACLE else _ARM)
     return _glb(file, {"name": title, "samplers": samplers, "channels": channels})
 
 

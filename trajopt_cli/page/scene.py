@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.page.encode import block
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
@@ -58,6 +58,9 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
         "points": [
             {"name": short_target(one.name), "position": list(one.position), "place": one.place, "added": one.added}
             for one in points
+        ],
+        "tables": [
+            {"parent": one.parent, "X": _flat(one.X), "back": _flat(inverse_pose(one.X))} for one in scene.tables
         ],
         "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
         "base": _flat(scene.base),
@@ -122,6 +125,7 @@ def _cycle(scene: Scene, cycle: Cycle, most: int) -> dict[str, Any]:
         "tools": [{"t": start, "X": _flat(tool)} for start, tool in cycle.tools],
         "driven": [list(span) for span in cycle.driven],
         **({"parts": parts} if parts else {}),
+        **({} if cycle.turned is None else {"turned": block(cycle.turned)}),
     }
 
 

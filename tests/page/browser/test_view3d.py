@@ -197,3 +197,26 @@ def test_without_webgl_the_arm_is_drawn_as_lines(window: Window, rail_page: Path
     assert "no WebGL" in window.run("return document.querySelector('.v3d-help').textContent")
     red, _, blue = window.picture(".v3d-stage canvas").astype(int).transpose(2, 0, 1)
     assert (red > blue + 60).mean() > 0.002
+
+
+def test_what_positioners_carry_stands_where_a_product_of_turns_has_it(window: Window, arm_page: Path) -> None:
+    """Two axes, one on the other, 0.3 and 0.4 of the way from one row to the next."""
+    window.open(arm_page, flat=True)
+    first, second = PLACE, PLACE @ pose(rotation_about([0, 1, 0], 0.5), [0.2, 0, 0.1])
+    axes = [
+        {"parent": parent, "X": X.ravel().tolist(), "back": np.linalg.inv(X).ravel().tolist()}
+        for parent, X in ((-2, first), (3, second))
+    ]
+    script = (
+        "const plain = (values) => ({data: values});"
+        "const scene = {chain: [0, 0, 0], axes: [], tables: arguments[0], base: []};"
+        "const cycle = {t: [0, 1], q: [], path: [], path_t: [], tools: [], driven: [], turned: [0, 0, 1, 2]};"
+        "return new TrajoptView3DMotion.Motion(scene, cycle, plain).tables(arguments[1]);"
+    )
+    for time in (0.3, 1.0):
+        found = [np.reshape(X, (4, 4)) for X in window.run(script, axes, time)]
+        turns = [
+            X @ pose(rotation_about([0, 0, 1], angle), [0, 0, 0]) @ np.linalg.inv(X)
+            for X, angle in ((first, time), (second, 2 * time))
+        ]
+        np.testing.assert_allclose(found, [turns[0], turns[0] @ turns[1]], atol=1e-9)

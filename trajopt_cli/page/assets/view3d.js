@@ -79,7 +79,7 @@
           const frames = cycle.frames(time);
           around([this.tcp(cycle, time)], 0.02);
           for (const [body, inside, radius] of bodies) {
-            around(inside.map((p) => at(this.frame(frames, body.link), p)), radius);
+            around(inside.map((p) => at(this.frame(frames, body.link, cycle, time), p)), radius);
           }
         }
         for (let i = 0; i + 2 < cycle.path.length; i += 30) path.push(Array.from(cycle.path.subarray(i, i + 3)));
@@ -99,7 +99,9 @@
       return { points, path: wide, floor, size, middle, along: high[1] - low[1] > high[0] - low[0] ? 1 : 0 };
     }
 
-    frame(frames, link) {
+    frame(frames, link, motion, time) {
+      const chain = this.scene.chain.length;
+      if (link >= chain) return motion.tables(time)[link - chain];
       return link < -1 ? IDENTITY : link < 0 ? this.scene.base : frames[link];
     }
 
@@ -433,7 +435,7 @@
         g.draw(g.dot, buffer, gl.POINTS);
       };
       const parts = this.parts[cycle].filter((one) => one.from <= this.time && this.time < one.to);
-      const placed = (one) => [one, times(this.frame(frames, one.link), one.X || IDENTITY)];
+      const placed = (one) => [one, times(this.frame(frames, one.link, motion, this.time), one.X || IDENTITY)];
       const links = [...this.bodies, ...parts].map(placed);
 
       gl.depthMask(false);
@@ -443,7 +445,7 @@
       for (const one of this.statics) if (one.role !== "obstacle") solid(one, one.X || IDENTITY, ink.rail);
       let turn = 0;
       for (const [one, X] of links) {
-        const color = one.role === "link" ? ink[turn++ % 2 ? "link-2" : "link"] : ink[{ tool: "tool", part: "obstacle" }[one.role] || "rail"];
+        const color = one.role === "link" ? ink[turn++ % 2 ? "link-2" : "link"] : ink[{ tool: "tool", part: "obstacle", obstacle: "obstacle" }[one.role] || "rail"];
         solid(one, X, color);
       }
       const rod = this.rodTo(motion.tool(this.time));

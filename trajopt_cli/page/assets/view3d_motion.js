@@ -54,6 +54,7 @@ window.TrajoptView3DMotion = (() => {
       this.t = decode(cycle.t).data;
       this.q = decode(cycle.q).data;
       this.axes = scene.axes.length;
+      this.turned = cycle.turned ? decode(cycle.turned).data : null;
       this.path = decode(cycle.path).data;
       this.pathTimes = decode(cycle.path_t).data;
       this.driven = cycle.driven;
@@ -61,16 +62,26 @@ window.TrajoptView3DMotion = (() => {
       this.end = this.t[this.t.length - 1];
     }
 
-    // Axis positions, linear between rows.
-    joints(time) {
+    // Axis positions, linear between rows; of positioners, how far they have turned since the start.
+    joints(time, rows = this.q, axes = this.axes) {
       const now = Math.min(Math.max(time, this.t[0]), this.end);
       const i = Math.min(rowAt(this.t, now), Math.max(this.t.length - 2, 0));
       const j = Math.min(i + 1, this.t.length - 1);
       const share = j > i && this.t[j] > this.t[i] ? (now - this.t[i]) / (this.t[j] - this.t[i]) : 0;
       const out = [];
-      for (let k = 0; k < this.axes; k++) {
-        out.push(this.q[i * this.axes + k] * (1 - share) + this.q[j * this.axes + k] * share);
-      }
+      for (let k = 0; k < axes; k++) out.push(rows[i * axes + k] * (1 - share) + rows[j * axes + k] * share);
+      return out;
+    }
+
+    // How what positioners carry has moved in the world, by axis.
+    tables(time) {
+      const axes = this.scene.tables;
+      const turned = this.turned ? this.joints(time, this.turned, axes.length) : axes.map(() => 0);
+      const out = [];
+      axes.forEach(({ parent, X, back }, i) => {
+        const own = times(times(X, joint("revolute", [0, 0, 1], turned[i])), back);
+        out.push(parent < 0 ? own : times(out[parent - this.scene.chain.length], own));
+      });
       return out;
     }
 
