@@ -9,11 +9,12 @@ import pytest
 from joint_ways import HOME, H, line, product_forward, quintic, spin
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.task.arm_angle_path import find_path
 from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
+from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, Goal, plan_arm
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import stops_loop
 from trajopt_cli.iiwa.task.joints import Followed, follow
+from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, configuration, inverse_branch
 
@@ -163,7 +164,11 @@ def test_none_is_found_only_where_a_flood_finds_none(
     fixed, free = (followed(way, start, free=free) for free in (False, True))
     row = can_be_got_to(fixed.X_WF, start, faster=3.0)
     assert row is not None
-    found = find_path(ArmTask(ROBOT, fixed.X_WF, H, LIMITS, ArmAngle.FARIA, fixed.configuration, start))
+    found = plan_arm(
+        ArmTask(ROBOT, fixed.X_WF, H, LIMITS, ArmAngle.FARIA, fixed.configuration, start),
+        float(fixed.arm_angle[0]),
+        ArmAngleObjective(Goal.LIMITS),
+    )
     assert isinstance(found, NoPlan)
     assert found.row == pytest.approx(row, abs=50)
     assert found.message == "no arm angle that keeps every joint in its range can be reached in time"
@@ -207,3 +212,26 @@ def test_a_course_begins_at_the_start_joints_arm_angle_even_if_another_was_asked
     answer = followed(way, HOME, free=True, delta=0.1)
     assert answer.arm_angle[0] == pytest.approx(0.0, abs=1e-12)
     assert_goes_the_way(answer, way, HOME)
+
+
+@pytest.mark.parametrize("goal", Goal)
+@pytest.mark.parametrize("name", ["fast turn", "joint_6", "wrist"])
+def test_the_chosen_course_is_no_worse_than_the_free_one(name: str, goal: Goal) -> None:
+    """By the goal's own measure over the rows, integrals and distances made anew."""
+    degrees, by, turn, seconds, _ = BUILT[name]
+    start = np.radians(degrees)
+    way = line(ROBOT.forward(start), np.array(by), np.array(turn), seconds)
+    free = followed(way, start, free=True).trajectory.q
+    found = follow(way, ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, None, False, objective=ArmAngleObjective(goal))
+    assert isinstance(found, Followed)
+    assert_keeps_every_limit(found)
+
+    def worth(q: Array) -> float:
+        if goal is Goal.LIMITS:
+            moved = [0, 1, 2, 4, 5, 6]
+            return float(-np.minimum(LIMITS.upper - q, q - LIMITS.lower)[:, moved].min())
+        if goal is Goal.SPEED:
+            return float(np.square(np.diff(q, axis=0) / LIMITS.velocity).sum())
+        return float(np.square(Dynamics(ROBOT).gravity_torque(q[::10]) / ROBOT.torque).sum())
+
+    assert worth(found.trajectory.q) <= worth(free) * (1 + 1e-3 * np.sign(worth(free)))

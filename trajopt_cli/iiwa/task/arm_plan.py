@@ -51,7 +51,7 @@ _TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes ke
 _SLOWER = (_TOP_SPEED, 0.7, 0.5, 0.35)  # top speeds on the grid, lower where accelerations break their limits otherwise
 _SMOOTHING = (10.0, 1.0, 1e-1, 1e-2, 1e-3, 1e-4)  # of the square of the arm angle's acceleration [rad/s2]
 _WORTH, _OF_SAVING = 0.01, 0.1  # of the least cost, and of what it saves: what a smoother path may cost more
-_WALL_POSITION, _WALL_SPEED, _WALL_ACCELERATION = 3000.0, 30.0, 10.0  # penalties' roots, per rad and per share
+_WALL_POSITION, _WALL_SPEED, _LOW_WALL = 3000.0, 30.0, 0.1  # penalties' roots, per rad and per share
 _STEP = 1e-5  # rad: for differences
 _STILL = 0.1  # m/s2 or rad/s2: no step of a speed is less within a period
 _ITERATIONS = 60
@@ -124,9 +124,29 @@ class ArmPlan:
 def plan_arm(task: ArmTask, fixed: float, objective: ArmAngleObjective, stops: bool = True) -> ArmPlan | NoPlan:
     """The best path of the arm angle along a motion whose poses are all in reach, from the start joints' arm angle on.
 
-    fixed [rad]: the arm angle to compare with, kept where the path found is no better and it keeps the limits. stops:
-    whether the arm has to be at rest in the last row.
+    fixed [rad]: the arm angle to compare with, kept where the path found is no better and it keeps the limits. Where it
+    does not, the path is no worse for its goal than the one for Goal.LIMITS. stops: whether the arm has to be at rest
+    in the last row.
     """
+    found = _planned(task, fixed, objective, stops)
+    if objective.goal is Goal.LIMITS or (isinstance(found, ArmPlan) and found.fixed.passes):
+        return found
+    other = _planned(task, fixed, replace(objective, goal=Goal.LIMITS), stops)
+    if isinstance(other, NoPlan):
+        return found
+    cost = _Costs(task, objective, task.joints(fixed), stops).cost(other.q[other.map.rows], other.map.rows)
+    other = replace(other, goal=objective.goal, grid_cost=cost, cost=cost)
+    if isinstance(found, NoPlan):
+        return other
+
+    def rank(plan: ArmPlan) -> tuple[float, float]:
+        return max(plan.best.acceleration, 1.0), plan.cost
+
+    return min(found, other, key=rank)
+
+
+def _planned(task: ArmTask, fixed: float, objective: ArmAngleObjective, stops: bool) -> ArmPlan | NoPlan:
+    """As plan_arm, for its goal alone."""
     q_fixed = task.joints(fixed)
     costs = _Costs(task, objective, q_fixed, stops)
     fixed_figures = costs.figures(q_fixed, np.full(len(q_fixed), fixed), stops)
@@ -226,6 +246,8 @@ class _Costs:
             grid = grid or (self.cost(q, chart.rows), float(margins(q, self.limits).min()))
             self.progress("smooth paths near it")
             paths += self.smooth(chart, cells, floor, top, stops)
+            if not paths and not fixed.passes:  # accelerations stop no loop: those of a motion at speed may be hopeless
+                paths += self.smooth(chart, cells, floor, top, stops, _LOW_WALL)
             quiet = [one for one in paths if one.acceleration <= 1]
             if quiet:
                 least = min(one.cost for one in quiet)
@@ -276,15 +298,18 @@ class _Costs:
     def _hold(self, q: Array, floor: float) -> Array:
         return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
 
-    def smooth(self, chart: ArmMap, cells: IndexArray, floor: float, top: float, stops: bool) -> Iterator[_Smooth]:
-        """Smooth paths near cells that keep positions and speeds in every row, the smoothest first."""
+    def smooth(
+        self, chart: ArmMap, cells: IndexArray, floor: float, top: float, stops: bool, wall: float = 10.0
+    ) -> Iterator[_Smooth]:
+        """Smooth paths near cells that keep positions and speeds in every row, the smoothest first. wall: root of what
+        accelerations beyond their limits cost, per share."""
         task, h, n = self.task, self.task.h, len(self.task.X_WF)
         nodes = stages(n, int(np.clip(np.ceil((n - 1) * h / _NODE), *_NODES)))
         t = np.asarray(nodes * h, dtype=np.float64)
         grid = np.asarray(np.interp(nodes, chart.rows, chart.delta[0] + chart.cell * cells), dtype=np.float64)
         delta = grid
         for weight in _SMOOTHING:
-            fit = _Fit(self, nodes, floor, top, weight)
+            fit = _Fit(self, nodes, floor, top, weight, wall)
             begins = [grid] if delta is grid else [grid, delta]
             _, delta = min((fit.solve(begin) for begin in begins), key=lambda one: one[0])
             angles = np.asarray(CubicSpline(t, delta, bc_type=((1, 0.0), (1, 0.0)))(np.arange(n) * h))
@@ -341,8 +366,9 @@ class _Costs:
 class _Fit:
     """Least squares over the arm angles of nodes: each term's residuals touch one node or up to three in a row."""
 
-    def __init__(self, costs: _Costs, nodes: IndexArray, floor: float, top: float, weight: float) -> None:
+    def __init__(self, costs: _Costs, nodes: IndexArray, floor: float, top: float, weight: float, wall: float) -> None:
         self._costs, self._task, self._floor, self._weight, self._top = costs, costs.task, floor, weight, top
+        self._wall = wall
         X_WF, t = costs.task.X_WF, np.asarray(nodes * costs.task.h, dtype=np.float64)
         # around each inner node the row at which the motion accelerates most, with its neighbours
         borders = (nodes[1:] + nodes[:-1] + 1) // 2
@@ -428,12 +454,12 @@ class _Fit:
         q_3, slope = around[0], _turn(around[1] - around[2]) / (2 * _STEP)
         hard = (_turn(q_3[2] - q_3[1]) - _turn(q_3[1] - q_3[0])) / (h * h * top)
         over = np.maximum(np.abs(hard) - _TOP_ACCELERATION, 0.0)
-        wall = _WALL_ACCELERATION * root[inner] * np.where(over > 0, np.sign(hard), 0.0) / top
+        wall = self._wall * root[inner] * np.where(over > 0, np.sign(hard), 0.0) / top
         by_rate, by_bend = (slope[2] - slope[0]) / h, slope[1]
         by_angle = (slope[2] - 2 * slope[1] + slope[0]) / (h * h)
         slopes = [wall * (by_rate * v + by_bend * w) for v, w in zip(first, second, strict=True)]
         slopes[1] = slopes[1] + wall * by_angle
-        normal.add(_WALL_ACCELERATION * root[inner] * over, *slopes)
+        normal.add(self._wall * root[inner] * over, *slopes)
         for k in (0, len(delta) - 2):  # from rest and to rest: as if the motion were mirrored there
             end = slice(0, 1) if k == 0 else slice(-1, None)
             lead = (self._before + self._after)[end, None] * (1.0 if k == 0 else -1.0)
@@ -442,8 +468,8 @@ class _Fit:
             if self._costs.steps[0 if k == 0 else -1]:  # the motion is at speed there: what the arm angle adds
                 bent = lead * q_d[k] * (delta[k + 1] - delta[k]) / top
             over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
-            wall = _WALL_ACCELERATION * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top
-            normal.add(_WALL_ACCELERATION * root[end] * over, -wall * q_d[k], wall * q_d[k + 1], first=k)
+            wall = self._wall * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top
+            normal.add(self._wall * root[end] * over, -wall * q_d[k], wall * q_d[k + 1], first=k)
 
 
 def _steps(X_WF: Array, h: float, stops: bool) -> BoolArray:

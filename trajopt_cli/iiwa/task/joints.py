@@ -10,7 +10,6 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
-from trajopt_cli.iiwa.task.arm_angle_path import find_path
 from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
@@ -108,22 +107,18 @@ def follow(
     if free and objective is None and not broken:
         notes.append(f"the arm angle stays at {_printed(fixed)}: it keeps every position and speed limit")
     elif free and not hopeless:
-        task = ArmTask(robot, X_WF, h, limits, definition, configuration, start)
-        if objective is None:
-            found = find_path(task)
-        else:
-            from trajopt_cli.iiwa.task.arm_plan import plan_arm
+        from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, Goal, plan_arm
 
-            chosen = plan_arm(task, fixed, objective, stops)
-            plan = None if isinstance(chosen, NoPlan) else chosen
-            found = chosen if isinstance(chosen, NoPlan) else (chosen.arm_angle, chosen.q)
+        task = ArmTask(robot, X_WF, h, limits, definition, configuration, start)
+        found = plan_arm(task, fixed, objective or ArmAngleObjective(Goal.LIMITS), stops)
+        plan = None if isinstance(found, NoPlan) or objective is None else found
         if isinstance(found, NoPlan):
             at = f"at t = {found.row * h:.3f} s ({place(found.row)})"
             notes.append(f"no path of the arm angle was found: {at} {found.message}")
-        elif plan is not None and plan.held:
-            notes.append(f"the arm angle stays at {_printed(fixed)}: {plan.held}")
+        elif found.held:
+            notes.append(f"the arm angle stays at {_printed(fixed)}: {found.held}")
         else:
-            moved, (angles, q) = True, found
+            moved, angles, q = True, found.arm_angle, found.q
             if broken:
                 at = place(round((broken[0].time or 0.0) / h))
                 notes.append(
