@@ -63,7 +63,7 @@ def test_quaternions_are_the_tool_in_the_world() -> None:
             "p.csv:1: column 'x' has no unit; write 'x [m]' or 'x [cm]' or 'x [mm]'",
         ),
         ([HEAD.replace("[deg]", "[mm]"), *ROWS], "p.csv:1: column 'alpha' has the unit 'mm'; write 'alpha [deg]' or"),
-        ([HEAD.replace("beta", "speed"), *ROWS], "p.csv:1: the column is 'speed [deg]'; wanted are x, y, z and angles"),
+        ([HEAD.replace("beta", "speed"), *ROWS], "p.csv:1: the column is 'speed [deg]'; wanted are x, y, z, alpha"),
         ([HEAD.replace("beta", "alpha"), *ROWS], "p.csv:1: column 'alpha' stands twice"),
         ([HEAD.replace(",beta [deg]", ""), *ROWS], "p.csv:1: the header lacks beta; write it for example"),
         (["x [m],y [m],z [m]", "0,0,0", "0,0,1"], "p.csv:1: the header needs either angles or a quaternion"),

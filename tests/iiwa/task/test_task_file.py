@@ -96,7 +96,7 @@ def test_contact_stands_in_a_task_file_or_alone(tmp_path: Path) -> None:
     assert (contact.tip, contact.obstacles[0].stiffness, contact.obstacles[0].friction) == (0.02, 20e3, 0)
     assert text.startswith("contact")
     both, _ = load_contact(PROGRAMS / "iiwa_polish.yaml")
-    assert both.obstacles[0].box.name == "plate"
+    assert both.obstacles[0].shape.name == "plate"
 
 
 PROGRAM_TASK = "".join(

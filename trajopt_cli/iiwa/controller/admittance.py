@@ -98,7 +98,8 @@ class Controller:
         if following is not None and self._seen_from is not None:
             following = self._looked_at(following, aim.x[3:])
         self._near = aim.x[3:]
-        self._state.step(aim, self.force, following)
+        a, b, c, d, e, f = (felt + told for felt, told in zip(self.force, goal.wrench, strict=True))
+        self._state.step(aim, (a, b, c, d, e, f), following)
         self.k += 1
         x = self._state.x
         R, p = self._state.pose
@@ -133,10 +134,8 @@ class Controller:
             return self._stop(StopKind.SINGULAR, "arm", singular.smallest, SMALLEST, "", str(singular))
         if self._force_bounds is not None:
             F = clamped(F, self._force_bounds)
-        t = self.t
         for push in self.settings.pushes:
-            if push.start <= t + _SOON and t + _SOON < push.end:
-                F = [f + extra for f, extra in zip(F, push.force.tolist(), strict=True)]
+            F = [f + extra for f, extra in zip(F, push.at(self.t).tolist(), strict=True)]
         if any(self._zeroing.zeroed):
             F = zero(F, self._zeroing).tolist()
         self.force = (F[0], F[1], F[2], F[3], F[4], F[5])

@@ -12,7 +12,7 @@ from math import ceil
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Piece
 
@@ -65,6 +65,13 @@ def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
 def held_rows(seconds: float, h: float) -> int:
     """How many rows of h [s] hold a pose for at least seconds."""
     return ceil(seconds / h - 1e-9)
+
+
+def nearest_rows(path: Array, p: Array) -> IndexArray:
+    """Which row of a path (n, 3) each of points p (m, 3) is nearest to."""
+    from scipy.spatial import cKDTree
+
+    return np.asarray(cKDTree(path).query(p)[1], dtype=np.intp)
 
 
 def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: float) -> float | None:

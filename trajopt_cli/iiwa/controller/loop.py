@@ -61,15 +61,20 @@ def run(
     limits: JointLimits,
     *,
     R_e: ArrayLike | None = None,
+    wrench: ArrayLike | None = None,
     settle: float = 0.0,
 ) -> LoopRun:
     """Feed the equilibrium x_e (n, 6) [m, rad], angles from R_start, one row a period, its last row for settle [s].
 
-    R_e (n, 3, 3): its orientations in the world, which a slerp controller goes by. The loop stops, as KUKA's FRI would,
+    R_e (n, 3, 3): its orientations in the world, which a slerp controller goes by. wrench (n, 6) [N, Nm]: what the tool
+    is told to press with besides, None for nothing. The loop stops, as KUKA's FRI would,
     before the first command that breaks a joint's range or speed (limits), has no inverse, or passes the angles' lock;
     the rows end with the last one whose command was sent.
     """
     goals = _goals(x_e, R_e, controller.settings.rotation)
+    if wrench is not None:
+        told = np.asarray(wrench, dtype=np.float64).tolist()
+        goals = [goal._replace(wrench=tuple(row)) for goal, row in zip(goals, told, strict=True)]
     goals += [goals[-1]] * held_rows(settle, controller.settings.h)
     command = controller.q_0
     measured = world.reset(command)

@@ -17,6 +17,7 @@ from trajopt_cli.iiwa.task.model import (
     Feed,
     Integration,
     Push,
+    PushLog,
     RotationLaw,
     Sensor,
     Task,
@@ -46,7 +47,7 @@ class Settings:
     clamps: Clamps = field(default_factory=Clamps)
     sensor: Sensor | None = None
     changes: tuple[Change, ...] = ()
-    pushes: tuple[Push, ...] = ()
+    pushes: tuple[Push | PushLog, ...] = ()
     integration: Integration = Integration.EULER
     feed: Feed = Feed.POSITION
     rotation: RotationLaw = RotationLaw.TAIT_BRYAN
@@ -59,10 +60,12 @@ class Settings:
 
 
 class Goal(NamedTuple):
-    """One row of the equilibrium: x (6,) [m, rad], angles from R_start; R in the world, which slerp goes by."""
+    """One row of the equilibrium: x (6,) [m, rad], angles from R_start; R in the world, which slerp goes by; wrench:
+    what the tool is told to press with besides (6,) [N, Nm], world axes."""
 
     x: Six
     R: Nine | None = None
+    wrench: Six = (0.0,) * 6
 
 
 class Command(NamedTuple):

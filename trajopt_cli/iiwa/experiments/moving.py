@@ -46,6 +46,7 @@ from trajopt_cli.iiwa.task.model import (
 from trajopt_cli.iiwa.task.segments import interpolate
 from trajopt_cli.iiwa.world.worlds import Engine
 from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.shapes import Box
 
 SIDE = 0.2
 """The cube's edge [m]."""
@@ -296,7 +297,8 @@ def _touching(run: Simulated, shown: Following) -> dict[str, Any]:
     across = np.linalg.norm(np.delete(loop.contact_true[on, :3], NORMAL, axis=1), axis=1)
     over = np.zeros(len(on), dtype=np.bool_)
     for obstacle in run.contact.obstacles if run.contact is not None else ():
-        X, half = obstacle.box.X, obstacle.box.size / 2
+        assert isinstance(obstacle.shape, Box)
+        X, half = obstacle.shape.X, obstacle.shape.size / 2
         local = (run.tool[on, :3] - X[:3, 3]) @ X[:3, :3]
         over |= np.all(np.abs(local[:, :NORMAL]) <= half[:NORMAL], axis=1)
     return {

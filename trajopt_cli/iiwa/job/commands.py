@@ -115,6 +115,7 @@ def simulate(
         [
             texts.law_table(found.axes, found.opened.equilibrium.h),
             [*lag, *texts.contact_lines(found), *texts.loop_time_line(found)],
+            *([texts.force_table(found)] if found.forces else []),
         ],
         results / "simulation.csv",
         f"written to {results}: report.html (open it in a browser), simulation.csv",

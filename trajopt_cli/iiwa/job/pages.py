@@ -12,7 +12,15 @@ from trajopt_cli.geometry import Array, IndexArray, inverse_pose, pose
 from trajopt_cli.iiwa.controller.lag import deviation, turn_deviation
 from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
-from trajopt_cli.iiwa.job.texts import feeds_table, law_table, lead_text, link_lines, motor_lines, where_line
+from trajopt_cli.iiwa.job.texts import (
+    feeds_table,
+    force_table,
+    law_table,
+    lead_text,
+    link_lines,
+    motor_lines,
+    where_line,
+)
 from trajopt_cli.iiwa.report.page import AFTER, AXES, BEFORE, Chart, Curve, TimelineEntry, legs_table, run_page
 from trajopt_cli.iiwa.task.joint_rows import joints_along
 from trajopt_cli.limits import JointLimits
@@ -54,7 +62,7 @@ def simulation_page(run: Simulated) -> bytes:
     world = [f"The whole loop was run because of {', '.join(run.why)}."] if run.why else []
     world += ["MuJoCo is not installed: obstacles are springs, and links pass through them."] if run.fallback else []
     world += [*motor_lines(run), *(link_lines(run) if run.contact is not None else [])]
-    law = drawn(law_table(run.axes, run.opened.equilibrium.h))
+    law = drawn(law_table(run.axes, run.opened.equilibrium.h)) + (drawn(force_table(run)) if run.forces else "")
     kind = "the controller's law alone" if run.loop is None else run.loop.world
     return run_page(
         Path(run.opened.task.file).stem,
@@ -148,7 +156,7 @@ def _scene(run: Simulated, shown: Sequence[tuple[str, Array, Array]]) -> dict[st
     marks = [ScenePoint(name, (float(p[0]), float(p[1]), float(p[2]))) for name, p in named.items()]
     obstacles, carried = [], []
     if run.contact is not None:
-        obstacles = [one.box for one in run.contact.obstacles]
+        obstacles = [one.shape for one in run.contact.obstacles]
         carried = [Capsule("tip", task.X_FT[:3, 3], task.X_FT[:3, 3], run.contact.tip)]
     return robot_scene(run.opened.robot, marks, cycles, obstacles, carried)
 
@@ -185,6 +193,10 @@ def _force_charts(run: Simulated) -> Iterator[Chart]:
                 axes = zip("xyz", AXES, values[:, first : first + 3].T, strict=True)
                 curves = [Curve(axis, t, column, style) for axis, style, column in axes]
                 yield Chart(f"{name}-{part.lower()}", f"{part}, {title}", unit, curves, peak=True)
+    if run.pressed is not None and run.pressing is not None:
+        shown = [("wish", run.pressing.wish, BEFORE), ("pressed", run.pressed, AFTER)]
+        curves = [Curve(name, t[: len(y)], y[: len(t)], style) for name, y, style in shown]
+        yield Chart("pressed", "Force that the tool presses with", "N", curves, zero=True)
     if loop is not None and run.touch is not None:
         depth = Curve("depth", t, loop.depth / MM, AFTER)
         yield Chart("depth", "Depth of the tip", "mm", [depth], peak=True, zero=True)

@@ -21,6 +21,7 @@ from trajopt_cli.iiwa.controller.parameters import Settings
 from trajopt_cli.iiwa.controller.regulator import equilibrium_rates, response, response_rotation
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
+from trajopt_cli.iiwa.job.force import Pressing, force_along, force_records, pressing
 from trajopt_cli.iiwa.job.joints import joint_record
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import angles_near, rotation
@@ -76,6 +77,7 @@ class Simulated:
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
     plan: Array | None = None
+    pressing: Pressing | None = None
 
     @property
     def target(self) -> Array:
@@ -113,6 +115,21 @@ class Simulated:
     def touch(self) -> dict[str, Any] | None:
         """What the contact did, as touch_record."""
         return touch_record(self)
+
+    @cached_property
+    def pressed(self) -> Array | None:
+        """How hard the tool presses (n,) [N] as the task asks; None where it asks for nothing, or nothing is there."""
+        if self.loop is None or self.pressing is None or self.contact is None:
+            return None
+        path = self.opened.plan or self.opened.equilibrium
+        return force_along(self.pressing, path, self.tool[:, :3], self.loop.contact_true[:, :3])
+
+    @cached_property
+    def forces(self) -> list[dict[str, Any]]:
+        """The same by piece, as force.force_records."""
+        if self.pressing is None or self.pressed is None:
+            return []
+        return force_records(self.pressing, self.opened.equilibrium.h, self.pressed)
 
     @property
     def q(self) -> Array | None:
@@ -208,13 +225,15 @@ def run_controller(
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
         # a round time, so that runs whose laws differ by rounding end together
         settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
+    asked = pressing(task, opened.plan or sequence, opened.X_start[:3, :3])
+    wrench = None if asked is None or not task.wrench else asked.wrench
     why = _loop_needed(task, contact, engine)
     fallback = bool(why) and engine is None and not mujoco_world.available()
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
     if why:
         chosen = Engine(engine) if engine is not None else Engine.SPRING if fallback else Engine.MUJOCO
-        loop, world = _loop(opened, contact, chosen, feed, settle, place)
+        loop, world = _loop(opened, contact, chosen, feed, settle, place, wrench)
         links, motors = world.link_contacts, world.motors
         if len(loop.x) == 0:
             assert loop.stop is not None
@@ -222,7 +241,7 @@ def run_controller(
         x_e, x, R, force, joints = loop.x_e, loop.x, loop.R, loop.force_believed, None
     else:
         loop = None
-        x_e, x, R, force = _law_alone(opened, feed, settle)
+        x_e, x, R, force = _law_alone(opened, feed, settle, wrench)
         joints = _joints(opened, x, R @ opened.X_start[:3, :3].T)
     plan, target = opened.plan, x_e
     if plan is not None and not frames_change(task):
@@ -230,7 +249,7 @@ def run_controller(
     if sequence.rotation is RotationLaw.SLERP and not frames_change(task):
         x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
     lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
-    of_world = (fallback, links, motors, target)
+    of_world = (fallback, links, motors, target, asked)
     return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *of_world)
 
 
@@ -294,6 +313,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
     if run.loop is not None:
         record["world"] = run.loop.world
         record["contact"] = run.touch
+        record["forces"] = run.forces
         for name, keys, rows in (("links_in_obstacles", _LINK, run.links), ("motors", _MOTOR, run.motors)):
             record[name] = [dict(zip(keys, astuple(one), strict=True)) for one in rows]
         record["stopped"] = None if run.loop.stop is None else run.loop.stop.message
@@ -362,7 +382,13 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
 
 
 def _loop(
-    opened: Opened, contact: Contact | None, engine: Engine, feed: Feed, settle: float, place: str | None
+    opened: Opened,
+    contact: Contact | None,
+    engine: Engine,
+    feed: Feed,
+    settle: float,
+    place: str | None,
+    wrench: Array | None,
 ) -> tuple[LoopRun, TrackedWorld]:
     task, sequence = opened.task, opened.equilibrium
     try:
@@ -373,10 +399,10 @@ def _loop(
     controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
     R_e = sequence.rotations(opened.X_start[:3, :3])
     limits = opened.robot.profile(task.limits)
-    return run(controller, sequence.pose, world, limits, R_e=R_e, settle=settle), world
+    return run(controller, sequence.pose, world, limits, R_e=R_e, wrench=wrench, settle=settle), world
 
 
-def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:
+def _law_alone(opened: Opened, feed: Feed, settle: float, wrench: Array | None) -> tuple[Array, Array, Array, Array]:
     """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) in the world, and the forces pushed with (n, 6).
 
     The controller is switched on at rest in the pose of the start, wherever the sequence begins.
@@ -387,17 +413,18 @@ def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array,
     t = np.arange(len(x_e)) * h
     force = np.zeros_like(x_e)
     for push in task.pushes:
-        force[(t >= push.start) & (t < push.end)] += push.force
+        force += push.at(t)
     if task.zeroing != Zeroing():
         force = zero(force, task.zeroing)
+    told = force if wrench is None else force + held(wrench, settle, h)
     start = np.r_[opened.X_start[:3, 3], np.zeros(3)]  # angles count from there
-    x = response(x_e, h, law, integration=task.integration, feed=feed, force=force, x_0=start).x
+    x = response(x_e, h, law, integration=task.integration, feed=feed, force=told, x_0=start).x
     if sequence.rotation is not RotationLaw.SLERP:
         return x_e, x, rotation(x[:, 3:]) @ R_start, force
     R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
     # in the world, whose axes the stiffness has
     turned = response_rotation(
-        *(R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:]),
+        *(R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], told[:, 3:]),
         integration=task.integration,
         feed=feed,
         R_0=R_start,

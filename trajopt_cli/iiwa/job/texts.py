@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -236,6 +236,20 @@ def contact_lines(run: Simulated) -> list[str]:
         f" (the controller's own pose: x {own[0]:.2f}, y {own[1]:.2f}, z {own[2]:.2f} mm)",
         *link_lines(run),
     ]
+
+
+def force_table(run: Simulated) -> TextTable:
+    """How hard the tool presses in every piece that the task gives a force."""
+    columns: dict[str, Callable[[dict[str, Any]], str]] = {
+        "~segment": lambda row: row["to"] if row["from"] == row["to"] else f"{row['from']} -> {row['to']}",
+        ">wish [N]": lambda row: f"{row['wish_N']:.2f}",
+        ">min": lambda row: f"{row['least_N']:.2f}",
+        ">mean": lambda row: f"{row['mean_N']:.2f}",
+        ">max": lambda row: f"{row['most_N']:.2f}",
+        ">mean off by": lambda row: f"{100 * (row['mean_N'] / row['wish_N'] - 1):+.1f} %",
+        ">at worst": lambda row: f"{100 * row['largest_error']:.1f} %",
+    }
+    return tabulate("force that the tool presses with", run.forces, columns)
 
 
 def link_lines(run: Simulated) -> list[str]:

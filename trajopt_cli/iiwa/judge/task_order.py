@@ -79,7 +79,7 @@ _CAPS = {
     "angular_jerk": rate(RADIAN, 3),
 }
 # What a task says besides its way; the controller's business, which verify does not judge.
-_CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact")
+_CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact", "force")
 _WAY = (
     "h",
     "profile",
@@ -195,6 +195,8 @@ def read_order(
         )
     elif from_csv and len(lines := lines_of(source)) - 1 > MOST:
         unchecked.append(f"{source}: path and speeds, because {len(lines) - 1} poses are more than {MOST}")
+    elif from_csv and lines[0].startswith("t [s],x_e [m],"):
+        unchecked.append(f"{source}: path and speeds, because they are a run's poses, which are thinned")
     elif not unchecked:
         assert start is not None
         if from_csv:

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
 
-from trajopt_cli.cell.document import BoxSection, FrameSection
+from trajopt_cli.cell.document import BoxSection, CapsuleSection, FrameSection
 from trajopt_cli.quantity import (
     ACCELERATION,
     ANGLE,
@@ -185,6 +185,25 @@ class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
+class ForceSection(Section):
+    """How hard the tool presses, and along what: its own z axis, the normal of the path, or an axis of the world."""
+
+    value: Annotated[float, _from_zero(FORCE)] | None = None
+    along: Literal["tool", "normal", "x", "-x", "y", "-y", "z", "-z"] | None = None
+
+
+class TaskForceSection(ForceSection):
+    """The same of all poses that say nothing else; by: a shifted equilibrium, or a wrench that the controller takes;
+    lead: the equilibrium runs ahead of the path so that the tool does not lag."""
+
+    by: Literal["offset", "wrench"] = "offset"
+    lead: StrictBool = False
+
+
+def _force(value: Any) -> Any:
+    return value if value is None or isinstance(value, dict) else {"value": value}
+
+
 class PoseSection(Section):
     """One pose: at (a pose, or "start": where the tool is at the start) or by (added to the pose before); dwell."""
 
@@ -198,6 +217,13 @@ class PoseSection(Section):
     ) = None
     by: PoseValues | None = None
     dwell: Annotated[float, _from_zero(TIME)] = 0.0
+    force: (
+        Annotated[
+            ForceSection,
+            BeforeValidator(_force, json_schema_input_type=ForceSection | Annotated[float, _from_zero(FORCE)]),
+        ]
+        | None
+    ) = None
 
     @model_validator(mode="after")
     def _one_place(self) -> PoseSection:
@@ -321,12 +347,19 @@ class SensorSection(Section):
 
 
 class ObstacleSection(Section):
-    """A box that pushes back."""
+    """A box or a capsule that pushes back."""
 
-    box: BoxSection
+    box: BoxSection | None = None
+    capsule: CapsuleSection | None = None
     stiffness: Annotated[float, _above(STIFFNESS)]
     damping: Annotated[float, _from_zero(DAMPING)] = 0.0
     friction: Annotated[float, _from_zero(RATIO)] = 0.0
+
+    @model_validator(mode="after")
+    def _one_shape(self) -> ObstacleSection:
+        if (self.box is None) == (self.capsule is None):
+            raise complain("needs one of 'box' and 'capsule'")
+        return self
 
 
 class ContactSection(Section):
@@ -372,6 +405,13 @@ class TaskDocument(Section):
     timing: Literal["poses", "joints"] = "poses"
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
+    force: (
+        Annotated[
+            TaskForceSection,
+            BeforeValidator(_force, json_schema_input_type=TaskForceSection | Annotated[float, _from_zero(FORCE)]),
+        ]
+        | None
+    ) = None
     a_max: Acceleration | None = None
     epsilon_max: TurnAcceleration | None = None
     jerk: Jerk | None = None
@@ -401,4 +441,8 @@ def task_schema() -> dict[str, Any]:
     schema = json_schema(TaskDocument, "trajopt iiwa task file", keys)
     # a path in a file of its own stands where the loader looks before the document does
     schema["properties"]["poses"]["anyOf"].append({"type": "string", "pattern": r"\.[cC][sS][vV]\s*$"})
+    schema["properties"]["pushes"]["anyOf"] = [
+        {name: schema["properties"]["pushes"].pop(name) for name in ("type", "items")},
+        schema["properties"]["poses"]["anyOf"][-1],
+    ]
     return schema

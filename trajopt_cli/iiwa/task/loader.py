@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +19,7 @@ from trajopt_cli.iiwa.task.document import (
     ClampSection,
     ContactDocument,
     ContactSection,
+    ForceSection,
     LoadSection,
     PassingSection,
     TaskDocument,
@@ -30,11 +31,14 @@ from trajopt_cli.iiwa.task.model import (
     Clamps,
     Compliance,
     Contact,
+    Force,
     Integration,
     Obstacle,
     Passing,
+    PathPoints,
     Profile,
     Push,
+    PushLog,
     RotationLaw,
     Route,
     SegmentSpeeds,
@@ -43,14 +47,15 @@ from trajopt_cli.iiwa.task.model import (
     Waypoint,
     Zeroing,
 )
-from trajopt_cli.iiwa.task.path_csv import read_path
+from trajopt_cli.iiwa.task.path_csv import guided_path, read_forces, read_path
 from trajopt_cli.iiwa.task.path_csv import read_text as read_csv_text
 from trajopt_cli.iiwa.task.poses import program_route, written_waypoints
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot, load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, singularities
-from trajopt_cli.shapes import Box
+from trajopt_cli.shapes import Box, Capsule
+from trajopt_cli.units import MM
 from trajopt_cli.yaml_file import line_of, parse, read_text, refuse_empty, validated
 
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
@@ -145,6 +150,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             raise _Lines(file, lines).wrong("poses", "poses: give one of 'poses' and 'program'")
         content = {("program" if key == "poses" else key): value for key, value in content.items()}
         lines = {**lines, "program": line_of("poses", lines)}
+    log = content.get("pushes")
+    if isinstance(log, str):
+        content = {key: value for key, value in content.items() if key != "pushes"}
     document = validated(TaskDocument, content, lines, file, _WANTED)
     doubts = map(str, suspected(content, TASK, lines, file))
     at = _Lines(file, lines)
@@ -157,6 +165,16 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     _check_start(robot, start, limits, at)
     X_WF = robot.forward(start)
     meaning, texts = AngleMeaning(document.angles), {file: text}
+    pushes: tuple[Push | PushLog, ...] = tuple(
+        Push(push.start, push.end, np.array(push.force)) for push in document.pushes
+    )
+    if isinstance(log, str):
+        recorded = Path(file).parent / log.strip()
+        if not recorded.is_file() or not recorded.resolve().is_relative_to(Path(file).parent.resolve()):
+            message = f"pushes: there is no file {recorded}; it must be in the task file's folder or below it"
+            raise at.wrong("pushes", message)
+        texts[str(recorded)] = read_csv_text(str(recorded))
+        pushes = (read_forces(texts[str(recorded)], str(recorded)),)
     waypoints: Sequence[Waypoint]
     notes: tuple[str, ...] = ()
     from_csv = document.program is not None and document.program.lower().endswith(".csv")
@@ -168,7 +186,15 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             raise at.wrong("program", message)
     if from_csv:
         texts[str(program)] = read_csv_text(str(program))
-        waypoints = read_path(texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3])
+        path_of = texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3]
+        near = passing or Passing(PassingSection().tolerance, PassingSection().turn_tolerance)
+        guided = guided_path(*path_of, near)
+        waypoints = guided or read_path(*path_of)
+        if guided:
+            notes = (
+                f"{program.name}: the run's poses are thinned to {len(guided)}, within {near.tolerance / MM:.3g} mm and"
+                f" {np.degrees(near.turn_tolerance):.3g}°",
+            )
         speeds = _speeds(document, waypoints, at, None)
     elif document.program is not None:
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
@@ -187,7 +213,18 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     else:
         assert document.poses is not None
         waypoints = written_waypoints(document.poses, meaning, X_WF @ X_FT, lines, file)
+        forces = [
+            _force(one.force, document.force, waypoint.place)
+            for one, waypoint in zip(document.poses, waypoints, strict=True)
+        ]
+        waypoints = tuple(replace(one, force=force) for one, force in zip(waypoints, forces, strict=True))
         speeds = _speeds(document, waypoints, at, None)
+    if document.force is not None and document.poses is None:
+        force = _force(None, document.force, f"{file}:{line_of('force', lines)}")
+        if isinstance(waypoints, PathPoints):
+            waypoints = replace(waypoints, force=force)
+        else:
+            waypoints = tuple(replace(one, force=force) for one in waypoints)
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
     if document.approach == "line":
@@ -198,6 +235,8 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         _check_start(robot, path.start_joints, limits, at, "approach")
     else:
         path = Approached(start, waypoints, speeds)
+    if document.poses and document.poses[0].force and path.waypoints[0].force:
+        raise at.wrong("poses.0.force", "poses.0.force: would begin with a jump; begin in the air, without a force")
     return Task(
         file=file,
         robot=document.robot,
@@ -222,12 +261,14 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         zeroing=_zeroing(document.zero),
         clamps=_clamps(document.clamps, "clamps", at),
         changes=_changes(document, at),
-        pushes=tuple(Push(push.start, push.end, np.array(push.force)) for push in document.pushes),
+        pushes=pushes,
         sensor=None
         if (one := document.sensor) is None
         else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
         contact=None if document.contact is None else _contact(document.contact, at),
         by_joints=document.timing == "joints",
+        wrench=document.force is not None and document.force.by == "wrench",
+        lead=document.force is not None and document.force.lead,
         notes=(*doubts, *notes, *path.notes),
         sources=texts,
     )
@@ -293,6 +334,14 @@ def _compliance(K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...]
         return Compliance(np.array(K), np.array(D), np.array(M))
 
 
+def _force(section: ForceSection | None, default: ForceSection | None, place: str) -> Force | None:
+    """A pose's force; what it leaves out is the default's."""
+    given = [one for one in (section, default) if one is not None]
+    value = next((one.value for one in given if one.value is not None), 0.0)
+    along = next((one.along for one in given if one.along is not None), "tool")
+    return Force(value, along, place) if value else None
+
+
 def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:
     if section is None:
         return None
@@ -339,11 +388,19 @@ def _contact(section: ContactSection, at: _Lines) -> Contact:
         raise at.wrong("contact.tip", message)
     obstacles = []
     for name, one in section.obstacles.items():
+        law = one.stiffness, one.damping, one.friction
+        if one.capsule is not None:
+            key, a, b = f"contact.obstacles.{name}.capsule", np.array(one.capsule.start), np.array(one.capsule.end)
+            if not (_THINNEST <= one.capsule.radius <= _FARTHEST and np.abs([a, b]).max() <= _FARTHEST):
+                raise at.wrong(key, f"{key}: wanted lengths of {_THINNEST:g} to {_FARTHEST:g} m; check the unit")
+            obstacles.append(Obstacle(Capsule(name, a, b, one.capsule.radius), *law))
+            continue
+        assert one.box is not None
         key, size = f"contact.obstacles.{name}.box", one.box.size
         X = at.frame(one.box, key)
         if not all(_THINNEST <= side <= _FARTHEST for side in size):
             sizes = ", ".join(f"{side:g}" for side in size)
             message = f"{key}.size: {sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
             raise at.wrong(f"{key}.size", message)
-        obstacles.append(Obstacle(Box(name, np.array(size), X), one.stiffness, one.damping, one.friction))
+        obstacles.append(Obstacle(Box(name, np.array(size), X), *law))
     return Contact(tuple(obstacles), section.tip)

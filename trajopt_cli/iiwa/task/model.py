@@ -19,10 +19,11 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs_inverse import ArmAngle
-from trajopt_cli.shapes import Box
+from trajopt_cli.shapes import Box, Capsule
 
 COORDINATES = ("x", "y", "z", "alpha", "beta", "gamma")
 UNITS = ("m", "m", "m", "rad", "rad", "rad")
+_SOON = 1e-9  # s
 BETA_LIMIT = np.radians(85.0)
 """Largest |beta| [rad] of the controller's angles: nearer to 90 deg the Tait-Bryan angles lock (section 4.1.2)."""
 
@@ -63,11 +64,21 @@ class Feed(Enum):
     VELOCITY = "velocity"
 
 
+@dataclass(frozen=True)
+class Force:
+    """How hard the tool presses on what it touches [N], and along what: "tool" (its z axis), "normal" (that axis less
+    what of it lies along the path), or an axis of the world ("x", "-z", ...). place: for messages."""
+
+    value: float
+    along: str
+    place: str
+
+
 @dataclass(frozen=True, eq=False)
 class Waypoint:
     """A pose (6,) by name; place is the key or file:line it comes from, for messages. dwell [s]: standing there.
 
-    rests: whether it is a stop although poses are passed; with a dwell it is one anyway.
+    rests: whether it is a stop although poses are passed; with a dwell it is one anyway. force: None for none.
     """
 
     name: str
@@ -75,6 +86,7 @@ class Waypoint:
     place: str
     dwell: float = 0.0
     rests: bool = False
+    force: Force | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "pose", _vector(self.pose, 6, f"pose '{self.name}'"))
@@ -106,7 +118,7 @@ class PathPoints(Sequence[Waypoint]):
     """Many waypoints as one array: poses (n, 6), named by their numbers. file and rows (n,): where each stands in it.
 
     number: of the first. names: those of some; dwells [s]: of those that have one; stops: further ones that are rested
-    at though poses are passed.
+    at though poses are passed. force: at all from number 1 on.
     """
 
     poses: Array
@@ -116,6 +128,7 @@ class PathPoints(Sequence[Waypoint]):
     names: Mapping[int, str] = field(default_factory=dict)
     dwells: Mapping[int, float] = field(default_factory=dict)
     stops: frozenset[int] = frozenset()
+    force: Force | None = None
 
     def __len__(self) -> int:
         return len(self.poses)
@@ -131,7 +144,8 @@ class PathPoints(Sequence[Waypoint]):
         i = range(len(self))[index]
         name = self.names.get(i, str(i + self.number))
         place = f"{self.file}:{int(self.rows[i])}"
-        return Waypoint(name, self.poses[i], place, self.dwells.get(i, 0.0), i in self.stops)
+        force = self.force if i + self.number > 0 else None
+        return Waypoint(name, self.poses[i], place, self.dwells.get(i, 0.0), i in self.stops, force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -243,6 +257,25 @@ class Push:
     def __post_init__(self) -> None:
         object.__setattr__(self, "force", _vector(self.force, 6, "push"))
 
+    def at(self, t: ArrayLike) -> Array:
+        """The force (..., 6) at times t (...) [s]; a period's start this little before its edge is on it."""
+        soon = np.asarray(t)[..., None] + _SOON
+        return np.asarray(((self.start <= soon) & (soon < self.end)) * self.force)
+
+
+@dataclass(frozen=True, eq=False)
+class PushLog:
+    """A recorded force on the tool: times t (n,) [s], force (n, 6) [N, Nm], world axes; linear in between, none
+    outside."""
+
+    t: Array
+    force: Array
+
+    def at(self, t: ArrayLike) -> Array:
+        """The force (..., 6) at times t (...) [s]."""
+        when = np.asarray(t, dtype=np.float64)
+        return np.stack([np.interp(when, self.t, column, left=0.0, right=0.0) for column in self.force.T], axis=-1)
+
 
 @dataclass(frozen=True)
 class Sensor:
@@ -262,9 +295,9 @@ class Sensor:
 
 @dataclass(frozen=True, eq=False)
 class Obstacle:
-    """A box in the world that pushes back: stiffness [N/m], damping [N s/m], friction coefficient."""
+    """A shape in the world that pushes back: stiffness [N/m], damping [N s/m], friction coefficient."""
 
-    box: Box
+    shape: Box | Capsule
     stiffness: float
     damping: float
     friction: float
@@ -285,6 +318,8 @@ class Task:
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
     by_joints: whether the joints' speeds and accelerations time the route, too.
+    wrench: whether the waypoints' forces are told to the controller, instead of shifting its equilibrium;
+    lead: whether this runs ahead of the path besides, so that the tool does not lag.
     notes: what the user should know. sources: name -> text of the files the task came from, the task file first.
     """
 
@@ -303,10 +338,12 @@ class Task:
     zeroing: Zeroing
     clamps: Clamps
     changes: tuple[Change, ...]
-    pushes: tuple[Push, ...]
+    pushes: tuple[Push | PushLog, ...]
     sensor: Sensor | None
     contact: Contact | None
     by_joints: bool = False
+    wrench: bool = False
+    lead: bool = False
     notes: tuple[str, ...] = ()
     sources: Mapping[str, str] = field(default_factory=dict)
 

@@ -1,4 +1,4 @@
-"""A ball at the tool's tip against boxes: how deep it is in them, and the force they answer with."""
+"""A ball at the tool's tip against boxes and capsules: how deep it is in them, and the force they answer with."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from math import copysign, hypot
 
 from trajopt_cli.iiwa.task.model import Contact, Obstacle
 from trajopt_cli.iiwa.task.world import Six
+from trajopt_cli.shapes import Box, Capsule
 
 FRICTION_RISE = 2000.0
 """Friction per sliding speed [N s/m] until Coulomb's bound is reached: 9 N, the bound of 30 N at 0.3, at 4.5 mm/s.
@@ -30,18 +31,23 @@ APART = Touch((0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0)
 class BallOnBoxes:
     """The tip's ball, centred at the TCP, against the boxes of a contact. Plain floats, one sample at a time.
 
-    Every box the ball overlaps by a depth pushes along the outward normal of its nearest face, edge or corner (of its
-    nearest face where the ball's centre is inside) with stiffness * depth + damping * speed of approach, never pulling,
-    and rubs against the sliding with FRICTION_RISE * speed, at most friction * push. Both act half-way between the
-    ball's deepest point and the box's surface. Boxes add up.
+    Every shape the ball overlaps by a depth pushes along the outward normal of its nearest face, edge or corner (of a
+    box's nearest face where the ball's centre is inside) with stiffness * depth + damping * speed of approach, never
+    pulling, and rubs against the sliding with FRICTION_RISE * speed, at most friction * push. Both act half-way between
+    the ball's deepest point and the surface. Shapes add up.
     """
 
     def __init__(self, contact: Contact) -> None:
-        self._tip, self._boxes = contact.tip, [_Box(obstacle) for obstacle in contact.obstacles]
+        self._tip = contact.tip
+        self._boxes = [(_Box if isinstance(one.shape, Box) else _Capsule)(one) for one in contact.obstacles]
 
     def overlap(self, p: Three) -> bool:
         """Whether a ball at p [m] is in any box."""
         return any(box.nearest(p)[0] < self._tip for box in self._boxes)
+
+    def nearest(self, p: Three) -> Obstacle:
+        """The shape nearest to a ball at p [m]."""
+        return min(self._boxes, key=lambda box: box.nearest(p)[0]).obstacle
 
     def touch(self, p: Three, v: Three, w: Three) -> Touch:
         """What the boxes do to a TCP at p [m] that moves at v [m/s] and turns at w [rad/s], all in world axes."""
@@ -60,7 +66,8 @@ class BallOnBoxes:
 class _Box:
     def __init__(self, obstacle: Obstacle) -> None:
         self.obstacle = obstacle
-        X, half = obstacle.box.X.tolist(), (obstacle.box.size / 2).tolist()
+        assert isinstance(obstacle.shape, Box)
+        X, half = obstacle.shape.X.tolist(), (obstacle.shape.size / 2).tolist()
         self._R = X[0][:3], X[1][:3], X[2][:3]
         self._p = X[0][3], X[1][3], X[2][3]
         self._half = half
@@ -82,6 +89,24 @@ class _Box:
             n = [u / distance for u in n]
         x, y, z = n
         return distance, (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+
+class _Capsule:
+    def __init__(self, obstacle: Obstacle) -> None:
+        self.obstacle = obstacle
+        assert isinstance(obstacle.shape, Capsule)
+        shape = obstacle.shape
+        self._a, self._way, self._radius = shape.a.tolist(), (shape.b - shape.a).tolist(), shape.radius
+        self._square = max(sum(u * u for u in self._way), 1e-300)
+
+    def nearest(self, p: Three) -> tuple[float, Three]:
+        """As of a box."""
+        off = [u - a for u, a in zip(p, self._a, strict=True)]
+        share = sum(u * w for u, w in zip(off, self._way, strict=True)) / self._square
+        share = min(1.0, max(0.0, share))
+        x, y, z = (u - share * w for u, w in zip(off, self._way, strict=True))
+        far = hypot(x, y, z) or 1e-300
+        return far - self._radius, (x / far, y / far, z / far)
 
 
 def _push(obstacle: Obstacle, tip: float, depth: float, n: Three, v: Three, w: Three) -> Six:

@@ -49,7 +49,10 @@ def mjcf(
     ]
     obstacles = contact.obstacles if contact is not None else ()
     for i, obstacle in enumerate(obstacles):
-        lines.append(f'<geom name="box_{i}" type="box" size="{_row(obstacle.box.size / 2)}" {_place(obstacle.box.X)}/>')
+        if isinstance(shape := obstacle.shape, Capsule):
+            lines.append(_capsule(shape, f"box_{i}", ""))
+        else:
+            lines.append(f'<geom name="box_{i}" type="box" size="{_row(shape.size / 2)}" {_place(shape.X)}/>')
     *moving, last = robot.chain
     losses = zip(robot.damping.tolist(), robot.friction.tolist(), strict=True)
     for i, (joint, (damping, friction)) in enumerate(zip(moving, losses, strict=True)):
@@ -68,7 +71,7 @@ def mjcf(
             f'frictionloss="{_number(friction)}"/>'
         )
         if contact is not None and joint.child in robot.capsules:
-            lines.append(_capsule(robot.capsules[joint.child]))
+            lines.append(_capsule(robot.capsules[joint.child], f"{HULL}{joint.child}"))
     lines.append(f'<body name="{last.child}" {_place(last.X)}>')
     lines.append(f'<site name="{TCP}" {_place(X_FT)}/>')
     if contact is not None:
@@ -98,8 +101,8 @@ def collision_links(robot: SrsRobot) -> tuple[str, ...]:
     return tuple(name for name in robot.link_names[1:] if name in robot.capsules)
 
 
-def _capsule(capsule: Capsule) -> str:
-    size = f'name="{HULL}{capsule.name}" mass="0" size="{_number(capsule.radius)}"'
+def _capsule(capsule: Capsule, name: str, mass: str = 'mass="0" ') -> str:
+    size = f'name="{name}" {mass}size="{_number(capsule.radius)}"'
     if np.array_equal(capsule.a, capsule.b):
         return f'<geom {size} type="sphere" pos="{_row(capsule.a)}"/>'
     return f'<geom {size} type="capsule" fromto="{_row((*capsule.a, *capsule.b))}"/>'

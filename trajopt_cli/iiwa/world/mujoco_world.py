@@ -281,7 +281,7 @@ class MujocoWorld:
             return
         model = self.model
         for i, obstacle in enumerate(self._contact.obstacles):
-            self._boxes[model.geom(f"box_{i}").id] = obstacle.box.name
+            self._boxes[model.geom(f"box_{i}").id] = obstacle.shape.name
             for geom, name in ((TIP, f"box_{i}"), *((HULL + link, f"{link}_box_{i}") for link in self._hulls)):
                 scale = model.body_invweight0[model.geom_bodyid[model.geom(geom).id], 0] * (1.0 - SOFTEST)
                 pair = model.pair(name).id
@@ -322,7 +322,7 @@ class MujocoWorld:
             ):
                 if value > bound:
                     raise ValueError(
-                        f"obstacle '{one.box.name}': {what} {value:g} {unit}, at most {bound:.4g} {unit} with MuJoCo "
+                        f"obstacle '{one.shape.name}': {what} {value:g} {unit}, at most {bound:.4g} {unit} with MuJoCo "
                         f"and the {mass:.3g} kg of this tip, for time steps of {FINEST:g} s; lower it, give the tool "
                         "its load, or use the spring wall"
                     )

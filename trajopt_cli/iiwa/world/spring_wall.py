@@ -57,7 +57,7 @@ class SpringWorld:
         rows = sorted({*range(0, count, EVERY), count - 1})
         X = dict(zip(robot.link_names, robot.links(np.array(self._path)[rows]).swapaxes(0, 1), strict=True))
         for link in (name for name in robot.link_names[1:] if name in robot.capsules):
-            for box in (obstacle.box for obstacle in self._contact.obstacles):
+            for box in (obstacle.shape for obstacle in self._contact.obstacles):
                 depth = -Pair(robot.capsules[link], box).distances(X[link])
                 inside = [i for i, deep in enumerate(depth.tolist()) if deep > 0]
                 if inside:
