@@ -25,7 +25,7 @@ from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead, dose_
 from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, dose
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.loader import load_task
-from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, RotationLaw, SegmentSpeeds
+from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, RotationLaw
 from trajopt_cli.iiwa.task.segments import interpolate
 
 SIDE, H = 0.2, 1e-3  # m, s
@@ -52,7 +52,7 @@ def main() -> None:
     parser.add_argument("--bound", type=float, default=0.005, help="m")
     options = parser.parse_args()
     equilibrium = cube(options.speed)
-    path = dose_path(equilibrium, [SegmentSpeeds(options.speed, 1.0)] * len(equilibrium.pieces))
+    path = dose_path(equilibrium)
     measure("at once at full speed", path, options.bound)
     ramped = interpolate(load_task(Path(__file__).parents[1] / "programs" / "iiwa_cube.yaml").route)
     measure("programs/iiwa_cube.yaml", dose_path(ramped), options.bound)

@@ -86,7 +86,7 @@ def test_a_dosed_sequence_stands_beside_what_it_was_made_from(tmp_path: Path) ->
     data, summary = data_of(page), json.loads((dosed / "summary.json").read_text())["dosing"]
     assert [one["name"] for one in data["clock"]["cycles"]] == ["as programmed", "scheduled, inverse law"]
     assert data["charts"]["lag"]["limits"] == [{"value": pytest.approx(20.0), "name": "allowed"}]
-    before, _, after = (unpacked(data["arrays"][one["y"]]).max() for one in data["charts"]["lag"]["series"])
+    before, after = (unpacked(data["arrays"][one["y"]]).max() for one in data["charts"]["lag"]["series"])
     assert before > 20.0 >= after - 1e-5
     made = summary["feeds"]["inverse"]
     assert f"{made['duration_s']:.3f} s" in page

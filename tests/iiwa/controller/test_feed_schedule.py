@@ -244,22 +244,21 @@ def ramped(h=0.01):
     return Equilibrium(h, pose, R, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, pieces)
 
 
-def test_the_path_of_a_sequence_forgets_its_ramps_and_keeps_its_caps() -> None:
+def test_the_path_of_a_sequence_is_its_places_at_its_own_pace() -> None:
     equilibrium = ramped()
-    path = dose_path(equilibrium, [SegmentSpeeds(0.5, 0.8), SegmentSpeeds(0.2, 1.0)])
-    assert path.s == pytest.approx([0.0, 0.25, 0.75])  # 0.2 rad at 0.8 rad/s, 0.1 m at 0.2 m/s
-    assert [(leg.first, leg.last, leg.dwell) for leg in path.legs] == [
-        (0, 1, 0),
-        (1, 1, pytest.approx(0.05)),
-        (1, 2, 0),
+    path = dose_path(equilibrium)
+    assert [(leg.origin, leg.goal, leg.dwell) for leg in path.legs] == [
+        ("a", "b", 0),
+        ("b", "b", pytest.approx(0.05)),
+        ("b", "c", 0),
     ]
-    assert path.least_time == pytest.approx(0.8)
+    assert path.least_time == pytest.approx(equilibrium.duration)
     slerp = Equilibrium(
         equilibrium.h, equilibrium.pose, equilibrium.R, RotationLaw.SLERP, equilibrium.meaning, equilibrium.pieces
     )
-    assert dose_path(slerp, [SegmentSpeeds(0.5, 0.8), SegmentSpeeds(0.2, 1.0)]).s[-1] == pytest.approx(0.75)
-    old = dose_path(equilibrium)
-    assert old.least_time == pytest.approx(equilibrium.duration)
+    assert dose_path(slerp).least_time == pytest.approx(equilibrium.duration)
+    slower = np.r_[np.full(45, 1.0), np.full(20, 0.25)]
+    assert dose_path(equilibrium, slower=slower).least_time == pytest.approx(0.4 + 0.05 + 0.2 / 0.25)
 
 
 CORNERS = 0.1 * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1]], dtype=float)
@@ -269,9 +268,8 @@ def test_a_joint_at_its_limit_slows_its_stretch() -> None:
     equilibrium = ramped()
     joints = np.zeros((66, 2))
     joints[45:, 1] = np.linspace(0, 0.3, 21)
-    speeds = [SegmentSpeeds(0.5, 0.8), SegmentSpeeds(0.2, 1.0)]
-    path = dose_path(equilibrium, speeds, joints=joints, joint_speed=[1.0, 0.4])
-    assert path.least_time == pytest.approx(0.25 + 0.05 + 0.3 / 0.4)
+    path = dose_path(equilibrium, joints, [1.0, 0.4])
+    assert path.least_time == pytest.approx(0.4 + 0.05 + 0.3 / 0.4)
     made = dose(path, compliance(), 0.01, 0.5)
     assert isinstance(made, Dosed)
     assert np.max(np.abs(np.diff(np.interp(made.x[:, 1], [0, 0.1], [0, 0.3])))) <= 0.4 * 0.01 * (1 + 1e-9)

@@ -423,7 +423,7 @@ def test_slerp_free_is_its_regulator_alone(robot: SrsRobot, feed: Feed) -> None:
     settings = replace(SETTINGS, rotation=RotationLaw.SLERP, feed=feed)
     found = go(robot, settings, x_e, Ideal(robot, force=lambda k: forces[k]), R_e=R_e)
     C = COMPLIANCE
-    wanted = response_rotation(R_e, H, C.K[3:], C.D[3:], C.M[3:], forces[:, 3:], feed=feed)
+    wanted = response_rotation(R_e, H, C, forces[:, 3:], feed=feed)
     assert np.allclose(found.R, wanted.R, rtol=0, atol=1e-9)
     assert np.allclose(found.v[:, 3:], wanted.w, rtol=0, atol=1e-9)
     assert np.allclose(found.x[:, :3], response(x_e, H, C, feed=feed).x[:, :3], rtol=0, atol=1e-9)

@@ -239,7 +239,7 @@ def test_the_turn_about_one_axis_is_the_law_of_its_angle(integration: Integratio
     scalar = response(x_e, H, compliance, integration=integration, feed=feed, force=F)
     unit = np.eye(3)[about]
     R_e = Rotation.from_rotvec(angle[:, None] * unit).as_matrix()
-    found = response_rotation(R_e, H, [30] * 3, [20] * 3, [3] * 3, F[:, 3:], integration=integration, feed=feed)
+    found = response_rotation(R_e, H, compliance, F[:, 3:], integration=integration, feed=feed)
     R = Rotation.from_rotvec(scalar.x[:, 3 + about, None] * unit).as_matrix()
     assert np.allclose(found.R, R, rtol=0, atol=1e-12)
     assert np.allclose(found.w, scalar.v[:, 3:], rtol=0, atol=1e-10)
@@ -252,7 +252,9 @@ def test_no_gimbal_lock() -> None:
     angle = rate * H * np.arange(n)
     start = Rotation.from_euler("xyz", [20, 60, 10], degrees=True)
     R_e = (Rotation.from_rotvec(angle[:, None] * unit) * start).as_matrix()
-    found = response_rotation(R_e, H, [30] * 3, [6] * 3, [0.5] * 3)
+    found = response_rotation(
+        R_e, H, Compliance(np.r_[K[:3], [30] * 3], np.r_[D[:3], [6] * 3], np.r_[M[:3], [0.5] * 3])
+    )
     lag = (Rotation.from_matrix(R_e[-1]) * Rotation.from_matrix(found.R[-1]).inv()).as_rotvec()
     assert lag == pytest.approx(6 * rate / 30 * unit, abs=1e-6)
     assert np.abs(found.R @ found.R.swapaxes(1, 2) - np.eye(3)).max() < 1e-12
@@ -263,7 +265,7 @@ def test_slerp_one_period_at_a_time() -> None:
     n = 200
     R_e = Rotation.from_rotvec(np.cumsum(rng.normal(size=(n, 3)), axis=0) * 0.02).as_matrix()
     p_e, F = np.cumsum(rng.normal(size=(n, 3)), axis=0) * 1e-3, rng.normal(size=(n, 6)) * 5
-    turn = response_rotation(R_e, H, K[3:], D[3:], M[3:], F[:, 3:])
+    turn = response_rotation(R_e, H, BEFORE, F[:, 3:])
     slide = response(np.hstack([p_e, np.zeros((n, 3))]), H, BEFORE, force=F)
     settings = Settings(BEFORE, H, ArmAngle.FARIA, rotation=RotationLaw.SLERP)
     law = SlerpRegulator(settings, tuple(R_e[0].ravel()), tuple(p_e[0]))

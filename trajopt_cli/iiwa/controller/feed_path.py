@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array, IndexArray, rotations_by
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import RotationLaw, SegmentSpeeds
+from trajopt_cli.iiwa.task.model import RotationLaw
 
 LAGS = (1e-6, 10.0)
 """Least and greatest lag [m] that is looked at."""
@@ -35,8 +35,8 @@ class Lead:
     stretch: bool = False
 
     def weight(self, K: Array) -> Array:
-        """What the push is multiplied with, by axis (3,), before its norm is held against most."""
-        return np.divide(1.0, K, out=np.zeros(len(K)), where=K > 0) if self.stretch else np.ones(len(K))
+        """What the push is multiplied with, by axis (..., 3), before its norm is held against most."""
+        return np.divide(1.0, K, out=np.zeros(K.shape), where=K > 0) if self.stretch else np.ones(K.shape)
 
 
 @dataclass(frozen=True)
@@ -111,20 +111,21 @@ class DosePath:
 
 def dose_path(
     equilibrium: Equilibrium,
-    speeds: Sequence[SegmentSpeeds] | None = None,
-    *,
     joints: ArrayLike | None = None,
     joint_speed: ArrayLike | None = None,
+    slower: Array | None = None,
 ) -> DosePath:
-    """The path of an equilibrium sequence, at most as fast as its segments' v_max and omega_max.
+    """The path of an equilibrium sequence, nowhere faster than the sequence.
 
-    speeds: the caps of the pieces that move, in order; None keeps each row's old pace as the greatest. joints (n, k)
-    [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down a segment
-    where the programmed speed would break them. Raises ValueError where nothing moves.
+    joints (n, k) [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down
+    a segment where the programmed speed would break them. slower (n - 1,): the greatest share of each step's programmed
+    speed, None for all of it. Raises ValueError where nothing moves.
     """
-    q = None if joints is None else np.asarray(joints, dtype=np.float64)
-    limit = np.asarray(joint_speed, dtype=np.float64)
-    caps = iter(speeds) if speeds is not None else None
+    most = np.ones(len(equilibrium.pose) - 1) if slower is None else slower
+    if joints is not None:
+        used = np.max(np.abs(np.diff(joints, axis=0)) / joint_speed, axis=1) / equilibrium.h
+        most = most / np.maximum(used, 1.0)
+    moved = np.any(np.diff(equilibrium.pose, axis=0) != 0, axis=1)
     coordinates = _coordinates(equilibrium)
     s, kept, cap = [0.0], [0], list[float]()
     legs: list[PathInterval] = []
@@ -133,14 +134,9 @@ def dose_path(
         if piece.dwell:
             legs.append(PathInterval(row, row, piece.origin, piece.goal, (piece.last - piece.first) * equilibrium.h))
             continue
-        rows = slice(piece.first, piece.last + 1)
-        ds = _least_times(equilibrium, piece, None if caps is None else next(caps))
-        rate = np.ones(len(ds))
-        if q is not None:
-            dq = np.abs(np.diff(q[rows], axis=0))
-            used = np.max(dq / limit, axis=1)  # s of the joint that takes longest
-            rate = np.divide(ds, used, out=np.ones(len(ds)), where=used > ds)
-        for length, last, greatest in _straightened(ds, coordinates[rows], rate):
+        steps, rows = slice(piece.first, piece.last), slice(piece.first, piece.last + 1)
+        ds = np.where(moved[steps], equilibrium.h, 0.0)
+        for length, last, greatest in _straightened(ds, coordinates[rows], most[steps]):
             s.append(s[-1] + length)
             kept.append(piece.first + last)
             cap.append(greatest)
@@ -157,22 +153,6 @@ def _coordinates(equilibrium: Equilibrium) -> Array:
         return equilibrium.pose
     turns = rotation_vector(equilibrium.R[1:] @ np.swapaxes(equilibrium.R[:-1], 1, 2))
     return np.hstack([equilibrium.pose[:, :3], np.concatenate([np.zeros((1, 3)), np.cumsum(turns, axis=0)])])
-
-
-def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds | None) -> Array:
-    """Least time (rows - 1,) [s] of each row of a piece at its programmed speeds; its old time without."""
-    pose = equilibrium.pose[piece.first : piece.last + 1]
-    if speeds is None:
-        return np.where(np.any(np.diff(pose, axis=0) != 0, axis=1), equilibrium.h, 0.0)
-    moved = np.linalg.norm(np.diff(pose[:, :3], axis=0), axis=1)
-    if equilibrium.rotation is RotationLaw.SLERP:
-        R = equilibrium.R[piece.first : piece.last + 1]
-        # ||R1 - R0||_F = 2 sqrt(2) sin(angle / 2)
-        half = np.linalg.norm(np.diff(R, axis=0), axis=(1, 2)) / np.sqrt(8.0)
-        turn = 2 * np.arcsin(np.minimum(half, 1.0))
-    else:
-        turn = np.linalg.norm(np.diff(pose[:, 3:], axis=0), axis=1)
-    return np.asarray(np.maximum(moved / speeds.v_max, turn / speeds.omega_max), dtype=np.float64)
 
 
 def _straightened(ds: Array, pose: Array, cap: Array) -> list[tuple[float, int, float]]:

@@ -10,7 +10,7 @@ derivative. From every stop backwards, then forwards, the rate is as high as bot
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import ceil, inf, sqrt
 
@@ -113,7 +113,7 @@ def _slopes(length: Array, x: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Push:
-    """||weight (inertia x'' + damping x')|| <= most of the coordinates in part; all (3,) but most."""
+    """||inertia x'' + damping x'|| <= most of the coordinates in part; inertia and damping (3,), or by place (n, 3)."""
 
     part: slice
     inertia: Array
@@ -140,15 +140,19 @@ class Pace:
         return s, np.where(inside, rate[j] + pull * over, 0.0), np.where(inside, pull, 0.0)
 
 
-def fastest(way: Rounded, pushes: Sequence[Push], pieces: int, h: float) -> Pace:
+def fastest(way: Rounded, pushed: Callable[[Array], Sequence[Push]], pieces: int, h: float) -> Pace:
     """The fastest way along with rest at both ends and where the path dwells, on a grid of so many pieces and more.
+
+    pushed: the bounds at places s (n,).
 
     A dwell begins a whole number of periods h [s] after the start; the path waits for that, at most h.
     Between two places of the grid the rate's square is linear in s; the push is held for the rates at both.
     """
     s = _grid(way, pieces)
     width = np.diff(s)
-    _, dx, ddx = way.at((s[1:] + s[:-1]) / 2)
+    middle = (s[1:] + s[:-1]) / 2
+    _, dx, ddx = way.at(middle)
+    pushes = pushed(middle)
     products = [_products(push, dx, ddx) for push in pushes]
     terms = _terms(products, [push.most**2 for push in pushes], len(width))
     top = _top(products, [push.most**2 for push in pushes], len(width))

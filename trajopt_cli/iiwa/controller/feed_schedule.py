@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import cycle
 from math import ceil, isfinite
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, rotations_by
+from trajopt_cli.geometry import Array, IndexArray, rotations_by
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
 from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
@@ -112,23 +114,26 @@ def dose(
     *,
     integration: Integration = Integration.EULER,
     acceleration: tuple[float | None, float | None] = (None, None),
+    changes: Sequence[tuple[int, Compliance]] = (),
 ) -> Dosed | CannotDose:
     """The fastest sequence along path that keeps what is allowed, simulated and held against it.
 
-    h [s]: the period. acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. More than three million
-    rows are refused, as are laws slower than SLOWEST.
+    h [s]: the period. acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. changes: numbers of legs,
+    in order, from whose beginning on another law holds. More than three million rows are refused, as are laws slower
+    than SLOWEST.
     """
-    laws = stability(law, h, integration)
+    laws = [axis for one in (law, *(one for _, one in changes)) for axis in stability(one, h, integration)]
     refusal = _unfollowed(path, laws, h, integration)
     if refusal is not None:
         return refusal
-    least = least_duration(path, h, law, allowed, integration)
+    # with several laws only the caps are sure
+    least = path.least_time if changes else least_duration(path, h, law, allowed, integration)
     if least / h > ROWS:
         return CannotDose(
             f"{_named(allowed)} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more, or give more stiffness or less damping"
         )
-    question, rest = _Question(path, law, h, integration, acceleration), resting_time(path.moves, laws, h)
+    question, rest = _Question(path, law, h, integration, acceleration, changes), resting_time(path.moves, laws, h)
     tried = allowed
     for _ in range(_CORRECTIONS):
         schedule = _inverse(question, tried)
@@ -144,7 +149,7 @@ def dose(
 
 def resting_time(moves: Sequence[bool], laws: Sequence[AxisStability], h: float) -> float:
     """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
-    slowest = (law.slowest for law, there in zip(laws, moves, strict=True) if there and isfinite(law.slowest))
+    slowest = (law.slowest for law, there in zip(laws, cycle(moves), strict=False) if there and isfinite(law.slowest))
     return _REST * min(max(slowest, default=h), SLOWEST * h)
 
 
@@ -157,6 +162,13 @@ class _Question:
     h: float
     integration: Integration
     acceleration: tuple[float | None, float | None]
+    changes: Sequence[tuple[int, Compliance]]
+
+    def diagonals(self, which: IndexArray) -> tuple[Array, Array, Array]:
+        """K, D and M (n, 6) of the laws in force, by number (n,)."""
+        laws = (self.law, *(law for _, law in self.changes))
+        K, D, M = (np.array([getattr(law, name) for law in laws])[which] for name in "KDM")
+        return K, D, M
 
 
 def _inverse(of: _Question, allowed: Allowed) -> FedRows | CannotDose:
@@ -184,22 +196,28 @@ def _inverse(of: _Question, allowed: Allowed) -> FedRows | CannotDose:
 
 def _scheduled(of: _Question, allowed: Allowed) -> FedRows:
     """The fastest motion along the path under allowed, and what to feed for it."""
-    path, law, h = of.path, of.law, of.h
+    path, h = of.path, of.h
     moves = np.array(path.moves)
-    radius = _radius(law, moves)
+    radius = _radius(of.law, moves)
     turn_lag = TURNED if allowed.turn_lag is None else allowed.turn_lag
     pieces = int(np.clip(path.least_time / h, *_PIECES))
-    pushes = _pushes(law, allowed, of.acceleration)
     # a path that stands at its corners anyway is not helped by rounding them, and is the same twice without any
     passing, stopping = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
     rounds = (passing,) if np.array_equal(passing.tau, stopping.tau) else (passing, stopping)
     ways = (_with_rows_at_waypoints(way, h) for way in rounds)
-    paces = [(fastest(way, pushes, pieces, h), way) for way in ways]
+    paces = [(fastest(way, partial(_pushes, of, allowed, way), pieces, h), way) for way in ways]
     pace, way = min(paces, key=lambda found: found[0].t[-1])
-    s, coordinates, effort = _motion(way, pace, law, h, of.integration)
-    lead = np.divide(effort, law.K, out=np.zeros_like(effort), where=(law.K > 0) & moves)
-    row = way.row[way.corner(s)]
+    s, coordinates, rates, pull, held = _motion(way, pace, h, of.integration)
     planned = _through_waypoints(way, s)
+    # one that only passes a waypoint ends with the first row at or past it
+    arrivals = np.searchsorted(planned, way.along[[leg.last for leg in path.legs]]).tolist()
+    *before, end = path.pieces(arrivals, h)
+    pieces_of = (*before, replace(end, last=len(planned) - 1))
+    changed = [pieces_of[leg].first for leg, _ in of.changes]
+    K, D, M = of.diagonals(np.searchsorted(changed, np.arange(len(planned)), side="right"))
+    effort = M * pull + D * rates + K * held
+    lead = np.divide(effort, K, out=np.zeros_like(effort), where=(K > 0) & moves)
+    row = way.row[way.corner(s)]
     plan = path.poses(way.plain(planned), way.row[way.corner(planned)])
     if path.R is None:
         feed = path.poses(coordinates + lead, row)
@@ -207,12 +225,8 @@ def _scheduled(of: _Question, allowed: Allowed) -> FedRows:
         arm = path.poses(coordinates, row)
         R = rotations_by(lead[:, 3:]) @ arm[1]
         feed = (np.hstack([arm[0][:, :3] + lead[:, :3], angles_near(R, arm[0][:, 3:])]), R)
-    # one that only passes a waypoint ends with the first row at or past it
-    arrivals = np.searchsorted(planned, way.along[[leg.last for leg in path.legs]]).tolist()
-    *before, end = path.pieces(arrivals, h)
-    rows = (*before, replace(end, last=len(planned) - 1))
     turned = float(np.max(np.linalg.norm(lead[:, 3:], axis=1)))
-    return FedRows(*feed, *plan, np.interp(planned, way.along, path.s), rows, turned)
+    return FedRows(*feed, *plan, np.interp(planned, way.along, path.s), pieces_of, turned)
 
 
 def _radius(law: Compliance, moves: Array) -> float:
@@ -222,23 +236,23 @@ def _radius(law: Compliance, moves: Array) -> float:
     return float(np.sqrt(np.max(law.M[3:]) / np.max(law.M[:3])))
 
 
-def _pushes(law: Compliance, allowed: Allowed, acceleration: tuple[float | None, float | None]) -> list[Push]:
+def _pushes(of: _Question, allowed: Allowed, way: Rounded, s: Array) -> list[Push]:
+    """The bounds on the push at places s (n,)."""
+    K, D, M = of.diagonals(np.searchsorted([way.along[of.path.legs[leg].first] for leg, _ in of.changes], s))
+    leads = (allowed.lead, allowed.turn_lead)
     out = []
-    for part, lead, most in zip(
-        (slice(0, 3), slice(3, 6)), (allowed.lead, allowed.turn_lead), acceleration, strict=True
-    ):
+    for part, lead, most in zip((slice(0, 3), slice(3, 6)), leads, of.acceleration, strict=True):
         if lead is not None:
-            weight = lead.weight(law.K[part])
-            out.append(Push(part, weight * law.M[part], weight * law.D[part], lead.most))
+            weight = lead.weight(K[:, part])
+            out.append(Push(part, weight * M[:, part], weight * D[:, part], lead.most))
         if most is not None:
             out.append(Push(part, np.ones(3), np.zeros(3), most))
     return out
 
 
-def _motion(
-    way: Rounded, pace: Pace, law: Compliance, h: float, integration: Integration
-) -> tuple[Array, Array, Array]:
-    """Parameter (m,), the arm's coordinates (m, 6) and the effort M x'' + D x' (m, 6) that drives it, a row every h.
+def _motion(way: Rounded, pace: Pace, h: float, integration: Integration) -> tuple[Array, Array, Array, Array, Array]:
+    """Parameter (m,), the arm's coordinates (m, 6), x' and x'' (m, 6) that the law drives it with, and by how far the
+    arm leaves a held equilibrium within a period, in the mean; a row every h.
 
     Euler's law moves with the speed it had, so its arm stands for the first period, and its rows give their rates by
     differences; the exact law's effort is the mean over a period.
@@ -250,15 +264,13 @@ def _motion(
         s = pace.at(t)[0]
         x = way.at(s)[0]
         v = np.diff(x, axis=0, append=x[-1:]) / h
-        rate, pull = v, np.diff(v, axis=0, append=np.zeros((1, 6))) / h
-        return s, x, law.M * pull + law.D * rate
+        return s, x, v, np.diff(v, axis=0, append=np.zeros((1, 6))) / h, np.zeros_like(x)
     s, pace_s, _ = pace.at(t)
     x, dx, _ = way.at(s)
     v = dx * pace_s[:, None]
     mean = np.diff(x, axis=0, append=x[-1:]) / h
     pull = np.diff(v, axis=0, append=np.zeros((1, 6))) / h
-    # the equilibrium is held for a period while the arm moves on, by half of it in the mean
-    return s, x, law.M * pull + law.D * mean + law.K * mean * h / 2
+    return s, x, mean, pull, mean * h / 2
 
 
 def _with_rows_at_waypoints(way: Rounded, h: float) -> Rounded:
@@ -301,19 +313,22 @@ def _simulated(of: _Question, allowed: Allowed, fed: FedRows, rest: float) -> Do
     x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
     more = len(x_e) - len(fed.pose)
     R_e, R_plan = (np.concatenate([R, np.repeat(R[-1:], more, axis=0)]) for R in (fed.R, fed.R_plan))
-    x = response(x_e, h, law, integration=integration, x_0=fed.plan[0]).x
+    changes = [(fed.pieces[leg].first, one) for leg, one in of.changes]
+    x = response(x_e, h, law, integration=integration, x_0=fed.plan[0], changes=changes).x
+    which = np.searchsorted([row for row, _ in changes], np.arange(len(x)), side="right")
+    K = of.diagonals(which)[0]
     behind = x_e - x
     R_x = rotation(x[:, 3:])
     if path.R is not None:
         R_x = R_plan
         if any(path.moves[3:]):
-            diagonals = law.K[3:], law.D[3:], law.M[3:]
-            R_x = response_rotation(R_e, h, *diagonals, integration=integration, R_0=fed.R_plan[0]).R
+            how = {"integration": integration, "R_0": fed.R_plan[0], "changes": changes}
+            R_x = response_rotation(R_e, h, law, **how).R
         x = np.column_stack([x[:, :3], angles_near(R_x, plan_x[:, 3:])])
         behind[:, 3:] = rotation_vector(R_e @ np.swapaxes(R_x, 1, 2))
-    lead = np.where(law.K > 0, behind, 0.0)
+    lead = np.where(K > 0, behind, 0.0)
     parts = (slice(0, 3), slice(3, 6))
-    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (law.K * behind, lead)]
+    norms = [float(np.max(np.linalg.norm(rows[:, part], axis=1))) for part in parts for rows in (K * behind, lead)]
     n = len(fed.pose)
     return Dosed(
         **vars(fed),
@@ -362,7 +377,7 @@ def _named(allowed: Allowed) -> str:
 
 def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integration: Integration) -> CannotDose | None:
     """Why the arm would not follow along an axis that the path uses, or not while anyone waits; or None."""
-    for law, moves in zip(laws, path.moves, strict=True):
+    for law, moves in zip(laws, cycle(path.moves), strict=False):
         if not moves:
             continue
         if law.k == 0:

@@ -73,23 +73,29 @@ def response(
     force: ArrayLike | None = None,
     x_0: ArrayLike | None = None,
     v_0: ArrayLike | None = None,
+    changes: Sequence[tuple[int, Compliance]] = (),
 ) -> Response:
     """What the controller makes of an equilibrium x_e (n, 6) [m, rad], one row every h [s], angles as numbers.
 
     force (n, 6) [N, Nm]: external force, none for None. Row k is the state at k h; x_e and force of row k act from
     k h to (k + 1) h. x_0, v_0 (6,): the state at 0, x_e's first row at rest for None. feed VELOCITY: the equilibrium
-    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row.
+    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row. changes: rows, in order, from which on
+    another compliance holds.
     """
     x_e = np.asarray(x_e, dtype=np.float64)
     start = x_e[0] if x_0 is None else np.asarray(x_0, dtype=np.float64)
     rate = np.zeros(6) if v_0 is None else np.asarray(v_0, dtype=np.float64)
     v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
     pushes = np.zeros_like(x_e) if force is None else np.asarray(force, dtype=np.float64)
-    a, b, c, p, q, r = np.array(coefficients(compliance.K, compliance.D, compliance.M, h, integration)).T
-    # what does not depend on the state, for all periods at once
-    kick = (1 - a) * v_e - b * x_e + c * pushes
-    shift = (h - p) * v_e - q * x_e + r * pushes
-    v, x = _scan((a, b, p, 1 + q), kick, shift, rate, start)
+    v, x = np.empty((2, *x_e.shape))
+    for (first, law), (end, _) in pairwise([(0, compliance), *changes, (len(x_e), compliance)]):
+        rows = slice(first, min(end + 1, len(x_e)))  # the state at the end is where the next one begins
+        a, b, c, p, q, r = np.array(coefficients(law.K, law.D, law.M, h, integration)).T
+        # what does not depend on the state, for all periods at once
+        kick = (1 - a) * v_e[rows] - b * x_e[rows] + c * pushes[rows]
+        shift = (h - p) * v_e[rows] - q * x_e[rows] + r * pushes[rows]
+        v[rows], x[rows] = _scan((a, b, p, 1 + q), kick, shift, rate, start)
+        rate, start = v[rows][-1], x[rows][-1]
     return Response(readonly(x), readonly(v))
 
 
@@ -154,26 +160,26 @@ def advance(
 def response_rotation(
     R_e: ArrayLike,
     h: float,
-    K: ArrayLike,
-    D: ArrayLike,
-    M: ArrayLike,
+    compliance: Compliance,
     torque: ArrayLike | None = None,
     *,
     integration: Integration = Integration.EULER,
     feed: Feed = Feed.POSITION,
     R_0: ArrayLike | None = None,
     w_0: ArrayLike = (0.0, 0.0, 0.0),
+    changes: Sequence[tuple[int, Compliance]] = (),
 ) -> TurnResponse:
     """What the controller makes of orientations R_e (n, 3, 3), one every h [s]: pose_regulator.SlerpRegulator's law.
 
-    K, D, M (3,): diagonals in world axes. torque (n, 3) [Nm], none for None. R_0 (3, 3), w_0 (3,): the state at 0, the
-    first orientation at rest by default. feed VELOCITY: w_e = log(R_e,k+1 R_e,k^T) / h, zero after the last row.
+    The diagonals are in world axes; changes as of response. torque (n, 3) [Nm], none for None. R_0 (3, 3), w_0 (3,):
+    the state at 0, the first orientation at rest by default. feed VELOCITY: w_e = log(R_e,k+1 R_e,k^T) / h, zero after
+    the last row.
     """
     R_e = np.asarray(R_e, dtype=np.float64)
     n = len(R_e)
     torques = np.zeros((n, 3)) if torque is None else np.asarray(torque, dtype=np.float64)
-    k, d, m = (np.asarray(values, dtype=np.float64) for values in (K, D, M))
-    axes = coefficients(k, d, m, h, integration)
+    laws = {row: coefficients(law.K[3:], law.D[3:], law.M[3:], h, integration) for row, law in changes}
+    axes = coefficients(compliance.K[3:], compliance.D[3:], compliance.M[3:], h, integration)
     goals = [nine(row) for row in R_e.reshape(n, 9).tolist()]
     R = goals[0] if R_0 is None else nine(np.asarray(R_0, dtype=np.float64).reshape(9).tolist())
     w = np.asarray(w_0, dtype=np.float64).tolist()
@@ -181,9 +187,10 @@ def response_rotation(
     if feed is Feed.VELOCITY:
         rates[:-1] = [turn_rate(here, there, h) for here, there in pairwise(goals)]
     Rs, ws = [], []
-    for goal, tau, pace in zip(goals, torques.tolist(), rates, strict=True):
+    for row, (goal, tau, pace) in enumerate(zip(goals, torques.tolist(), rates, strict=True)):
         Rs.append(R)
         ws.append(w)
+        axes = laws.get(row, axes)
         w, (x, y, z) = advance(axes, h, logarithm(product(R, transpose(goal))), w, tau, pace)
         R = product(exponential((x, y, z)), R)
     return TurnResponse(readonly(np.array(Rs).reshape(n, 3, 3)), readonly(np.array(ws)))

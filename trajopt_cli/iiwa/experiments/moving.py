@@ -149,7 +149,7 @@ def feed_scheduling(bench: Bench) -> Experiment:
     joints = follow(path, robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, False)
     if not isinstance(joints, Followed):
         raise RuntimeError(f"{file.name} cannot be followed: {joints.message}")
-    timed_path = dose_path(path, caps, joints=joints.trajectory.q, joint_speed=limits.velocity)
+    timed_path = dose_path(path, joints.trajectory.q, limits.velocity)
     allowed = Allowed(BOUND, lead=Lead(BOUND, stretch=True))
     made = dose(timed_path, law, h, allowed, integration=integration)
     if isinstance(made, CannotDose):

@@ -169,7 +169,7 @@ def schedule_feed(
     lines = texts.feed_lines(found)
     return Answer(
         read_summary(folder)["dosing"],
-        lines[0],
+        "; ".join([lines[0], *found.remarks()]),
         [
             texts.feeds_table(f"{results.name}: {texts.allowed_text(found.scheduled.allowed)}", found),
             lines,

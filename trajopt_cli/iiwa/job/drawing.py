@@ -34,9 +34,9 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 
 
 def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
-    """Deviation and fed speed as programmed, fed with the equilibrium's speed, and scheduled."""
+    """Deviation and fed speed as programmed, and scheduled."""
     allowed = job.scheduled.allowed
-    runs = [_following(one.run, one.name) for one in job.before_feeds] + [_following(job.run, SCHEDULED)]
+    runs = [_following(job.programmed.run, job.programmed.name), _following(job.run, SCHEDULED)]
     title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
     return picture("dosing", title, partial(feed_figure, runs, allowed.lag))
 

@@ -24,19 +24,19 @@ from trajopt_cli.iiwa.job.folder import (
     write_task_run,
 )
 from trajopt_cli.iiwa.job.joints import joint_record
+from trajopt_cli.iiwa.job.kept_push import KeptPush, gentler, pushed
 from trajopt_cli.iiwa.job.simulation import Simulated, clamped, lag_record, run_controller
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.angles import rotation_vector
 from trajopt_cli.iiwa.task.joint_checks import ACCELERATION
 from trajopt_cli.iiwa.task.joints import Followed
-from trajopt_cli.iiwa.task.model import Clamps, Feed, Profile, RotationLaw, Task
+from trajopt_cli.iiwa.task.model import Change, Clamps, Feed, Profile, RotationLaw, Task
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import check_replaceable
 from trajopt_cli.runs.record import INPUT
 from trajopt_cli.units import MM
 
-AS_PROGRAMMED, WITH_SPEED = "as programmed", "with the equilibrium's speed"
-SCHEDULED = "scheduled, inverse law"
+AS_PROGRAMMED, SCHEDULED = "as programmed", "scheduled, inverse law"
 FEED = "inverse"
 """The feed's name in summary.json."""
 FRONT = 5
@@ -50,7 +50,7 @@ _Caps = tuple[float | None, float | None]  # on the acceleration of position [m/
 
 @dataclass(frozen=True, eq=False)
 class FeedRun:
-    """The path as programmed, fed in one way, and the controller's answer; arrived [s]: None where it did not."""
+    """The path as programmed and the controller's answer; arrived [s]: None where it did not."""
 
     name: str
     run: Simulated
@@ -67,10 +67,10 @@ class FrontPoint:
 
 @dataclass(frozen=True, eq=False)
 class ScheduledJob:
-    """A scheduled sequence in its folder, beside the feeds of the one it came from.
+    """A scheduled sequence in its folder, beside the one it came from (programmed).
 
-    before_feeds: as programmed, with the equilibrium's speed. run: the controller's answer to the scheduled sequence,
-    joints: the arm's then. steady: the speed [m/s] that the lead allows on a long line along the slowest axis, where no
+    run: the controller's answer to the scheduled sequence, joints: the arm's then. push: on what the tool touches, None
+    where that is nothing. steady: the speed [m/s] that the lead allows on a long line along the slowest axis, where no
     lead was asked for; else None. front: by lead, empty if not asked for. left_out: what the task has that the schedule
     does not regard.
     """
@@ -79,8 +79,9 @@ class ScheduledJob:
     after: Opened
     scheduled: Dosed
     run: Simulated
-    before_feeds: tuple[FeedRun, ...]
+    programmed: FeedRun
     joints: Followed
+    push: KeptPush | None
     steady: float | None
     front: tuple[FrontPoint, ...]
     left_out: tuple[str, ...]
@@ -95,17 +96,14 @@ class ScheduledJob:
 
     def record(self) -> dict[str, Any]:
         """What summary.json says of it."""
-        allowed = self.scheduled.allowed
-        undosed = [
-            {
-                "feed": one.name,
-                "duration_s": one.run.opened.equilibrium.duration,
-                "arrived_s": one.arrived,
-                "lag": lag_record(one.run.lag),
-                "largest_push_N": one.run.most_push,
-            }
-            for one in self.before_feeds
-        ]
+        allowed, one = self.scheduled.allowed, self.programmed
+        undosed = {
+            "feed": one.name,
+            "duration_s": one.run.opened.equilibrium.duration,
+            "arrived_s": one.arrived,
+            "lag": lag_record(one.run.lag),
+            "largest_push_N": one.run.most_push,
+        }
         return {
             "feed": FEED,
             "max_lag_m": allowed.lag,
@@ -113,7 +111,8 @@ class ScheduledJob:
             "max_lead": lead_record(allowed.lead),
             "max_turn_lead": lead_record(allowed.turn_lead, ("Nm", "rad")),
             "feeds": {FEED: feed_record(self.scheduled)},
-            "undosed": undosed,
+            "undosed": [undosed],
+            "contact": None if self.push is None else self.push.record(),
             "front": [{"lead": lead_record(one.lead), f"{FEED}_s": one.duration} for one in self.front],
             "left_out": list(self.left_out),
             "joints": joint_record(self.joints),
@@ -132,9 +131,9 @@ def schedule_feed(
     """Retime a folder's sequence: least time within what is allowed, into output. page: makes report.html.
 
     Where no lead is bounded, a spring that is stretched by the lag is taken for one, unless unbounded. The sequence
-    keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written where there
-    is no such sequence, or the arm cannot follow it; a front needs a bound on the lead. Raises InputError where output
-    may not be replaced.
+    keeps its path and is nowhere faster than before, nor than the joints' speed limits. Where the tool touches what the
+    task has, the push is kept as KeptPush says. Nothing is written where there is no such sequence, or the arm cannot
+    follow it; a front needs a bound on the lead. Raises InputError where output may not be replaced.
     """
     for option, value, (least, most), unit in (
         ("--max-lag", allowed.lag, LAGS, "m"),
@@ -161,46 +160,68 @@ def schedule_feed(
             f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
             " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
         )
+    in_time = next((one.t for one in task.changes if one.pose is None and one.t > 0 and not one.reframes), None)
+    if in_time is not None:
+        return none(
+            f"the controller changes at {in_time:g} s, and seconds do not move with the path; name the pose instead,"
+            " 'changes: [{at: NAME, ...}]'"
+        )
     followed = before.follow(sequence)
     if not isinstance(followed, Followed):
         return none(followed.message)
-    try:
-        path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=robot.profile(task.limits).velocity)
-    except ValueError as error:
-        return none(str(error))
-
     steady = None
     if allowed.lead is None and allowed.turn_lead is None and not unbounded:
         leads = [None if lag is None else Lead(lag, stretch=True) for lag in (allowed.lag, allowed.turn_lag)]
         allowed = replace(allowed, lead=leads[0], turn_lead=leads[1])
         steady = _steady(task, allowed.lag)
+    begins = {one.first * sequence.h: i for i, one in reversed(list(enumerate(sequence.pieces)))}
+    laws = [(begins[one.t], one.compliance) for one in task.changes if one.compliance and one.t in begins]
+    slower = None
 
     def timed(allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
         caps = acceleration or _accelerations(task)
-        return dose(path, task.compliance, sequence.h, allowed, integration=task.integration, acceleration=caps)
+        try:
+            path = dose_path(sequence, followed.trajectory.q, robot.profile(task.limits).velocity, slower)
+        except ValueError as error:
+            return CannotDose(str(error))
+        how = task.compliance, sequence.h, allowed
+        return dose(path, *how, integration=task.integration, acceleration=caps, changes=laws)
 
-    made = timed(allowed)
-    if isinstance(made, CannotDose):
-        return none(made.message)
     # what happens to the controller besides its feed is left out: the schedule does not know it either
-    quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
-    found = _followed(quiet, made, lambda caps: timed(allowed, caps), none)
-    if isinstance(found, Refused):
-        return found
-    scheduled, opened, run, joints = found
-    before_feeds = []
-    for name, how in ((AS_PROGRAMMED, Feed.POSITION), (WITH_SPEED, Feed.VELOCITY)):
-        fed = run_controller(quiet, None, None, how, None, None)
-        if isinstance(fed, Refused):
-            return fed
-        before_feeds.append(FeedRun(name, fed, settling(fed.x, fed.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)))
+    changes = [Change(one.t, one.compliance, pose=one.pose) for one in task.changes if one.compliance is not None]
+    bare = replace(task, changes=tuple(changes), pushes=(), sensor=None, clamps=Clamps(), contact=None)
+    quiet = replace(before, task=bare)
+    programmed = pushed(before)
+    if isinstance(programmed, Refused):
+        return programmed
+    push: KeptPush | Refused | None = None
+    for slower in gentler(task, sequence, programmed):  # noqa: B007
+        made = timed(allowed)
+        if isinstance(made, CannotDose):
+            return none(made.message)
+        found = _followed(quiet, made, lambda caps: timed(allowed, caps), none)
+        if isinstance(found, Refused):
+            return found
+        scheduled, _, run, joints = found
+        push = None if programmed is None else pushed(_opened(before, scheduled), programmed.programmed)
+        if push is None or (isinstance(push, KeptPush) and push.kept):
+            break
+    if isinstance(push, Refused):
+        return push
+    if push is not None and not push.kept:
+        return none(push.apart)
+    fed = run_controller(quiet, None, None, Feed.POSITION, None, None)
+    if isinstance(fed, Refused):
+        return fed
+    arrived = settling(fed.x, fed.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)
     job = ScheduledJob(
         before,
-        replace(opened, task=task),
+        _opened(before, scheduled),
         scheduled,
         run,
-        tuple(before_feeds),
+        FeedRun(AS_PROGRAMMED, fed, arrived),
         joints,
+        push,
         steady,
         _front(timed, allowed) if front else (),
         _left_out(task),
@@ -294,19 +315,21 @@ def _steady(task: Task, bound: float) -> float:
 
 def _left_out(task: Task) -> tuple[str, ...]:
     has = {
-        "contact": task.contact is not None,
         "sensor errors": task.sensor is not None,
-        "clamps": clamped(task),
-        "changes": bool(task.changes),
+        "clamps": clamped(task) and task.contact is None,
+        "changes of frames": any(change.reframes for change in task.changes),
         "pushes": bool(task.pushes),
     }
     return tuple(name for name, there in has.items() if there)
 
 
 def _opened(before: Opened, made: Dosed) -> Opened:
-    """The scheduled sequence in place of the one before, and its plan."""
+    """The scheduled sequence in place of the one before, and its plan, with what changes at its poses."""
     plan = replace(before.equilibrium, pose=made.plan, R=made.R_plan, pieces=made.pieces, notes=())
-    return replace(before, equilibrium=replace(plan, pose=made.pose, R=made.R, notes=made.notes), plan=plan)
+    fed = replace(plan, pose=made.pose, R=made.R, notes=made.notes)
+    return replace(
+        before, task=replace(before.task, changes=plan.timed(before.task.changes)), equilibrium=fed, plan=plan
+    )
 
 
 def lead_record(lead: Lead | None, units: tuple[str, str] = ("N", "m")) -> dict[str, Any] | None:

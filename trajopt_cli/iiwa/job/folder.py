@@ -177,6 +177,7 @@ def open_folder(folder: Path) -> Opened:
     X_start = robot.forward(task.start_joints) @ task.X_FT
     sequence = _sequence(found, EQUILIBRIUM, QUATERNIONS, record, X_start)
     plan = _sequence(found, PLAN, PLAN_QUATERNIONS, record, X_start) if PLAN in found.contents else None
+    task = replace(task, changes=(plan or sequence).timed(task.changes))
     return Opened(task, robot, sequence, found, record.feed, plan)
 
 

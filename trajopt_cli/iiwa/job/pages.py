@@ -82,11 +82,9 @@ def simulation_page(run: Simulated) -> bytes:
 
 def feed_page(job: ScheduledJob) -> bytes:
     """The sequence as it was and as it is scheduled: times, lag against its bound, feed, force if blocked, joints."""
-    first, *others = job.before_feeds
-    name, after, allowed = SCHEDULED, job.run, job.scheduled.allowed
+    first, name, after, allowed = job.programmed, SCHEDULED, job.run, job.scheduled.allowed
     pair: list[_Named] = [(first.name, first.run, BEFORE), (name, after, AFTER)]
-    runs = [pair[0], *((one.name, one.run, style) for one, style in zip(others, AXES[1:], strict=False)), pair[1]]
-    pushes = [Curve(who, run.t, np.linalg.norm(run.push, axis=1), style) for who, run, style in runs]
+    pushes = [Curve(who, run.t, np.linalg.norm(run.push, axis=1), style) for who, run, style in pair]
     speeds = [
         Curve(who, run.t[1:], np.linalg.norm(np.diff(run.x[:, :3], axis=0), axis=1) / run.opened.equilibrium.h, style)
         for who, run, style in pair
@@ -94,7 +92,7 @@ def feed_page(job: ScheduledJob) -> bytes:
     leads = [Curve(who, run.t, deviation(run.x, run.x_e[: len(run.x)]) / MM, style) for who, run, style in pair]
     joints = [(who, run.t, run.q, style) for who, run, style in pair if run.q is not None]
     charts: dict[str, tuple[str, Sequence[Chart]]] = {
-        "Lag": ("", list(_lag_charts(runs, allowed.lag, allowed.turn_lag))),
+        "Lag": ("", list(_lag_charts(pair, allowed.lag, allowed.turn_lag))),
         "Feed": (
             "",
             [
@@ -103,7 +101,7 @@ def feed_page(job: ScheduledJob) -> bytes:
             ],
         ),
         "Push": (
-            "What the spring, and the damper where speed is fed, would begin to push with.",
+            "What the spring would begin to push with.",
             [Chart("push", "Force if blocked", "N", pushes, peak=True, zero=True)],
         ),
         "Pose": ("", list(_pose_charts([(who, run.t, run.x, style) for who, run, style in pair]))),
@@ -242,7 +240,7 @@ def _tiles(run: Simulated) -> Iterator[Tile]:
 
 
 def _feed_tiles(job: ScheduledJob) -> Iterator[Tile]:
-    first, made = job.before_feeds[0], job.scheduled
+    first, made = job.programmed, job.scheduled
     arrived = "not arrived" if first.arrived is None else f"arrived at {first.arrived:.3f} s"
     lag = first.run.lag.maximum / MM
     yield Tile(first.name, f"{first.run.opened.equilibrium.duration:.3f} s", f"lag {lag:.2f} mm, {arrived}", BEFORE)

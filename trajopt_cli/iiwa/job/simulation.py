@@ -15,7 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.forces import zero
-from trajopt_cli.iiwa.controller.lag import Lag, deviation, held, worst_lag
+from trajopt_cli.iiwa.controller.lag import Lag, deviation, held, held_rows, worst_lag
 from trajopt_cli.iiwa.controller.loop import LoopRun, run
 from trajopt_cli.iiwa.controller.parameters import Settings
 from trajopt_cli.iiwa.controller.regulator import equilibrium_rates, response, response_rotation
@@ -45,6 +45,7 @@ from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.runs import REPORT
 
 _LONGEST_SETTLING = 10.0  # s
+_SOON = 1e-9  # s: a change this little after a period's start begins with it
 # of LinkContact and Motor, field by field
 _LINK = ("link", "obstacle", "first_s", "last_s", "deepest_m", "largest_force_N")
 _MOTOR = ("joint", "largest_torque_Nm", "limit_Nm", "saturated_at_s")
@@ -151,7 +152,7 @@ class Simulated:
     @property
     def spring(self) -> Array:
         """K (x - x_e) (n, 3) [N]: the stiffness' pull, with which the tool pushes what holds it."""
-        return np.asarray(self._diagonal("K") * (self.x - self.x_e)[:, :3], dtype=np.float64)
+        return np.asarray(diagonal(self.opened.task, "K", self.t) * (self.x - self.x_e)[:, :3], dtype=np.float64)
 
     @property
     def push(self) -> Array:
@@ -159,15 +160,16 @@ class Simulated:
         if self.feed is Feed.POSITION:
             return -self.spring
         rates = equilibrium_rates(self.x_e[:, :3], self.opened.equilibrium.h)
-        return np.asarray(self._diagonal("D") * rates - self.spring, dtype=np.float64)
+        return np.asarray(diagonal(self.opened.task, "D", self.t) * rates - self.spring, dtype=np.float64)
 
-    def _diagonal(self, name: str) -> Array:
-        """The position's part of K or D at every row (n, 3)."""
-        out = np.tile(getattr(self.opened.task.compliance, name)[:3], (len(self.x), 1))
-        for change in self.opened.task.changes:
-            if change.compliance is not None:
-                out[self.t >= change.t] = getattr(change.compliance, name)[:3]
-        return out
+
+def diagonal(task: Task, name: str, t: Array) -> Array:
+    """The position's part of K or D at times t (n,) [s], (n, 3)."""
+    out = np.tile(getattr(task.compliance, name)[:3], (len(t), 1))
+    for change in task.changes:
+        if change.compliance is not None:
+            out[t >= change.t - _SOON] = getattr(change.compliance, name)[:3]
+    return out
 
 
 def simulate(
@@ -255,7 +257,7 @@ def run_controller(
 
 def frames_change(task: Task) -> bool:
     """Whether poses are counted from other frames in the course of the run."""
-    return any(change.restart or change.X_FT is not None or change.X_WB is not None for change in task.changes)
+    return any(change.reframes for change in task.changes)
 
 
 def clamped(task: Task) -> bool:
@@ -375,7 +377,7 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
         "contact": contact is not None,
         "sensor errors": task.sensor is not None,
         "clamps": clamped(task),
-        "changes": bool(task.changes),
+        "changes": any(one.reframes or one.zeroing is not None or one.clamps is not None for one in task.changes),
         "--engine": engine is not None,
     }
     return tuple(name for name, wanted in asked.items() if wanted)
@@ -418,16 +420,19 @@ def _law_alone(opened: Opened, feed: Feed, settle: float, wrench: Array | None) 
         force = zero(force, task.zeroing)
     told = force if wrench is None else force + held(wrench, settle, h)
     start = np.r_[opened.X_start[:3, 3], np.zeros(3)]  # angles count from there
-    x = response(x_e, h, law, integration=task.integration, feed=feed, force=told, x_0=start).x
+    changes = [(held_rows(one.t - _SOON, h), one.compliance) for one in task.changes if one.compliance is not None]
+    changes = [(row, one) for row, one in changes if row < len(x_e)]
+    x = response(x_e, h, law, integration=task.integration, feed=feed, force=told, x_0=start, changes=changes).x
     if sequence.rotation is not RotationLaw.SLERP:
         return x_e, x, rotation(x[:, 3:]) @ R_start, force
     R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
     # in the world, whose axes the stiffness has
     turned = response_rotation(
-        *(R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], told[:, 3:]),
+        *(R_e @ R_start, h, law, told[:, 3:]),
         integration=task.integration,
         feed=feed,
         R_0=R_start,
+        changes=changes,
     )
     return x_e, np.column_stack([x[:, :3], angles_near(turned.R @ R_start.T, x_e[:, 3:])]), turned.R, force
 

@@ -294,11 +294,10 @@ def feeds_table(title: str, job: ScheduledJob) -> TextTable:
     """The sequence as it was and as it is scheduled, with time, bound, lag and force if blocked."""
     from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED
 
+    one, made = job.programmed, job.scheduled
     rows: list[tuple[str, float, float | None, float | None, Lag, float]] = [
         (one.name, one.run.opened.equilibrium.duration, None, one.arrived, one.run.lag, one.run.most_push)
-        for one in job.before_feeds
     ]
-    made = job.scheduled
     rows.append((SCHEDULED, made.duration, made.least, made.arrived, made.lag, made.push))
     columns: dict[str, Callable[[tuple[str, float, float | None, float | None, Lag, float]], str]] = {
         "~feed": lambda row: row[0],
@@ -340,6 +339,11 @@ def feed_lines(job: ScheduledJob) -> list[str]:
         lines.append(
             f"pushing no harder than a spring stretched by the lag: {job.steady / MM:.3g} mm/s on a long line (D v = K"
             " lag); a larger --max-lead, more stiffness, less damping or more lag allow more speed"
+        )
+    if job.push is not None:
+        lines.append(
+            f"force on what it touches (springs): up to {job.push.largest:.1f} N, {job.push.programmed:.1f} N as"
+            " programmed"
         )
     return [*lines, *job.remarks()]
 

@@ -302,7 +302,7 @@ class ClampSection(Section):
 class ChangeSection(Section):
     """What is different from a time on."""
 
-    at: Instant
+    at: Annotated[Instant | StrictStr, Field(union_mode="left_to_right")]
     K: Stiffness | None = None
     D: Damping | None = None
     M: Inertia | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, continuous
-from trajopt_cli.iiwa.task.model import BETA_LIMIT, AngleMeaning, RotationLaw
+from trajopt_cli.iiwa.task.model import BETA_LIMIT, AngleMeaning, Change, RotationLaw
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,12 @@ class Equilibrium:
     def duration(self) -> float:
         """Time of the last row [s]."""
         return (len(self.pose) - 1) * self.h
+
+    def timed(self, changes: Sequence[Change]) -> tuple[Change, ...]:
+        """Changes with the times at which the sequence arrives at their poses; others as they are."""
+        arrived = {piece.goal: piece.last * self.h for piece in self.pieces if not piece.dwell}
+        arrived[self.pieces[0].origin] = 0.0
+        return tuple(one if one.pose is None else replace(one, t=arrived[one.pose]) for one in changes)
 
     def rotations(self, R_start: Array) -> Array:
         """Orientations R_WT (n, 3, 3) of the tool in the world, of a controller switched on at R_start (3, 3)."""

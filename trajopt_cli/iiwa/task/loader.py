@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from math import nan
 from pathlib import Path
 
 import numpy as np
@@ -260,7 +261,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         integration=Integration(document.integration),
         zeroing=_zeroing(document.zero),
         clamps=_clamps(document.clamps, "clamps", at),
-        changes=_changes(document, at),
+        changes=_changes(document, at, path.waypoints, passing),
         pushes=pushes,
         sensor=None
         if (one := document.sensor) is None
@@ -359,18 +360,34 @@ def _clamps(section: ClampSection, key: str, at: _Lines) -> Clamps:
         return Clamps(*(np.full(count, np.inf) if given is None else np.array(given) for given, count in bounds))
 
 
-def _changes(document: TaskDocument, at: _Lines) -> tuple[Change, ...]:
-    """In the order of time; what a change leaves out of K, D and M is that of the change before."""
+def _changes(
+    document: TaskDocument, at: _Lines, waypoints: Sequence[Waypoint], passing: Passing | None
+) -> tuple[Change, ...]:
+    """In the order of time, or of the stops they are at; what a change leaves out of K, D and M is that of the change
+    before."""
     out = []
     K, D, M = document.K, document.D, document.M
-    for i, section in sorted(enumerate(document.changes), key=lambda pair: pair[1].at):
+    named = [isinstance(section.at, str) for section in document.changes]
+    if any(named) and not all(named):
+        raise at.wrong(f"changes.{named.index(False)}.at", "changes: all at poses or all at seconds; these are mixed")
+    ends = {0, len(waypoints) - 1}
+    rested = (one for i, one in enumerate(waypoints) if passing is None or i in ends or one.rests or one.dwell > 0)
+    stops = [one.name for one in rested] if any(named) else []
+    for i, section in enumerate(document.changes):
+        if isinstance(section.at, str) and stops.count(section.at) != 1:
+            found = "no stop" if section.at not in stops else f"{stops.count(section.at)} stops"
+            message = f"changes.{i}.at: {found} of the name '{section.at}'; name one stop, or give seconds"
+            raise at.wrong(f"changes.{i}.at", message)
+    order = {name: i for i, name in enumerate(stops)}
+    for i, section in sorted(enumerate(document.changes), key=lambda pair: order.get(str(pair[1].at), pair[1].at)):
         key, compliance = f"changes.{i}", None
         if (section.K, section.D, section.M) != (None, None, None):
             K, D, M = section.K or K, section.D or D, section.M or M
             compliance = _compliance(K, D, M, key, at)
         out.append(
             Change(
-                t=section.at,
+                t=nan if isinstance(section.at, str) else section.at,
+                pose=section.at if isinstance(section.at, str) else None,
                 compliance=compliance,
                 zeroing=None if section.zero is None else _zeroing(section.zero),
                 clamps=None if section.clamps is None else _clamps(section.clamps, key, at),

@@ -234,7 +234,8 @@ class Clamps:
 class Change:
     """From time t [s] on, what is given here holds instead of what held before; None stays as it was.
 
-    restart: R_start becomes the tool's orientation at t, so that all angles begin at zero again.
+    restart: R_start becomes the tool's orientation at t, so that all angles begin at zero again. pose: at whose arrival
+    t is, nan until a sequence says so (timed); None where the task gives seconds.
     """
 
     t: float
@@ -244,6 +245,12 @@ class Change:
     X_FT: Array | None = None
     X_WB: Array | None = None
     restart: bool = False
+    pose: str | None = None
+
+    @property
+    def reframes(self) -> bool:
+        """Whether poses are counted from other frames from then on."""
+        return self.restart or self.X_FT is not None or self.X_WB is not None
 
 
 @dataclass(frozen=True, eq=False)

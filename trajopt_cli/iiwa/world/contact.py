@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import copysign, hypot
+from math import copysign, hypot, inf
 
 from trajopt_cli.iiwa.task.model import Contact, Obstacle
 from trajopt_cli.iiwa.task.world import Six
@@ -48,6 +48,14 @@ class BallOnBoxes:
     def nearest(self, p: Three) -> Obstacle:
         """The shape nearest to a ball at p [m]."""
         return min(self._boxes, key=lambda box: box.nearest(p)[0]).obstacle
+
+    def pressed(self, p: Three, K: Three) -> tuple[float, Three, float]:
+        """How deep [m] a ball at p [m] is in the box that it is deepest in or nearest to, the outward normal there, and
+        the force [N] on the surface when springs K [N/m] pull the ball to p, all at rest and free to slide."""
+        box, distance, n = min(((box, *box.nearest(p)) for box in self._boxes), key=lambda one: one[1])
+        depth = self._tip - distance
+        soft = sum(u * u / k if k > 0 else inf for u, k in zip(n, K, strict=True) if u) + 1 / box.obstacle.stiffness
+        return depth, n, max(0.0, depth) / soft
 
     def touch(self, p: Three, v: Three, w: Three) -> Touch:
         """What the boxes do to a TCP at p [m] that moves at v [m/s] and turns at w [rad/s], all in world axes."""
