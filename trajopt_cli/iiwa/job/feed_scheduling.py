@@ -147,7 +147,7 @@ def schedule_feed(
     check_replaceable(output)
     before = counted_from_start(open_folder(folder))
     if before.plan is not None or before.feed is not Feed.POSITION:
-        message = "is dosed already, and its equilibrium is not its path; dose the folder it came from"
+        message = "is dosed already, or presses with a force: its equilibrium is not its path; dose one that is"
         raise InputError(message, file=str(folder))
 
     def none(message: str) -> Refused:
