@@ -97,6 +97,26 @@ def test_angles_lie_in_half_open_turns(rng):
             assert all(-pi < found[i] <= pi for i in (0, 2, 4, 6))
 
 
+@PLACES
+def test_the_compiled_force_is_the_least_squares_solution(X_WB, X_FT, rng):
+    """Of J^T F = tau with pinocchio's J; its trace is that of the singular values."""
+    step = SrsStep(load_srs("iiwa7", X_WB), ArmAngle.SWIVEL, 0, 0.0, X_FT)
+    for _ in range(20):
+        q, tau = tuple(rng.uniform(-2, 2, 7).tolist()), rng.normal(size=7) * 20
+        J = np.array(step.jacobian(q))
+        F, trace = step.force(q, tau.tolist())
+        sigma = np.linalg.svd(J, compute_uv=False)
+        np.testing.assert_allclose(trace, np.sum(sigma**-2.0), rtol=1e-8)
+        wanted = np.linalg.lstsq(J.T, tau, rcond=None)[0]
+        np.testing.assert_allclose(F, wanted, rtol=0, atol=1e-13 * trace * np.abs(tau).max())
+
+
+@pytest.mark.parametrize("degrees", [(0, 0, 0, 0, 0, 0, 0), (0, 30, 0, 0, 0, 0, 0)])
+def test_an_arm_without_leverage_has_no_finite_trace(degrees):
+    _, trace = SrsStep(load_srs("iiwa7"), ArmAngle.SWIVEL, 0, 0.0).force(tuple(np.radians(degrees)), [1.0] * 7)
+    assert not trace < 1e10
+
+
 def test_what_makes_no_step_is_named():
     robot = load_srs("iiwa7")
     with pytest.raises(ValueError, match=r"configuration 9, wanted 0\.\.7"):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -48,6 +48,19 @@ class Loop:
 
     def __call__(self, *given: NDArray[np.generic] | float) -> None:
         """Call it. Raises TypeError for an array of another kind."""
+        self._call(*self._ends, *self._flat(given))
+
+    def on(self, *given: NDArray[np.generic]) -> Callable[[], None]:
+        """A call of it on these arrays, whatever is in them then. Raises TypeError for an array of another kind."""
+        call, flat = self._call, (*self._ends, *self._flat(given))
+
+        def again(_kept: object = given) -> None:
+            call(*flat)
+
+        return again
+
+    def _flat(self, given: Sequence[NDArray[np.generic] | float]) -> list[Any]:
+        """What stands for these arguments."""
         flat: list[Any] = []
         for one, (of, dimensions, dense) in zip(given, self._kinds, strict=True):
             if not isinstance(one, np.ndarray):
@@ -56,7 +69,7 @@ class Loop:
             if one.dtype != of or one.ndim != dimensions or not dimensions or dense > one.flags.c_contiguous:
                 raise TypeError(f"{one.dtype}, {one.ndim}d for {of}, {dimensions}d")
             flat += (0, 0, one.size, one.itemsize, one.ctypes.data, *one.shape, *one.strides)
-        self._call(*self._ends, *flat)
+        return flat
 
 
 @cache

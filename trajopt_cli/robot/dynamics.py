@@ -6,6 +6,7 @@ YAML gives.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -96,6 +97,11 @@ class Dynamics:
             raise ValueError(f"q, qd, qdd have {', '.join(str(len(v)) for v in rows)} rows, wanted as many of each")
         out = np.array([self._pin.rnea(self._model, self._data, *row) for row in zip(*rows, strict=True)])
         return out.reshape(np.shape(q))
+
+    def torque_row(self, q: Sequence[float], qd: Sequence[float], qdd: Sequence[float]) -> list[float]:
+        """As torque, of one sample (k,) in plain floats: what a control loop calls."""
+        out: list[float] = self._pin.rnea(self._model, self._data, np.array(q), np.array(qd), np.array(qdd)).tolist()
+        return out
 
     def gravity_torque(self, q: Array) -> Array:
         """Joint torques (k,) or (n, k) [Nm] that hold the arm at rest at q."""

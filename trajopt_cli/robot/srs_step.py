@@ -1,11 +1,14 @@
 """SrsRobot's kinematics for one sample in plain floats: what a control loop at 1 ms calls.
 
 The inverse is the algebra of robot.srs_inverse, written once more because NumPy costs a microsecond per operation,
-however short the array; forward kinematics and Jacobian are pinocchio's. Tests hold both against the vectorised ones.
+however short the array; the force on the tool is compiled (robot.srs_loops); forward kinematics and Jacobian are
+pinocchio's. Tests hold all against the vectorised ones.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from functools import cached_property
 from math import atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
@@ -52,6 +55,7 @@ class SrsStep:
         self._R_TF = _nine(X_FT[:3, :3].T)
         self._base_straight = bool(np.array_equal(robot.X_WB[:3, :3], np.eye(3)))
         self._tool_straight = bool(np.array_equal(X_FT[:3, :3], np.eye(3)))
+        self.X_FT = X_FT
         from_wrist = X_FT[:3, 3] + [0.0, 0.0, robot.lengths.wf]
         self._tcp_to_wrist = _three(-(X_FT[:3, :3].T @ from_wrist))  # the TCP's axes
         import pinocchio as pin
@@ -133,6 +137,28 @@ class SrsStep:
         frame = self._pin.LOCAL_WORLD_ALIGNED
         rows = self._pin.computeFrameJacobian(self._model, self._data, np.array(q), self._tcp, frame).tolist()
         return tuple(map(tuple, rows))
+
+    @cached_property
+    def _force(self) -> tuple[Array, Callable[[], None], Array]:
+        """Joints and torques (2, 7), what makes a force of them, and where it puts it."""
+        from trajopt_cli.native.loops import loops
+
+        lengths, X_WB = self.robot.lengths, self.robot.X_WB
+        at = self.X_FT[:3, 3] + [0.0, 0.0, lengths.wf]
+        arm = np.array([lengths.bs, lengths.se, lengths.ew, *at, *X_WB[:3, :3].ravel()])
+        given, out = np.zeros((2, 7)), np.zeros(7)
+        room = np.zeros((4, 3)), np.zeros((6, 7)), np.zeros((6, 6))
+        fill = loops("trajopt_cli.robot.srs_loops")["fill_force"]
+        return given, fill.on(arm, given[0], given[1], *room, out), out
+
+    def force(self, q: Floats7, tau: Sequence[float]) -> tuple[list[float], float]:
+        """F = (J J^T)^-1 J tau (6,) [N, Nm] of torques tau (7,) [Nm] at joints q, at the TCP in world axes; and the
+        trace of (J J^T)^-1, the sum of 1/sigma^2 over the Jacobian's singular values, inf where one is 0."""
+        given, run, out = self._force
+        given[0], given[1] = q, tau
+        run()
+        *F, trace = out.tolist()
+        return F, trace
 
 
 def _placed(angle: float, half: bool) -> float:

@@ -6,12 +6,13 @@ Torque errors, tau_e = tau_c - tau_m, clamp, force mapping, clamp, simulated pus
 from __future__ import annotations
 
 from math import degrees, hypot, isfinite, nan
+from operator import add, sub
 from time import perf_counter
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
-from trajopt_cli.iiwa.controller.forces import SMALLEST, ForceMap, SingularArm, TorqueErrors, clamped, zero
+from trajopt_cli.iiwa.controller.forces import SMALLEST, SingularArm, TorqueErrors, clamped, force_of, zero
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
 from trajopt_cli.iiwa.controller.pose_regulator import pose_regulator
 from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, rotation, transpose
@@ -22,6 +23,7 @@ from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import arm_angle, configuration
 from trajopt_cli.robot.srs_step import SrsStep, product, turned
 
+_AHEAD = 256  # periods whose torque errors and pushes are worked out at once
 _SOON = 1e-9  # s: a change or push this little after a period's start begins with it
 
 
@@ -48,7 +50,7 @@ class Controller:
         sensor = settings.sensor
         self._rigid = sensor is None or sensor.rigid
         self._errors = None if sensor is None else TorqueErrors(sensor, robot.torque, settings.h)
-        self._force_of = ForceMap()
+        self._block: tuple[int, list[list[float]], list[list[float]]] = (-1, [], [])
         self._zeroing = settings.zeroing
         self._set_clamps(settings.clamps)
         self._changes = sorted(settings.changes, key=lambda change: change.t)
@@ -116,30 +118,41 @@ class Controller:
     def feel(self, measured: Measured) -> float | Stop:
         """Set force from what is measured at the present period's start; when (perf_counter) tau_c was known."""
         if self._rigid:
-            state = np.array((measured.q, measured.qd, measured.qdd))
-            tau_c = self._dynamics.torque(state[0], state[1], state[2]).tolist()
+            tau_c = self._dynamics.torque_row(measured.q, measured.qd, measured.qdd)
         else:
             tau_c = self._dynamics.gravity_torque(np.array(measured.q)).tolist()
-        tau_e = [c - m for c, m in zip(tau_c, measured.tau, strict=True)]
+        tau_e = list(map(sub, tau_c, measured.tau))
         if self._errors is not None:
-            tau_e = [tau - error for tau, error in zip(tau_e, self._errors.at(self.k).tolist(), strict=True)]
+            tau_e = list(map(sub, tau_e, self._ahead()[1][self.k % _AHEAD]))
         if not isfinite(sum(tau_e)):
             return self._stop(StopKind.TORQUE, "arm", nan, nan, "Nm", "the measured torques are not finite")
         if self._tau_bounds is not None:
             tau_e = clamped(tau_e, self._tau_bounds)
         model_at = perf_counter()
         try:
-            F = self._force_of(self._kinematics.jacobian(measured.q), tau_e)
+            F, trace = self._kinematics.force(measured.q, tau_e)
+            if not trace * SMALLEST**2 < 1:  # no singular value is smaller than one over the trace's root
+                F = force_of(self._kinematics.jacobian(measured.q), tau_e).tolist()
         except SingularArm as singular:
             return self._stop(StopKind.SINGULAR, "arm", singular.smallest, SMALLEST, "", str(singular))
         if self._force_bounds is not None:
             F = clamped(F, self._force_bounds)
-        for push in self.settings.pushes:
-            F = [f + extra for f, extra in zip(F, push.at(self.t).tolist(), strict=True)]
+        if self.settings.pushes:
+            F = list(map(add, F, self._ahead()[2][self.k % _AHEAD]))
         if any(self._zeroing.zeroed):
             F = zero(F, self._zeroing).tolist()
         self.force = (F[0], F[1], F[2], F[3], F[4], F[5])
         return model_at
+
+    def _ahead(self) -> tuple[int, list[list[float]], list[list[float]]]:
+        """The present block of _AHEAD periods: its number, and for each of them torque errors and pushes."""
+        part = self.k // _AHEAD
+        if part != self._block[0]:
+            k = part * _AHEAD + np.arange(_AHEAD)
+            errors = [] if self._errors is None else self._errors.at(k).tolist()
+            pushes = sum((push.at(k * self.settings.h) for push in self.settings.pushes), np.zeros((_AHEAD, 6)))
+            self._block = part, errors, pushes.tolist()
+        return self._block
 
     def seen(self, goal: Goal) -> Goal:
         """A row of the planned equilibrium as the present frames have it; the row itself while none has changed."""

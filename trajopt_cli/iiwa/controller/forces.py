@@ -71,23 +71,6 @@ def zero(F: ArrayLike, zeroing: Zeroing) -> Array:
     return np.asarray(F @ passing(zeroing).T)
 
 
-class ForceMap:
-    """force_of() of one sample: LAPACK's factors of J J^T, called without NumPy's tests of shapes and types."""
-
-    def __init__(self) -> None:
-        from scipy.linalg import lapack
-
-        self._factor, self._inverse, self._solve = lapack.dpotrf, lapack.dpotri, lapack.dpotrs
-
-    def __call__(self, J: Sequence[Sequence[float]], tau: Sequence[float]) -> list[float]:
-        """F (6,) [N, Nm] of torques tau (7,) [Nm], J six rows of seven. Raises SingularArm as force_of does."""
-        rows = np.array(J)
-        factor, broken = self._factor(rows @ rows.T)
-        sound = broken == 0 and 1 / self._inverse(factor)[0].trace() > SMALLEST**2
-        F: list[float] = (self._solve(factor, rows @ tau)[0] if sound else force_of(rows, tau)).tolist()
-        return F
-
-
 def clamped(values: Sequence[float], bounds: Sequence[float]) -> list[float]:
     """Values within +-bounds, in plain floats; NaN stays NaN."""
     return [
