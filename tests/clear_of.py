@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 from link_poses import link_poses
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.proximity.pair import Pair
-from trajopt_cli.shapes import MeshFile
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.shapes import Capsule, MeshFile
 from trajopt_cli.trajectory import Trajectory
 
 
@@ -23,7 +28,7 @@ def by_pin_and_coal(plant: Plant, q: Array) -> Array:
         pin.framesForwardKinematics(model, data, row)
         X_WF.append(data.oMf[flange].homogeneous)
     X = dict(zip(plant.robot.link_names, np.moveaxis(link_poses(plant.robot, q), 1, 0), strict=True))
-    shapes = dict(plant.robot.capsules)
+    shapes = {name: parts[0] for name, parts in plant.robot.bodies.items()}
     for solid in plant.attached:
         assert not isinstance(solid.shape, MeshFile)
         X[solid.name], shapes[solid.name] = np.array(X_WF), solid.shape
@@ -37,6 +42,13 @@ def by_pin_and_coal(plant: Plant, q: Array) -> Array:
         X_12 = np.linalg.inv(X[first]) @ X[second]
         out = np.minimum(out, Pair(shapes[second], shapes[first]).distances(X_12))
     return out
+
+
+def with_capsules(robot: RobotModel) -> RobotModel:
+    """An IRB 140 with the smallest capsules around its links, of which distances have closed forms."""
+    truth = json.loads((Path(__file__).parent / "data" / "truth" / "collision_primitives.json").read_text())["irb140"]
+    bodies = {name: (Capsule(name, np.array(c["a"]), np.array(c["b"]), c["r"]),) for name, c in truth.items()}
+    return replace(robot, bodies=bodies)
 
 
 def least_along(plant: Plant, trajectory: Trajectory, step: float = 0.01) -> float:

@@ -209,7 +209,7 @@ def scene_of_robot(
     position [m], None without a rail."""
     chain = chain_of(robot)
     frames = {robot.link_names[0]: BASE} | {joint.link: i for i, joint in enumerate(chain)}
-    links = [Body(capsule, frames[link], LINK) for link, capsule in robot.capsules.items()]
+    links = [Body(shape, frames[link], LINK) for link, shapes in robot.bodies.items() for shape in shapes]
     bodies = links or [*_bones(chain)]
     bodies += [Body(shape, len(chain) - 1, TOOL_ROLE) for shape in carried]
     bodies += [Body(shape, WORLD, OBSTACLE) for shape in obstacles]

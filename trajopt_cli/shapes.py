@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,6 +23,14 @@ TOOL = "tool"
 TriangleArray = NDArray[np.int64]
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=np.float64)
 _SKEW = 1e-6  # how far a rotation may be from orthogonal: a quaternion written with seven digits
+_GRID = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if (x, y, z) != (0, 0, 0)])
+DIRECTIONS = readonly(_GRID / np.linalg.norm(_GRID, axis=1, keepdims=True))
+"""(26, 3): unit vectors to faces, edges and corners of a cube, x slowest and z fastest: (-1,-1,-1), (-1,-1,0) ..."""
+_U = np.cross(DIRECTIONS, np.eye(3)[np.argmin(np.abs(DIRECTIONS), axis=1)])
+_U = _U / np.linalg.norm(_U, axis=1, keepdims=True)
+_SIDES = np.stack([_U, np.cross(DIRECTIONS, _U)], axis=1)  # (26, 2, 3): with each direction a right-handed frame
+_ON = 1e-7  # of a polytope's size: a corner nearer to a plane lies in it
+_THIN = 1e-4  # m
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +96,69 @@ class Mesh:
 
 
 @dataclass(frozen=True, eq=False)
+class Polytope(Mesh):
+    """A mesh that is the whole surface of a convex body; outer: a capsule around it in its own axes."""
+
+    outer: Capsule = field(init=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "outer", _capsule_around(self.name, self.vertices))
+
+
+def polytope(name: str, reach: Sequence[float]) -> Polytope:
+    """The body that reaches as far as reach (26,) [m] in DIRECTIONS at most: all x with DIRECTIONS @ x <= reach.
+
+    Raises ValueError where nothing thick is left between the planes.
+    """
+    return _between(name, tuple(reach))
+
+
+@lru_cache(maxsize=512)
+def _between(name: str, reach: tuple[float, ...]) -> Polytope:
+    h = np.array(reach)
+    planes, inverses = _crossings()
+    near = _ON * float(np.abs(h).max())
+    corners = np.einsum("kij,kj->ki", inverses, h[planes])
+    corners = corners[(corners @ DIRECTIONS.T <= h + near).all(axis=1)]
+    same = np.linalg.norm(corners[:, None] - corners, axis=2) < 20 * near  # of a flat edge off by more than the planes
+    corners = corners[~np.tril(same, -1).any(axis=1)]
+    if len(corners) < 4 or np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[-1] < _THIN:
+        raise ValueError(f"polytope '{name}': its planes leave no body between them")
+    triangles: list[tuple[int, int, int]] = []
+    for n, (u, v), far in zip(DIRECTIONS, _SIDES, h, strict=True):
+        face = np.flatnonzero(corners @ n > far - 20 * near)
+        arms = corners[face] - corners[face].mean(axis=0) if len(face) else corners[face]
+        first, *others = face[np.argsort(np.arctan2(arms @ v, arms @ u))].tolist() or [0]
+        triangles += [(first, b, c) for b, c in pairwise(others)]
+    return Polytope(name, corners, np.array(triangles))
+
+
+@lru_cache(maxsize=1)
+def _crossings() -> tuple[TriangleArray, Array]:
+    """Three planes each (k, 3) that cross in one point, and the inverses (k, 3, 3) that give it from their reach."""
+    planes = np.array([*combinations(range(len(DIRECTIONS)), 3)])
+    planes = planes[np.abs(np.linalg.det(DIRECTIONS[planes])) > 1e-6]
+    return planes, np.linalg.inv(DIRECTIONS[planes])
+
+
+def _capsule_around(name: str, points: Array) -> Capsule:
+    """A capsule that holds points (n, 3): of those along DIRECTIONS, about the middle of what they span, the least."""
+    found = []
+    for n, sides in zip(DIRECTIONS[13:], _SIDES[13:], strict=True):
+        flat, t = points @ sides.T, points @ n
+        centre = (flat.min(axis=0) + flat.max(axis=0)) / 2
+        aside = np.linalg.norm(flat - centre, axis=1)
+        radius = max(float(aside.max()), _THIN)
+        cap = np.sqrt(radius**2 - aside**2)
+        low, high = float((t + cap).min()), float((t - cap).max())
+        low, high = min(low, (low + high) / 2), max(high, (low + high) / 2)
+        found.append((radius**2 * (high - low + 4 / 3 * radius), radius, centre @ sides + np.outer([low, high], n)))
+    _, radius, (a, b) = min(found, key=lambda one: one[0])
+    return Capsule(name, a, b, radius)
+
+
+@dataclass(frozen=True, eq=False)
 class MeshFile:
     """A mesh that still lies in a file: its coordinates times scale are metres, X (4, 4) places them."""
 
@@ -100,6 +174,7 @@ class MeshFile:
 
 
 Shape = Box | Capsule | Mesh
+LinkShape = Capsule | Polytope
 
 
 class Rides(NamedTuple):
@@ -172,13 +247,16 @@ def moved(shape: Shape, X: ArrayLike) -> Shape:
 def outline(shape: Shape) -> tuple[Array, float]:
     """Points (n, 3) and a radius [m]: their convex hull grown by the radius holds the shape, in the frame of its X.
 
-    A mesh gives the eight corners of the box around its vertices.
+    A polytope gives its outer capsule, a mesh the eight corners of the box around its vertices.
     """
     match shape:
         case Capsule():
             return np.array([shape.a, shape.b]), shape.radius
         case Box():
             corners = (_CORNERS - 0.5) * shape.size
+        case Polytope(outer=outer):
+            ends = np.array([outer.a, outer.b])
+            return ends @ shape.X[:3, :3].T + shape.X[:3, 3], outer.radius
         case Mesh():
             low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
             corners = low + _CORNERS * (high - low)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 from small_cells import HOME, plant_with_rail, plant_without_rail
 
@@ -16,7 +17,7 @@ from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.judge.mechanism import Mechanism
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import PositionerAxis
-from trajopt_cli.shapes import Box, Capsule, Mesh, Rides, Solid
+from trajopt_cli.shapes import Box, Capsule, Mesh, Polytope, Rides, Solid
 from trajopt_cli.trajectory import Trajectory
 
 ASIDE = pose(rotation_about([1, 0, 0], 0.3), [1.0, 0.2, 0.4])
@@ -112,8 +113,11 @@ def test_surfaces_are_the_shapes_and_face_outwards() -> None:
     )
     read = Read(gltf(sweep(plant), plant, "a plan"))
     found = {name: (i, vertices, corners) for i, name, vertices, corners in read.surfaces()}
-    capsules = {capsule.name: capsule for capsule in (*plant.robot.capsules.values(), grip, ball)}
-    assert found.keys() == {*capsules, "table", "wedge", "rail", "carriage"}
+    capsules = {capsule.name: capsule for capsule in (grip, ball)}
+    assert found.keys() == {*capsules, *plant.robot.bodies, "table", "wedge", "rail", "carriage"}
+    for name, (link,) in plant.robot.bodies.items():
+        assert isinstance(link, Polytope)
+        assert volume(*found[name][1:]) == pytest.approx(ConvexHull(link.vertices).volume, rel=1e-6)
     for name, capsule in capsules.items():
         _, vertices, corners = found[name]
         along = capsule.b - capsule.a
@@ -128,7 +132,7 @@ def test_surfaces_are_the_shapes_and_face_outwards() -> None:
         np.testing.assert_allclose(read.X_WN(i, 0), UP @ ASIDE, rtol=0, atol=1e-6)
     parent = {name: read.nodes[read.parents[i]].name for name, (i, *_) in found.items()}
     assert (parent["grip"], parent["ball"], parent["table"]) == ("tool0", "a plan", "a plan")
-    assert [parent[capsule.name] for capsule in plant.robot.capsules.values()] == [*plant.robot.capsules]
+    assert [parent[name] for name in plant.robot.bodies] == [*plant.robot.bodies]
 
 
 def test_the_same_motion_gives_the_same_bytes_and_another_robots_is_refused() -> None:

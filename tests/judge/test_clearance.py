@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from clear_of import with_capsules
 from legal_motion import HOME, plant_with_rail, plant_without_rail, program, rapid_case
 from legal_motion import home as home_move
 from link_poses import link_poses
@@ -34,7 +35,7 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, Solid
+from trajopt_cli.shapes import Box, Capsule, Mesh, Polytope, Shape, Solid, outline
 from trajopt_cli.trajectory import Trajectory, hermite
 
 EVERY_LINK = frozenset({"base_link", *(f"link_{i}" for i in range(1, 7))})
@@ -115,7 +116,7 @@ def distances(plant: Plant, obstacle: Solid, q: Array) -> Array:
     model = plant.robot.pin_model
     data = model.createData()
     names = [*plant.robot.link_names, "tool0"]
-    bodies: list[tuple[int, Shape]] = [(i, plant.robot.capsules[n]) for i, n in enumerate(names[:-1])]
+    bodies: list[tuple[int, Shape]] = [(i, plant.robot.bodies[n][0]) for i, n in enumerate(names[:-1])]
     bodies = [(i, shape) for i, shape in bodies if names[i] not in obstacle.ignore and (i or plant.robot.has_rail)]
     bodies += [(7, solid.shape) for solid in plant.attached]
     ids = [model.getFrameId(name) for name in names]
@@ -215,9 +216,10 @@ def test_the_rail_alone_runs_into_a_wall() -> None:
     rows = np.tile(plant.start, (101, 1))
     rows[:, 0] = t
     trajectory = Trajectory(plant.limits.names, t, rows)
-    base = plant.robot.capsules["base_link"]
-    front = max(base.a[1], base.b[1]) + base.radius
-    wall = box("wall", [4, 0.1, 0.02], [0, 0.9 + 0.05, base.a[2]], EVERY_LINK - {"base_link"})
+    (base,) = plant.robot.bodies["base_link"]
+    assert isinstance(base, Polytope)
+    front = base.vertices[:, 1].max()
+    wall = box("wall", [4, 0.1, 0.1], [0, 0.9 + 0.05, 0.05], EVERY_LINK - {"base_link"})
     found = one(replace(plant, obstacles=(wall,)), trajectory)
     assert found.time == pytest.approx(0.9 - front, abs=2e-4)
     assert found.value < -0.1
@@ -313,14 +315,15 @@ def test_a_posture_that_bends_the_hand_into_the_base_is_a_hit() -> None:
 
     plant = plant_without_rail()
     folded = np.array([0, np.radians(20), np.radians(50), 0, np.radians(100), 0])
-    robot = plant.robot
+    robot = with_capsules(plant.robot)
+    plant = replace(plant, robot=robot)
     data = robot.pin_model.createData()
     worst: dict[tuple[str, str], float] = {}
     trajectory = quintic_move(plant, [HOME, folded], 0.4, 5e-3)
     for row in trajectory.q[::-4]:  # the last one folds it most
         pin.framesForwardKinematics(robot.pin_model, data, row)
         ends = {}
-        for name, capsule in robot.capsules.items():
+        for name, (capsule,) in robot.bodies.items():
             X = data.oMf[robot.pin_model.getFrameId(name)]
             ends[name] = X * np.array(capsule.a), X * np.array(capsule.b), capsule.radius
         for first, second in robot.self_pairs:
@@ -340,7 +343,7 @@ def test_a_posture_that_bends_the_hand_into_the_base_is_a_hit() -> None:
 
 def test_what_the_flange_carries_is_held_against_the_robot() -> None:
     plant = plant_without_rail()
-    long_tool = Solid(Capsule("lance", np.array([0, 0, 0.05]), np.array([0, 0, 0.6]), 0.02))
+    long_tool = Solid(Capsule("lance", np.array([0, 0, 0.05]), np.array([0, 0, 0.7]), 0.02))
     down = np.array([0, 0, 0, 0, np.radians(110), 0])
     trajectory = quintic_move(plant, [HOME, down])
     found = check(replace(plant, attached=(long_tool,)), trajectory)[SELF_CLEARANCE, ""]
@@ -359,7 +362,7 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
     for name in ("irb140_rail", "irb140"):
         robot = load_robot(name, pose(rotation_about([0, 0.6, 0.8], 0.5), [0.1, 0.2, 0.3]))
         k, mechanism = len(robot.axis_names), Mechanism(robot.urdf, robot.X_WR)
-        bodies = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names)]
+        bodies = [Body(n, robot.bodies[n][0], i) for i, n in enumerate(robot.link_names)]
         tightest = 0.0
         for _ in range(4):
             n = 6
@@ -375,10 +378,10 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
                 for body in bodies:
                     for since in range(-1, body.frame):
                         seen = X[:, body.frame] if since < 0 else inverse_pose(X[:, since]) @ X[:, body.frame]
-                        ends = np.array([body.shape.a, body.shape.b])
+                        ends, radius = outline(body.shape)
                         skin = rng.normal(size=(10, 3))
-                        skin *= body.shape.radius / np.linalg.norm(skin, axis=1, keepdims=True)
-                        points = np.concatenate([ends + one for one in skin])
+                        skin *= radius / np.linalg.norm(skin, axis=1, keepdims=True)
+                        points = np.concatenate([*(ends + one for one in skin), body.shape.vertices])
                         placed = points @ np.swapaxes(seen[:, :3, :3], 1, 2) + seen[:, None, :3, 3]
                         moved = np.linalg.norm(placed - placed[0], axis=2).max()
                         bound = look.moved(body, since)[i]
@@ -519,7 +522,7 @@ def test_files_as_we_write_them_give_the_same_clearance() -> None:
 def test_without_obstacles_only_the_robot_itself_is_watched_and_without_shapes_nothing() -> None:
     plant, motions, rows = watched_case()
     assert [f.check for f in check_clearance(motions, plant, rows, lambda _: None)] == [SELF_CLEARANCE]
-    bare = replace(plant, robot=replace(plant.robot, capsules={}, self_pairs=()), obstacles=(FAR,))
+    bare = replace(plant, robot=replace(plant.robot, bodies={}, self_pairs=()), obstacles=(FAR,))
     assert check_clearance(motions, bare, rows, lambda _: None) == []
 
 
@@ -536,7 +539,7 @@ def test_the_programs_home_is_clear_of_itself() -> None:
 def test_the_sweep_finds_no_first_miss_where_there_is_none() -> None:
     plant = plant_without_rail()
     trajectory = quintic_move(plant, [HOME, HOME * 0.5])
-    body = Body("link_6", plant.robot.capsules["link_6"], 6)
+    body = Body("link_6", plant.robot.bodies["link_6"][0], 6)
     group = [Near(body, FAR.shape)]
     sweep = Sweep(mechanism_of(plant), trajectory)
     least = sweep.least(group)

@@ -32,7 +32,7 @@ def rng() -> np.random.Generator:
 
 def data_of(plant: Plant) -> SimpleNamespace:
     """Everything of a plant that the judge may know, without a function on it."""
-    robot = SimpleNamespace(**{name: getattr(plant.robot, name) for name in ("urdf", "X_WR", "capsules", "linkage")})
+    robot = SimpleNamespace(**{name: getattr(plant.robot, name) for name in ("urdf", "X_WR", "bodies", "linkage")})
     return SimpleNamespace(
         **{f.name: getattr(plant, f.name) for f in fields(plant)} | {"robot": robot, "self_pairs": plant.self_pairs}
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from clear_of import with_capsules
 from legal_motion import plant_with_rail
 from link_poses import link_poses
 from scipy.interpolate import BPoly, CubicHermiteSpline
@@ -16,7 +17,7 @@ from trajopt_cli.shapes import Capsule
 from trajopt_cli.trajectory import Trajectory
 
 PLANT = plant_with_rail()
-ROBOT: RobotModel = PLANT.robot
+ROBOT: RobotModel = with_capsules(PLANT.robot)
 N, DENSE = 60, 40  # rows, and samples between two of them
 
 
@@ -61,7 +62,7 @@ def test_bodies_count_in_their_spans_alone(seed: int) -> None:
     """The least distance, its time, and when one is first below a limit: within the spans, wherever else it is less."""
     rng = np.random.default_rng(100 + seed)
     trajectory, s, t, X = motion(seed)
-    links = [Body(name, ROBOT.capsules[name], i) for i, name in enumerate(ROBOT.link_names) if name in ROBOT.capsules]
+    links = [Body(name, ROBOT.bodies[name][0], i) for i, name in enumerate(ROBOT.link_names)]
     spots = X[rng.integers(0, len(s), 3), rng.integers(3, 7, 3), :3, 3] + rng.uniform(-0.2, 0.2, (3, 3))
     balls = [Capsule(f"ball_{i}", spot, spot, 0.02) for i, spot in enumerate(spots)]
     held = Body("held", Capsule("held", np.array([0.0, 0.1, 0.3]), np.array([0.0, 0.1, 0.3]), 0.02), 7)

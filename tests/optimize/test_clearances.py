@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from clear_of import with_capsules
 from link_poses import link_poses
 from small_cells import down, plant_with_rail, plant_without_rail, problem_of, rapid
 
@@ -34,7 +35,7 @@ PROGRAM = rapid("""MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 MoveL p_in, v500, fine, tool0;
 MoveJ Offs(p_in,0,500,0), v2500, fine, tool0;""")
-ROOMY = plant_with_rail()
+ROOMY = replace(plant_with_rail(), robot=with_capsules(plant_with_rail().robot))
 AXES = Axes.of(ROOMY)
 FORMULATION = Formulation(AXES)
 
@@ -117,7 +118,7 @@ def tip_beside_ball(radius: float = 0.03) -> tuple[Plant, Pair]:
     """Only the last link may not touch the ball."""
     others, centre = frozenset(ROOMY.robot.link_names) - {"link_6"}, np.array([0.62, 0.65, 0.42])
     ball = Solid(Capsule("ball", centre, centre, radius), others)
-    return replace(ROOMY, obstacles=(ball,)), Pair(ROOMY.robot.capsules["link_6"], ball.shape)
+    return replace(ROOMY, obstacles=(ball,)), Pair(ROOMY.robot.bodies["link_6"][0], ball.shape)
 
 
 def distances(pair: Pair, q: Array) -> Array:

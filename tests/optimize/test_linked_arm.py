@@ -181,7 +181,7 @@ LOWER, UPPER = (
 
 def with_bodies(folder: Path) -> Plant:
     plant = linked(folder)
-    robot = replace(plant.robot, capsules={"link_2": LOWER, "link_4": UPPER}, self_pairs=(("link_2", "link_4"),))
+    robot = replace(plant.robot, bodies={"link_2": (LOWER,), "link_4": (UPPER,)}, self_pairs=(("link_2", "link_4"),))
     post = Solid(Box("post", np.array([0.1, 0.1, 1.0]), pose(np.eye(3), [1.2, 0.5, 0.5])))
     return replace(plant, robot=robot, obstacles=(post,))
 
@@ -220,7 +220,7 @@ def test_a_way_that_axis_2_alone_turns_into_a_touch_is_not_free(tmp_path) -> Non
     """The lower arm's foot meets the upper arm, which keeps its direction, as axis 2 passes -90 degrees."""
     plant = with_bodies(tmp_path)
     foot = Capsule("link_2", np.zeros(3), np.zeros(3), 0.1)
-    robot = replace(plant.robot, capsules={"link_2": foot, "link_4": UPPER})
+    robot = replace(plant.robot, bodies={"link_2": (foot,), "link_4": (UPPER,)})
     around = CollisionScene(replace(plant, robot=robot, obstacles=()), program(STAY, plant))
     ends = np.radians([[0, 0, 0, 0, 0, 0], [0, -175, 0, 0, 0, 0]])
     assert around.free(ends, 0).all()

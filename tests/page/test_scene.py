@@ -62,7 +62,7 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
     scene = robot_scene(robot, [], [Cycle("one", np.arange(4.0), q, ((0.0, X_FT),))])
     links = dict(zip(robot.link_names, link_poses(robot, q).swapaxes(0, 1), strict=True))
     bodies = [body for body in scene["bodies"] if body["role"] == "link"]
-    assert {body["name"] for body in bodies} == set(robot.capsules)
+    assert {body["name"] for body in bodies} == set(robot.bodies)
     flange = robot.pin_model.frames[robot.pin_model.getFrameId("tool0")].placement.homogeneous
     poses = scene_of_robot(robot).poses(q)
     for i, row in enumerate(q):
@@ -71,7 +71,11 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
         for body in bodies:
             X = np.reshape(scene["base"], (4, 4)) if body["link"] < 0 else found[body["link"]]
             np.testing.assert_allclose(X, links[body["name"]][i], atol=1e-12)
-            np.testing.assert_array_equal(body["a"], robot.capsules[body["name"]].a)
+            (shape,) = robot.bodies[body["name"]]
+            if isinstance(shape, Capsule):
+                np.testing.assert_array_equal(body["a"], shape.a)
+            else:
+                np.testing.assert_allclose(unpacked(body["vertices"]), shape.vertices, atol=1e-6)
         X_WT = links[robot.link_names[-1]][i] @ flange @ X_FT
         np.testing.assert_allclose(found[-1] @ np.reshape(scene["tool"], (4, 4)), X_WT, atol=1e-12)
         np.testing.assert_allclose(unpacked(scene["cycles"][0]["path"])[i], X_WT[:3, 3], atol=1e-6)
@@ -204,7 +208,7 @@ def test_a_fine_mesh_is_drawn_coarser_with_the_same_outline() -> None:
 
 
 def test_a_robot_without_shapes_is_drawn_by_rods_between_its_joints() -> None:
-    robot = replace(plant_without_rail().robot, capsules={})
+    robot = replace(plant_without_rail().robot, bodies={})
     scene = robot_scene(robot, [], [])
     rods = [np.linalg.norm(body["b"]) for body in scene["bodies"]]
     np.testing.assert_allclose(rods, [np.hypot(0.07, 0.352), 0.36, 0.239, 0.141, 0.065])

@@ -58,7 +58,7 @@ def new_robot(
     arm_from_chain(chain.joints[-7:], str(urdf))
     rule = confdata or ("abb_six_axis" if _ABB.search(f"{tree.name} {urdf.name}") else "none")
     solids = link_capsules(chain)
-    pairs = self_pairs(chain.joints[-7:], solids.capsules, linkage=chain.linkage)
+    pairs = self_pairs(chain.joints[-7:], {n: (c,) for n, c in solids.capsules.items()}, linkage=chain.linkage)
     title = f"{tree.name} (from {urdf.name})"
     texts = {
         f"{name}.urdf": urdf_text(name, chain),

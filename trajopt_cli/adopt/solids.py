@@ -16,11 +16,11 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.urdf import UrdfJoint
-from trajopt_cli.shapes import ATTACHED, Capsule, MeshFile
+from trajopt_cli.shapes import ATTACHED, Capsule, LinkShape, MeshFile
 
 POSTURES = 4000
 _SEED = 140
-_OFTEN = 0.1  # of all postures: capsules that overlap more often do so because they are larger than the links
+_OFTEN, _EVER = 0.1, 0.9  # of all postures: see self_pairs
 _LONGEST = 20.0  # m of a link: beyond, a mesh is in other units
 _ROUND = 24  # sides of a cylinder's or sphere's outline
 
@@ -96,27 +96,28 @@ def _points(shape: CollisionShape, urdf: Path) -> Array:
 
 
 def self_pairs(
-    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], linkage: float = 0.0
+    joints: Sequence[UrdfJoint], bodies: Mapping[str, Sequence[LinkShape]], linkage: float = 0.0
 ) -> tuple[tuple[str, str], ...]:
     """Pairs of links worth holding against each other, the one nearer the base first; "attached" stands for what the
     flange carries. joints: the arm's six and the flange's. linkage: joint 3 is axis 3 - linkage * axis 2.
 
-    Left out are neighbours, pairs that touch in none of POSTURES within the ranges, and pairs whose capsules
-    overlap in more than a tenth of them: those are larger than the links. The same postures every time.
+    Left out are neighbours, pairs that touch in none of POSTURES within the ranges, and pairs whose bodies overlap
+    because they are larger than the links: with all axes at 0 or in more than _EVER of the postures, of links with one
+    between them, whose way the two axes' ranges bound, in more than _OFTEN. The same postures every time.
     """
     names = [joints[0].parent, *(joint.child for joint in joints[:6])]
-    q = sampled(joints, POSTURES)
+    q = np.vstack([np.zeros((1, 6)), sampled(joints, POSTURES)])
     q[:, 2] -= linkage * q[:, 1]
     poses = link_poses(joints, q)
     pairs: list[tuple[str, str]] = []
-    known = [i for i, name in enumerate(names) if name in capsules]
+    known = [i for i, name in enumerate(names) if name in bodies]
     for i in known:
         for j in known:
             if j > i + 1:
-                pair = Pair(capsules[names[j]], capsules[names[i]])
                 X = np.linalg.inv(poses[:, i]) @ poses[:, j]
-                share = float(np.mean(pair.distances(X) <= 0))
-                if 0 < share <= _OFTEN:
+                each = [Pair(b, a).distances(X) <= 0 for a in bodies[names[i]] for b in bodies[names[j]]]
+                touch = np.any(each, axis=0)
+                if not touch[0] and 0 < float(np.mean(touch)) <= (_OFTEN if j == i + 2 else _EVER):
                     pairs.append((names[i], names[j]))
         if i < 4:  # what is carried touches the wrist by where it stands
             pairs.append((names[i], ATTACHED))

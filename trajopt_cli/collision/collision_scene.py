@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, reduce
+from itertools import product
 
 import numpy as np
 
@@ -166,18 +167,18 @@ class _Scene:
     def least(self, q: Array) -> Array:
         """The least distance over all pairs (m,), less what is wanted."""
         X = self.poses(q)
-        bound = self.near.bound(X) - self.wanted
+        bound = self.near.bound(X)
         rows = np.arange(len(q))
-        first = np.argmin(bound, axis=1)
+        first = np.argmin(bound - self.wanted, axis=1)
         out = self.distance(X, rows, first)
-        rows, pairs = np.nonzero(bound < out[:, None])
+        rows, pairs = self.near.closer(X, out[:, None] + self.wanted, bound)
         np.minimum.at(out, rows, self.distance(X, rows, pairs))
         return out
 
     def free(self, q: Array) -> BoolArray:
         """Whether (m,) no pair is too close."""
         X = self.poses(q)
-        rows, pairs = np.nonzero(self.near.bound(X) < self.wanted)
+        rows, pairs = self.near.closer(X, self.wanted)
         out = np.ones(len(q), dtype=bool)
         out[rows[self.distance(X, rows, pairs) < 0]] = False
         return out
@@ -218,8 +219,8 @@ class _Scene:
         """Looks at the middles q (k, n) of ways on which bodies move by half (k, pairs) at most: alive (k, pairs) is
         left where a pair may still meet, and out[owner] (k,) where none does."""
         X = self.poses(q)
-        alive &= self.near.bound(X) - self.wanted < half
-        rows, pairs = np.nonzero(alive)
+        rows, pairs = self.near.closer(X, np.where(alive, self.wanted + half, -np.inf))
+        alive[:] = False
         distance = self.distance(X, rows, pairs)
         alive[rows, pairs] = (distance < half[rows, pairs]) & (half[rows, pairs] > self._settings.clearance_margin)
         out[owner[rows[distance < 0]]] = False
@@ -231,9 +232,9 @@ class CollisionScene:
     def __init__(self, plant: Plant, program: Program):
         self._robot, self._settings = plant.robot, plant.settings
         moving = [
-            _Body(name, plant.robot.capsules[name], i, _levers(plant.robot, plant.robot.capsules[name], i))
+            _Body(name, shape, i, _levers(plant.robot, shape, i))
             for i, name in enumerate(plant.robot.link_names)
-            if name in plant.robot.capsules
+            for shape in plant.robot.bodies.get(name, ())
         ]
         known: dict[Bodies, int] = {}
         self._scenes: list[_Scene] = []
@@ -326,7 +327,7 @@ class CollisionScene:
             own_pairs = np.array([pair.since != WORLD for pair in scene.pairs])
             for mine in _parts(all_mine, self._settings.batch // 2):
                 X = scene.poses(_with(scene, q, turns)[mine])
-                rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
+                rows, pairs = scene.near.closer(X, scene.wanted + within)
                 found = scene.near.nearest(X, rows, pairs)
                 distance = found.distance - scene.wanted[pairs]
                 kept = np.flatnonzero(distance < within)
@@ -346,7 +347,7 @@ class CollisionScene:
         out = []
         for scene, _ in self._by_scene(len(q), index, turns):
             X = scene.poses(_with(scene, q, turns))
-            rows, pairs = np.nonzero(scene.near.bound(X) < scene.wanted)
+            rows, pairs = scene.near.closer(X, scene.wanted)
             distance = scene.distance(X, rows, pairs)
             for number in np.unique(pairs[distance < 0]).tolist():
                 pair, mine = scene.pairs[number], np.flatnonzero(pairs == number)
@@ -456,10 +457,10 @@ def _pairs(plant: Plant, links: Sequence[_Body], bodies: Bodies) -> Iterator[_Pa
         for body in (*links, *held):
             if body.name not in turned.solid.ignore:
                 yield _Pair(body, other, plant.clearance + plant.settings.clearance_margin)
-    by_name = {body.name: body for body in (*links, *held)}
     for first, second in plant.self_pairs:
-        if second in by_name:  # else it is not carried now
-            yield _Pair(by_name[second], by_name[first], plant.settings.clearance_margin)
+        firsts, seconds = ([one for one in (*links, *held) if one.name == name] for name in (first, second))
+        for body, inner in product(seconds, firsts):  # none: it is not carried now
+            yield _Pair(body, inner, plant.settings.clearance_margin)
 
 
 def _gradients(

@@ -9,6 +9,7 @@ other are not looked at: nothing a program does changes them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import product
 
 import numpy as np
 
@@ -54,8 +55,7 @@ def check_clearance(
     sweep = Sweep(mechanism, trajectory, tables)
     last = len(trajectory.t) - 1
     legs = [leg for leg in legs or () if leg.first < leg.last] or standing_still(program, plant, last)
-    links = {n: Body(n, plant.robot.capsules[n], i) for i, n in enumerate(mechanism.link_names)
-             if n in plant.robot.capsules}  # fmt: skip
+    links = [Body(n, shape, i) for i, n in enumerate(mechanism.link_names) for shape in plant.robot.bodies.get(n, ())]
     carried = {shape: Body(shape.name, shape, FLANGE) for leg in legs for shape in map(shape_of, leg.carried)}
     facing: dict[str, _Spans] = {solid.name: _Spans(last) for solid in plant.obstacles}
     own, turned = _Spans(last), dict[Shape, Body]()
@@ -66,13 +66,15 @@ def check_clearance(
             if solid.rides is not None:
                 number = FLANGE + 1 + tables.number[solid.rides]
                 other = turned.setdefault(shape_of(solid), Body(solid.name, shape_of(solid), number))
-            for body in (*links.values(), *held):
+            for body in (*links, *held):
                 if _meet(mechanism, body, solid) or (solid.rides in tables.turning and body.name not in solid.ignore):
                     facing[solid.name].add(leg, body, other)
-        named = {**links, **{body.name: body for body in held}}
+        named: dict[str, list[Body]] = {}
+        for body in (*links, *held):
+            named.setdefault(body.name, []).append(body)
         for first, second in plant.self_pairs:
-            if second in named:
-                own.add(leg, named[second], named[first])
+            for body, other in product(named.get(second, ()), named.get(first, ())):
+                own.add(leg, body, other)
     out = [
         _finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start, open_)
         for group in (spans.group() for spans in facing.values())
@@ -174,6 +176,6 @@ def _touch(first: Closest, least: Closest, wanted: float, where: str) -> str:
     if TOOL in (first.near.body.name, first.near.against) and isinstance(first.near.body.shape, Capsule):
         assumed = f"a capsule of {first.near.body.shape.radius * 1e3:g} mm from flange to TCP stands for the tool"
         return f"{said} ({assumed}: give its bodies under attached, or another tool_radius)"
-    # A link's capsule is up to three times as large as the link.
-    remedy = " (as capsules; where the links themselves are clear, name the pair under may_touch)"
+    # A link's polytope is up to half as large again as its hull, a capsule up to three times as large.
+    remedy = " (by bodies around them; where the links themselves are clear, name the pair under may_touch)"
     return said if first.near.other is None else said + remedy

@@ -20,7 +20,7 @@ from trajopt_cli.judge.geometry import inverse_pose, lengths
 from trajopt_cli.judge.mechanism import FLANGE, Mechanism
 from trajopt_cli.judge.turntables import Turntables
 from trajopt_cli.proximity.pair import Pair
-from trajopt_cli.shapes import Capsule, Shape, outline
+from trajopt_cli.shapes import Capsule, Polytope, Shape, outline
 from trajopt_cli.trajectory import Trajectory
 
 OVERLOOKED = 1e-4
@@ -274,6 +274,8 @@ def _box(shape: Shape) -> tuple[Array, Array, Array]:
     X_OS = np.eye(4) if isinstance(shape, Capsule) else np.asarray(shape.X)
     local, radius = outline(shape)
     own = (local - X_OS[:3, 3]) @ X_OS[:3, :3]
+    if isinstance(shape, Polytope):
+        own, radius = shape.vertices, 0.0
     return inverse_pose(X_OS), own.min(axis=0) - radius, own.max(axis=0) + radius
 
 

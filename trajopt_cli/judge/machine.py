@@ -12,7 +12,7 @@ from typing import Protocol
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import PositionerAxis
-from trajopt_cli.shapes import Capsule, Grip, Solid
+from trajopt_cli.shapes import Grip, LinkShape, Solid
 
 
 class JudgedRobot(Protocol):
@@ -31,8 +31,8 @@ class JudgedRobot(Protocol):
         """Of a parallel linkage: the URDF's joint 3 is axis 3 - linkage * axis 2; 0 where joints are axes."""
 
     @property
-    def capsules(self) -> Mapping[str, Capsule]:
-        """Around the links that have one, by link name, in the link's frame."""
+    def bodies(self) -> Mapping[str, tuple[LinkShape, ...]]:
+        """Around the links that have some, by link name, in the link's frame."""
 
     @property
     def rotor(self) -> Array:

@@ -10,6 +10,7 @@ printed, once as it is granted. Of the lags that the judge looks at, the one tha
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from math import floor, log10
 from typing import Any, NamedTuple
 
@@ -182,7 +183,7 @@ def levers(plant: Machine, mechanism: Mechanism, carried: Iterable[Shape]) -> Se
     links = lengths(np.diff(X_WL[1:, :3, 3], axis=0))  # from joint to joint, then to the flange
     stretched: Array = np.cumsum(links[::-1])[::-1]
     beyond = 0.0
-    for shape in (*plant.robot.capsules.values(), *carried):
+    for shape in (*chain.from_iterable(plant.robot.bodies.values()), *carried):
         points, radius = outline(shape)
         beyond = max(beyond, float(lengths(points).max()) + radius)
     return [1.0] * mechanism.has_rail + [float(one) + beyond for one in stretched]

@@ -17,7 +17,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.scene import WORLD, Body, Cycle, Joint, Scene, ScenePoint, scene_of_plant, scene_of_robot
-from trajopt_cli.shapes import TOOL, Box, Capsule, Mesh, Shape
+from trajopt_cli.shapes import TOOL, Box, Capsule, Mesh, Polytope, Shape
 from trajopt_cli.table import short_target
 
 SCRIPTS = ("view3d.css", "view3d_motion.js", "view3d_graphics.js", "view3d.js")
@@ -48,7 +48,7 @@ def robot_scene(
 
 def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:
     """A scene with points and cycles as plain data."""
-    most = _MOST_TRIANGLES // max(sum(isinstance(body.shape, Mesh) for body in scene.bodies), 1)
+    most = _MOST_TRIANGLES // max(sum(_is_fine(body.shape) for body in scene.bodies), 1)
     return {
         "chain": [_joint(joint) for joint in scene.chain],
         "bodies": [
@@ -72,6 +72,10 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
 def _joint(joint: Joint) -> dict[str, Any]:
     out = {"name": joint.name, "placement": _flat(joint.X), "kind": joint.kind, "axis": joint.axis.tolist()}
     return out | ({"less": joint.less} if joint.less else {})
+
+
+def _is_fine(shape: Shape) -> bool:
+    return isinstance(shape, Mesh) and not isinstance(shape, Polytope)
 
 
 def _coarse(shape: Shape, most: int) -> Shape:

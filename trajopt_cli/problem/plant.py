@@ -121,9 +121,9 @@ class Plant:
         if self.robot.confdata_rule == NO_CONFDATA:
             out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
         out += self.angle_unchecked
-        if not (self.robot.capsules or self.attached):
+        if not (self.robot.bodies or self.attached):
             return (*out, f"collisions not checked: robot {self.robot.name} has no bodies")
-        if bare := [name for name in self.robot.link_names if name not in self.robot.capsules]:
+        if bare := [name for name in self.robot.link_names if name not in self.robot.bodies]:
             out.append(f"collisions of {', '.join(bare)} not checked: robot {self.robot.name} has no bodies for them")
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
@@ -202,19 +202,19 @@ def build_plant(cell: Cell) -> Plant:
 
 def unwatched(cell: Cell, robot: RobotModel) -> tuple[ProgramWarning, ...]:
     """What is told first: obstacles that a robot, or some of its links, are not held against for want of shapes."""
-    bare = [name for name in robot.link_names if name not in robot.capsules]
+    bare = [name for name in robot.link_names if name not in robot.bodies]
     if not cell.obstacles or not bare:
         return ()
     many = len(cell.obstacles)
-    if robot.capsules:
+    if robot.bodies:
         text = (
             f"{', '.join(bare)} of {robot.name} {'have' if len(bare) > 1 else 'has'} no collision shape and may touch "
-            "anything unseen; give capsules in the robot's file (collision.links)"
+            "anything unseen; give bodies in the robot's file (collision.links)"
         )
         return (ProgramWarning(WarningKind.NOT_CHECKED, text, cell.file),)
     text = (
         f"collisions of the robot are not checked: {robot.name} has no collision shapes, and the cell gives {many} "
-        f"obstacle{'s' if many > 1 else ''}; give the robot's links capsules in its file (collision.links)"
+        f"obstacle{'s' if many > 1 else ''}; give the robot's links bodies in its file (collision.links)"
     )
     return (ProgramWarning(WarningKind.NOT_CHECKED, text, cell.file),)
 
@@ -290,7 +290,7 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
         raise cell.error(key, "this is the name of the capsule around the tool; give the body another name")
     carried = () if section == "attached" else tuple(other.name for other in cell.attached) or (TOOL,)
     taken = () if section == "attached" else tuple(grip.part for grip in cell.grips)
-    known = (*robot.capsules, *carried, *dict.fromkeys(taken))
+    known = (*robot.bodies, *carried, *dict.fromkeys(taken))
     for name in sorted(solid.ignore):
         if name not in known:
             raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")

@@ -13,7 +13,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape
+from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Polytope, Shape, TriangleArray
 
 MOST_BYTES = 200_000_000  # four million triangles
 _REASON = 100  # characters of why a file cannot be read; an OBJ or STL may be quoted in it whole
@@ -61,14 +61,16 @@ def _with_noughts(path: Path, folder: Path) -> Path:
 def convex(mesh: Mesh) -> Any:
     """coal's convex body, in the mesh's own axes, where a mesh is the whole surface of one; else None.
 
-    It is one where every edge lies between two triangles, nothing lies on one side of any triangle's plane (to a
-    millionth of the mesh's size), and it has some volume.
+    A polytope is one. A mesh is where every edge lies between two triangles, nothing lies on one side of any triangle's
+    plane (to a millionth of the mesh's size), and it has some volume.
     """
     return _convex(mesh.of or mesh)
 
 
 @lru_cache(maxsize=64)
 def _convex(mesh: Mesh) -> Any:
+    if isinstance(mesh, Polytope):
+        return _hull(mesh.vertices, mesh.triangles)
     near = _ROUNDING * float(np.ptp(mesh.vertices, axis=0).max())
     _, first, same = np.unique(
         np.round(mesh.vertices / max(near, 1e-12)), axis=0, return_index=True, return_inverse=True
@@ -89,11 +91,20 @@ def _convex(mesh: Mesh) -> Any:
             deep = max(deep, float(np.abs(off).max()))
     if deep <= near:
         return None
+    return _hull(vertices, triangles)
+
+
+def _bvh(vertices: Array, triangles: TriangleArray) -> Any:
     model = coal.BVHModelOBBRSS()
     model.beginModel(len(triangles), len(vertices))
     model.addVertices(np.array(vertices))
     model.addTriangles(np.array(triangles))
     model.endModel()
+    return model
+
+
+def _hull(vertices: Array, triangles: TriangleArray) -> Any:
+    model = _bvh(vertices, triangles)
     return model.convex if model.buildConvexHull(True, "Qt") else None
 
 
@@ -142,12 +153,7 @@ def coal_geometry(shape: Shape) -> tuple[Any, Array]:
 
 @lru_cache(maxsize=64)
 def _surface(mesh: Mesh) -> Any:
-    model = coal.BVHModelOBBRSS()
-    model.beginModel(len(mesh.triangles), len(mesh.vertices))
-    model.addVertices(np.array(mesh.vertices))
-    model.addTriangles(np.array(mesh.triangles))
-    model.endModel()
-    return model
+    return _bvh(mesh.vertices, mesh.triangles)
 
 
 def with_z(z: Array) -> Array:

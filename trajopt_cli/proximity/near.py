@@ -1,7 +1,7 @@
 """How near two placed bodies are and where, for many placings at once: what the planner asks.
 
-Capsules against capsules and boxes by closed forms over arrays, all other pairs by coal, one placing at a time. The
-judge measures by `pair`, which shares with this what a mesh is (`meshes`), and coal.
+Capsules against capsules and boxes by closed forms over arrays, all other pairs by coal, one placing at a time: those
+that `closer` leaves. The judge measures by `pair`, which shares with this what a mesh is (`meshes`), and coal.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.proximity.meshes import coal_geometry, convex, inside, with_z
-from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, outline
+from trajopt_cli.shapes import Box, Capsule, Mesh, Polytope, Shape, outline
 
 _NONE = 1e-12  # m: a length that has no direction
 WORLD = -1
@@ -69,8 +69,11 @@ class NearPairs:
         boxed = [isinstance(b, Box) for _, _, b, _ in pairs]
         self._kind = np.where(closed, np.where(boxed, _BOX, _CAPSULE), _OTHER).astype(np.int8)
         none = np.zeros(3)
-        self._ends = np.array([(a.a, a.b) if isinstance(a, Capsule) else (none, none) for a, *_ in pairs])
-        self._radius = np.array([a.radius if isinstance(a, Capsule) else 0.0 for a, *_ in pairs])
+        # a segment with a radius around the first body: of a polytope its outer capsule
+        around = [outline(a) if isinstance(a, Capsule | Polytope) else (np.zeros((2, 3)), 0.0) for a, *_ in pairs]
+        self._held = np.array([radius > 0 for _, radius in around], dtype=bool) & (self._kind == _OTHER)
+        self._ends = np.array([ends for ends, _ in around])
+        self._radius = np.array([radius for _, radius in around])
         self._others = np.array([(b.a, b.b) if isinstance(b, Capsule) else (none, none) for *_, b, _ in pairs])
         self._coal: dict[int, _Coal] = {}
 
@@ -93,6 +96,17 @@ class NearPairs:
         over = np.maximum(outside, 0.0)
         apart = np.sqrt(np.einsum("mpi,mpi->mp", over, over)) + np.minimum(outside.max(axis=2), 0.0)
         return np.asarray(apart - self._grown)
+
+    def closer(self, X: Array, limits: Array, bound: Array | None = None) -> tuple[IndexArray, IndexArray]:
+        """Rows and pairs (k,) of all placings that may be nearer than limits (P,) or (m, P) [m]: by `bound`, where the
+        caller has it, then by capsules around first bodies and boxes around second ones."""
+        limits = np.broadcast_to(limits, (len(X), len(self._pairs)))
+        rows, pairs = np.nonzero((self.bound(X) if bound is None else bound) < limits)
+        some = np.flatnonzero(self._held[pairs])
+        if len(some):
+            apart = self._from_boxes(X, rows[some], pairs[some]).distance >= limits[rows[some], pairs[some]]
+            rows, pairs = (np.delete(one, some[apart]) for one in (rows, pairs))
+        return rows, pairs
 
     def nearest(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Nearest:
         """Where pairs (k,) come nearest in rows (k,) of the placings."""
@@ -168,6 +182,8 @@ def rounded_box(shape: Shape) -> tuple[Array, Array, float]:
         points, radius = outline(shape)
         X = np.array(shape.X)
         own = (points - X[:3, 3]) @ X[:3, :3]
+        if isinstance(shape, Polytope):
+            own, radius = shape.vertices, 0.0
         X[:3, 3] += X[:3, :3] @ (own.min(axis=0) + own.max(axis=0)) / 2
         half = np.ptp(own, axis=0) / 2
     inverse = np.eye(4)

@@ -146,18 +146,33 @@ Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = tuple[Finite, Finite, Finite]
 
 
-class LinkCapsule(_Strict):
-    """A capsule around a link, in the link's frame: the segment's ends a and b, its radius [m]."""
+class LinkPart(_Strict):
+    """A body around a link or a part of one, in the link's frame. A capsule: the segment's ends a and b, its radius
+    [m]. Or polytope (26,) [m]: how far it reaches in the directions of shapes.DIRECTIONS."""
 
-    a: Point
-    b: Point
-    radius: Positive
+    a: Point | None = None
+    b: Point | None = None
+    radius: Positive | None = None
+    polytope: Annotated[tuple[Finite, ...], Field(min_length=26, max_length=26)] | None = None
+
+    @model_validator(mode="after")
+    def _one_body(self) -> Self:
+        given = [name for name in type(self).model_fields if getattr(self, name) not in (None, ())]
+        if given not in (["a", "b", "radius"], ["polytope"], ["parts"]):
+            raise complain(f"gives {', '.join(given) or 'no body'}: give a, b and radius, or polytope")
+        return self
+
+
+class LinkBody(LinkPart):
+    """The same around a whole link; parts: several bodies, for a link that is hollow or bent."""
+
+    parts: tuple[LinkPart, ...] | None = None
 
 
 class Collision(Origin):
-    """Capsules by link name, and the pairs of links that are held against each other."""
+    """Bodies by link name, and the pairs of links that are held against each other."""
 
-    links: dict[str, LinkCapsule]
+    links: dict[str, LinkBody]
     self_pairs: tuple[tuple[str, str], ...]
 
 
@@ -179,13 +194,15 @@ class Coupled(Origin):
 
 
 class RobotFile(_Strict):
-    """A robot's YAML file: what every structure has. payload [kg]: as its maker names it."""
+    """A robot's YAML file: what every structure has. payload [kg]: as its maker names it. colour: of its paint, as
+    "#rrggbb", for pictures."""
 
     name: str
     title: str
     urdf: str
     structure: Structure = Structure.SIX_AXIS
     payload: Number | None = None
+    colour: Annotated[str, Field(pattern="#[0-9a-f]{6}$", max_length=7)] | None = None
     geometry: Origin
     axes: Mapping[str, AxisOrigins]
     profiles: Mapping[str, Profile]
@@ -391,7 +408,7 @@ def check_coupled(
 
 def check_links(collision: Collision, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
     """Hold the collision section against the chain's links, base first. Raises InputError for a link that is none, and
-    for a pair that names a link without a capsule or not the one nearer the base first."""
+    for a pair that names a link without a body or not the one nearer the base first."""
     for name in collision.links:
         if name not in names:
             message = f"'collision.links.{name}' is no link of the arm: known are {', '.join(names)}"
@@ -401,7 +418,7 @@ def check_links(collision: Collision, raw: Mapping[str, Any], names: tuple[str, 
         place = line_of(raw, ("collision", "self_pairs"))
         for name in pair:
             if name not in order:
-                message = f"'collision.self_pairs': {name} has no capsule: known are {', '.join(order)}"
+                message = f"'collision.self_pairs': {name} has no body: known are {', '.join(order)}"
                 raise InputError(message, file=file, line=place)
         if order.index(pair[0]) >= order.index(pair[1]):
             message = f"'collision.self_pairs': {', '.join(pair)}: wanted two links, the one nearer the base first"

@@ -16,12 +16,12 @@ from trajopt_cli.limits import AccelerationTable, CoupledRange, JointLimits
 from trajopt_cli.robot import catalogue
 from trajopt_cli.robot.acceleration_table import read_acceleration_table
 from trajopt_cli.robot.arm_chain import arm_from_chain
-from trajopt_cli.robot.catalogue import PostureTable, Profile, Rate, RobotFile, SixAxisFile, SrsFile
+from trajopt_cli.robot.catalogue import LinkPart, PostureTable, Profile, Rate, RobotFile, SixAxisFile, SrsFile
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, chain_of
 from trajopt_cli.robot.xml import read_bytes
 from trajopt_cli.scenario import Settling
-from trajopt_cli.shapes import Capsule
+from trajopt_cli.shapes import Capsule, LinkShape, polytope
 from trajopt_cli.yaml_file import remembered
 
 Raw = Mapping[str, Any]
@@ -229,7 +229,36 @@ def notes(data: RobotFile) -> dict[str, str]:
     return {"geometry": str(data.geometry)} | collision | about | linked
 
 
-def capsules(data: RobotFile) -> dict[str, Capsule]:
-    """Capsules by link name, in the links' frames."""
+def bodies(data: RobotFile, path: Path, raw: Raw) -> dict[str, tuple[LinkShape, ...]]:
+    """Bodies by link name, in the links' frames. Raises InputError for a polytope that is empty."""
     links = data.collision.links if data.collision else {}
-    return {name: Capsule(name, readonly(c.a), readonly(c.b), c.radius) for name, c in links.items()}
+    out = {}
+    for name, link in links.items():
+        try:
+            out[name] = tuple(_body(name, part) for part in link.parts or (link,))
+        except ValueError as error:
+            keys = ("collision", "links", name)
+            message = f"'{'.'.join(keys)}': {error}; measure it again, or give a capsule (a, b, radius)"
+            raise InputError(message, file=str(path), line=catalogue.line_of(raw, keys)) from error
+    return out
+
+
+def capsules(data: RobotFile, path: Path, raw: Raw) -> dict[str, Capsule]:
+    """One around each link that has some, as simulated worlds take them. Raises InputError for other bodies."""
+    out = {}
+    for name, shapes in bodies(data, path, raw).items():
+        if len(shapes) > 1 or not isinstance(shapes[0], Capsule):
+            keys = ("collision", "links", name)
+            message = f"'{'.'.join(keys)}': a seven-axis arm takes one capsule (a, b, radius) around a link"
+            raise InputError(message, file=str(path), line=catalogue.line_of(raw, keys))
+        out[name] = shapes[0]
+    return out
+
+
+def _body(name: str, part: LinkPart) -> LinkShape:
+    if part.polytope is not None:
+        return polytope(name, part.polytope)
+    assert part.a is not None
+    assert part.b is not None
+    assert part.radius is not None
+    return Capsule(name, readonly(part.a), readonly(part.b), part.radius)

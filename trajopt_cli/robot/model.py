@@ -31,7 +31,7 @@ from trajopt_cli.robot.structure import NO_CONFDATA, Structure
 from trajopt_cli.robot.turns import ON_LIMIT
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.scenario import Settling
-from trajopt_cli.shapes import Capsule
+from trajopt_cli.shapes import LinkShape
 
 if TYPE_CHECKING:
     from trajopt_cli.robot.symbolic_inverse import ArmExpressions
@@ -49,13 +49,13 @@ class RobotModel:
     direction of rail travel in the root frame, None without a rail. tcp: the documented caps. profiles: limits of all
     axes by profile name, each number with its source; the rail's range there is a placeholder for the cell's stroke.
     notes: sources of what is not a limit, by name. chain: the arm's six joints and the fixed one to the flange, as the
-    URDF has them. capsules: around the links that have one, by link name, in the link's frame. self_pairs: the links
+    URDF has them. bodies: around the links that have some, by link name, in the link's frame. self_pairs: the links
     that are held against each other, the one nearer the base first; "attached" stands for what the flange carries.
     rotor (n,): inertias of the drives as the axes feel them [kg m2, kg for a rail], 0 where nobody says.
     confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at. linkage: of an
     arm with a parallel linkage 1 or -1: the URDF's joint_3 is axis 3 - linkage * axis 2; 0 for others. All axes, their
     limits and motions are the controller's; chain_axes makes joints of the URDF of them. settle: how long they settle
-    at stops, None where nobody says.
+    at stops, None where nobody says. colour: of its paint as "#rrggbb", None where nobody says.
     """
 
     name: str
@@ -70,7 +70,7 @@ class RobotModel:
     notes: Mapping[str, str]
     urdf: Path
     chain: tuple[UrdfJoint, ...]
-    capsules: Mapping[str, Capsule]
+    bodies: Mapping[str, tuple[LinkShape, ...]]
     self_pairs: tuple[tuple[str, str], ...]
     rotor: Array
     confdata_rule: str = "abb_six_axis"
@@ -78,6 +78,7 @@ class RobotModel:
     tcp_spread: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     default_profile: str = "default"
     settle: Settling | None = None
+    colour: str | None = None
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -340,7 +341,8 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         },
         urdf=urdf,
         chain=tuple(arm_chain),
-        capsules=description.capsules(data),
+        bodies=description.bodies(data, path, raw),
+        colour=data.colour,
         self_pairs=data.collision.self_pairs if data.collision else (),
         rotor=description.rotors(data, axes),
         confdata_rule=data.confdata.rule,

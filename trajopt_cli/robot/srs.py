@@ -63,6 +63,12 @@ class SrsRobot:
     chain: tuple[UrdfJoint, ...]
     capsules: Mapping[str, Capsule]
     self_pairs: tuple[tuple[str, str], ...]
+    colour: str | None = None
+
+    @property
+    def bodies(self) -> Mapping[str, tuple[Capsule, ...]]:
+        """Around the links, by link name, in the link's frame."""
+        return {name: (capsule,) for name, capsule in self.capsules.items()}
 
     def profile(self, name: str | None = None) -> JointLimits:
         """Limits of the joints under a named profile, "default" for None. Raises InputError listing the profiles."""
@@ -188,7 +194,8 @@ def load_srs(name_or_path: str, X_WB: Array | None = None) -> SrsRobot:
         notes=description.notes(data) | {"inertia": str(data.inertia)} | joint_notes,
         urdf=urdf,
         chain=tuple(chain),
-        capsules=description.capsules(data),
+        capsules=description.capsules(data, path, raw),
+        colour=data.colour,
         self_pairs=data.collision.self_pairs if data.collision else (),
     )
 
