@@ -81,6 +81,15 @@ def rotations_by(turns: Array) -> Array:
     return out
 
 
+def rotation_vector(R: ArrayLike) -> Array:
+    """Turn vectors (..., 3) [rad] of R (..., 3, 3): the axis times the angle in [0, pi] (the matrix logarithm)."""
+    q = wxyz_from_rotation(R)
+    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, q[..., :1])
+    # 2 is the limit of angle / sine for small turns, where the quotient is 0 / 0
+    return np.asarray(q[..., 1:] * np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 1e-150))
+
+
 def axis_angle(R: ArrayLike) -> tuple[Array, float]:
     """Unit axis (3,) and angle in [0, pi] of one rotation matrix (3, 3); x for the identity."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.asarray(R, dtype=np.float64).tolist()

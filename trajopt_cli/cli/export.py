@@ -6,7 +6,7 @@ import math
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -32,6 +32,8 @@ AnyResults = Annotated[
     Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize, or of trajopt iiwa with joints.")
 ]
 Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
+
+_OF_JOINTS = ("command", "joints")  # what only a folder with joints gives
 
 RosNames = Annotated[
     str | None,
@@ -187,6 +189,56 @@ def fri(
     write_file(output, text.encode("ascii"))
     line = f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}"
     _tell(line, (), {"file": str(output), "rows": rows, "rate_hz": 1000.0, "note": note or None}, as_json, quiet)
+
+
+@app.command("poses", short_help="Poses with wrench and stiffness, for controllers that take a Cartesian target.")
+def poses(
+    results: Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa.")],
+    output: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv|mcap", help="The CSV or MCAP file; default: poses.csv in RESULTS.")
+    ] = None,
+    rate: Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")] = 100.0,
+    stack: Annotated[
+        Literal["ros", "lbr", "cartesian", "crisp", "impedance"],
+        typer.Option(
+            "--for",
+            help="Whose topics, frame and joint names: lbr_fri_ros2_stack, cartesian_controllers,"
+            " crisp_controllers, Cartesian-Impedance-Controller; ros: plain ones.",
+        ),
+    ] = "ros",
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """PoseStamped, twist, wrench and stiffness of the tool, as the controller that takes them names them; with joints
+    where RESULTS have any.
+
+    \b
+    Example:
+      trajopt export poses results/iiwa_cube --for crisp --output poses.mcap
+    """
+    from trajopt_cli import iiwa
+    from trajopt_cli.exporters.poses import STACKS, ToolPoses, csv
+    from trajopt_cli.exporters.poses import mcap as mcap_of
+    from trajopt_cli.exporters.recorded import recorded
+    from trajopt_cli.runs.files import write_file
+
+    output, taker = _output(output, results, "poses.csv"), STACKS[stack]
+    if output.suffix.lower() not in (".csv", ".mcap"):
+        raise InputError("--output: needs a name that ends in .csv or .mcap", file=str(output))
+    t, p, R, wrench, K, X_WB = iiwa.commanded(results)
+    q = recorded(results).trajectory.q if (results / "joints.csv").is_file() else None
+    made = ToolPoses(t, p, R, wrench, K, q).at(rate)
+    made = made.seen_from(X_WB) if taker.based else made
+    write_file(output, (csv if output.suffix.lower() == ".csv" else mcap_of)(made, taker))
+    topics = {what: topic for what, (topic, _) in taker.topics.items() if q is not None or what not in _OF_JOINTS}
+    more = [f"{what}: {topic}" for what, topic in topics.items()] if output.suffix.lower() == ".mcap" else []
+    if taker.parameter:
+        values = ", ".join(f"{value:g}" for value in made.K)
+        more.append(f"set the stiffness there: {taker.parameter} = {values}")
+    frame = f"of the tool centre point in {taker.frame}"
+    line = f"{output}: {len(made.t)} poses {frame} at {rate:g} Hz, T = {made.t[-1]:.4f} s, for {stack}"
+    record = {"file": str(output), "for": stack, "rows": len(made.t), "rate_hz": rate, "frame": taker.frame}
+    _tell(line, more, {**record, "topics": topics, "stiffness": made.K.tolist()}, as_json, quiet)
 
 
 @app.command("egm", short_help="EgmSensor messages every 4 ms, for ABB's Externally Guided Motion.")

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from trajopt_cli.iiwa.experiments.catalogue import run_experiments
-    from trajopt_cli.iiwa.job.commands import joints, schedule_feed, segments, simulate
+    from trajopt_cli.iiwa.job.commands import commanded, joints, schedule_feed, segments, simulate
     from trajopt_cli.iiwa.judge.verify import verify_folder, verify_joints
     from trajopt_cli.iiwa.report.answer import Answer, Refused
     from trajopt_cli.iiwa.task.document import task_schema
 
 _MODULES = {
     "experiments.catalogue": ("run_experiments",),
-    "job.commands": ("joints", "schedule_feed", "segments", "simulate"),
+    "job.commands": ("commanded", "joints", "schedule_feed", "segments", "simulate"),
     "judge.verify": ("verify_folder", "verify_joints"),
     "report.answer": ("Answer", "Refused"),
     "task.document": ("task_schema",),
@@ -24,6 +24,7 @@ _MODULES = {
 __all__ = [
     "Answer",
     "Refused",
+    "commanded",
     "joints",
     "run_experiments",
     "schedule_feed",

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
 from trajopt_cli.iiwa.job import texts
-from trajopt_cli.iiwa.job.folder import check_place, read_summary
+from trajopt_cli.iiwa.job.folder import check_place, open_folder, read_summary
+from trajopt_cli.iiwa.job.force import pressing
 from trajopt_cli.iiwa.job.joints import follow_joints, stops_nothing
 from trajopt_cli.iiwa.job.segments import make_segments
 from trajopt_cli.iiwa.report.answer import Answer, Refused
@@ -57,7 +61,7 @@ def joints(results: Path, arm_angle: str, goal: str | None, plots: Path | None, 
         wanted = Goal(goal or "limits")
     opened, found = follow_joints(results, arm_angle == "free", wanted, tell)
     assert opened.folder is not None
-    ahead = [texts.ahead_line(opened)] if "dosing" in opened.folder.sections() else []
+    ahead = [] if opened.plan is None else [texts.ahead_line(opened)]
     if isinstance(found, Unfollowable):
         return Refused("out of reach", [f"{opened.task.file}: {found.message}", *ahead])
     line, written = texts.arm_line(found), stops_nothing(found)
@@ -179,6 +183,17 @@ def schedule_feed(
         f"written to {folder}: report.html (open it in a browser) and the sequence",
         draw=draw,
     )
+
+
+def commanded(results: Path) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """What a folder's controller is commanded: times (n,) [s], positions (n, 3) [m] and orientations (n, 3, 3) of the
+    tool in the world, the wrench it is told to press with (n, 6) [N, Nm], its stiffness (6,), the base X_WB (4, 4)."""
+    opened = open_folder(results)
+    task, sequence, R_start = opened.task, opened.equilibrium, opened.X_start[:3, :3]
+    asked = pressing(task, opened.plan or sequence, R_start) if task.wrench else None
+    wrench = np.zeros((len(sequence.pose), 6)) if asked is None else asked.wrench
+    poses = sequence.t, sequence.pose[:, :3], sequence.rotations(R_start)
+    return *poses, wrench, task.compliance.K, task.X_WB
 
 
 def _check_places(results: Path, plots: Path | None) -> None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, wxyz_from_rotation
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.geometry import rotation_vector as rotation_vector
 
 LOCKED = 1e-10
 """Where cos(beta) is below this the angles count as locked: alpha would be rounding noise of 1e-6 rad or worse."""
@@ -107,12 +108,3 @@ def _counted_on(angles: Array) -> Array:
 
 def _wrapped(angles: Array) -> Array:
     return np.asarray(angles - 2 * np.pi * np.rint(angles / (2 * np.pi)), dtype=np.float64)
-
-
-def rotation_vector(R: ArrayLike) -> Array:
-    """Turn vectors (..., 3) [rad] of R (..., 3, 3): the axis times the angle in [0, pi] (the matrix logarithm)."""
-    q = wxyz_from_rotation(R)
-    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, q[..., :1])
-    # 2 is the limit of angle / sine for small turns, where the quotient is 0 / 0
-    return np.asarray(q[..., 1:] * np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 1e-150))
