@@ -10,7 +10,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.proximity.near import NearPairs
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.shapes import DIRECTIONS, Box, Capsule, Polytope, polytope
+from trajopt_cli.shapes import DIRECTIONS, Box, Capsule, Mesh, Polytope, polytope
 
 
 def around(points: Array, name: str = "p") -> Polytope:
@@ -99,8 +99,11 @@ def test_nothing_nearer_than_the_limit_is_left_out() -> None:
     robot = load_robot("irb140")
     bodies = [shapes[0] for shapes in robot.bodies.values()]
     box = Box("box", np.array([0.2, 0.4, 0.3]), pose(rotation_about([0.6, 0, 0.8], 0.4), [0.3, 0.1, 0.2]))
+    pin = Capsule("pin", np.array([0.3, -0.4, 0.0]), np.array([0.3, -0.4, 0.5]), 0.1)
+    wedge = Mesh("wedge", np.array([[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0], [0, 0, 0.4]]),
+                 np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), pose(np.eye(3), [-0.4, 0.2, 0.0]))  # fmt: skip
     pairs = [*((a, i, b, j) for i, a in enumerate(bodies) for j, b in enumerate(bodies[:i])),
-             *((a, i, box, -1) for i, a in enumerate(bodies))]  # fmt: skip
+             *((a, i, other, -1) for i, a in enumerate(bodies) for other in (box, pin, wedge))]  # fmt: skip
     near = NearPairs(pairs)
     turns = rotation_about([0, 0.6, 0.8], rng.uniform(0, 6, 280))
     X = np.array([pose(R, at) for R, at in zip(turns, rng.uniform(-0.6, 0.6, (280, 3)), strict=True)])

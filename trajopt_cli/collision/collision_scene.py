@@ -185,7 +185,7 @@ class _Scene:
 
     def distance(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Array:
         """Distances (k,) of pairs in rows of placings of the links, less what is wanted."""
-        return self.near.nearest(X, rows, pairs).distance - self.wanted[pairs]
+        return self.near.nearest(X, rows, pairs, points=False).distance - self.wanted[pairs]
 
     def ways_free(self, q: Array, first: IndexArray, last: IndexArray) -> BoolArray:
         """Whether ways (m,) are free that lead straight from each of axes q (N, n) to the next, from row first to row

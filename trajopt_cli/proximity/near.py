@@ -104,17 +104,20 @@ class NearPairs:
         rows, pairs = np.nonzero((self.bound(X) if bound is None else bound) < limits)
         some = np.flatnonzero(self._held[pairs])
         if len(some):
-            apart = self._from_boxes(X, rows[some], pairs[some]).distance >= limits[rows[some], pairs[some]]
-            rows, pairs = (np.delete(one, some[apart]) for one in (rows, pairs))
+            boxes = self._from_boxes(X, rows[some], pairs[some]).distance - self._round[pairs[some]]
+            far = some[boxes >= limits[rows[some], pairs[some]]]
+            rows, pairs = np.delete(rows, far), np.delete(pairs, far)
         return rows, pairs
 
-    def nearest(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Nearest:
-        """Where pairs (k,) come nearest in rows (k,) of the placings."""
+    def nearest(self, X: Array, rows: IndexArray, pairs: IndexArray, points: bool = True) -> Nearest:
+        """Where pairs (k,) come nearest in rows (k,) of the placings; points False: distances alone, of the rest
+        nothing is sure."""
         out, kind = Nearest.empty(len(rows)), self._kind[pairs]
-        for which, find in ((_BOX, self._from_boxes), (_CAPSULE, self._from_capsules), (_OTHER, self._by_coal)):
-            at = np.flatnonzero(kind == which)
-            if len(at):
+        for which, find in ((_BOX, self._from_boxes), (_CAPSULE, self._from_capsules)):
+            if len(at := np.flatnonzero(kind == which)):
                 out.put(at, find(X, rows[at], pairs[at]))
+        if len(at := np.flatnonzero(kind == _OTHER)):
+            out.put(at, self._by_coal(X, rows[at], pairs[at], points))
         return out
 
     def _from_boxes(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Nearest:
@@ -138,18 +141,19 @@ class NearPairs:
         distance = np.einsum("ij,ij->i", p - on, away) - r_a - r_b
         return Nearest(distance, p - r_a[:, None] * away, on + r_b[:, None] * away, away)
 
-    def _by_coal(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Nearest:
-        out = Nearest.empty(len(rows))
+    def _by_coal(self, X: Array, rows: IndexArray, pairs: IndexArray, points: bool) -> Nearest:
         for number in np.unique(pairs).tolist():
-            at = np.flatnonzero(pairs == number)
             if number not in self._coal:
                 self._coal[number] = _Coal(self._pairs[number][0], self._pairs[number][2])
-            X_WB = self._frames(X, rows[at], pairs[at])
-            found = self._coal[number].nearest(inverse_pose(X_WB) @ X[rows[at], self._a[number]])
+        of = [self._coal[number] for number in pairs.tolist()]
+        X_WB = self._frames(X, rows, pairs)
+        X_BA = inverse_pose(X_WB) @ X[rows, self._a[pairs]]
+        found = _by_coal(of, X_BA, points)
+        if points:
             R, t = X_WB[:, :3, :3], X_WB[:, :3, 3]
             on_a, on_b = (np.einsum("kij,kj->ki", R, x) + t for x in (found.on_a, found.on_b))
-            out.put(at, Nearest(found.distance, on_a, on_b, np.einsum("kij,kj->ki", R, found.normal)))
-        return out
+            found = Nearest(found.distance, on_a, on_b, np.einsum("kij,kj->ki", R, found.normal))
+        return found
 
     def _segment(self, X: Array, rows: IndexArray, pairs: IndexArray) -> list[Array]:
         """Both ends (k, 3) of the first bodies in the world."""
@@ -260,35 +264,41 @@ def _deepest(a: Array, d: Array, half: Array) -> tuple[Array, Array, Array]:
 
 
 class _Coal:
-    """The same by coal."""
+    """A pair for coal."""
 
     def __init__(self, a: Shape, b: Shape):
-        self._a, self._b = a, b
-        (self._geometry_a, self._X_a), (self._geometry_b, X_b) = coal_geometry(a), coal_geometry(b)
         # ComputeDistance holds bare pointers to both geometries
-        self._compute = coal.ComputeDistance(self._geometry_a, self._geometry_b)
-        self._request = coal.DistanceRequest(True, 0.0, 0.0)
-        self._request.enable_signed_distance = True
-        self._T_b = coal.Transform3s()
-        self._T_b.setTransform(X_b[:3, :3].copy(), X_b[:3, 3].copy())
+        (self._geometry_a, self.X_a), (self._geometry_b, X_b) = coal_geometry(a), coal_geometry(b)
+        self.distance = coal.ComputeDistance(self._geometry_a, self._geometry_b)
+        self.T_b = coal.Transform3s()
+        self.T_b.setTransform(X_b[:3, :3].copy(), X_b[:3, 3].copy())
+        self.middle = outline(a)[0].mean(axis=0)
+        self.hollow = b if isinstance(b, Mesh) and convex(b) is None else None
 
-    def nearest(self, X_BA: Array) -> Nearest:
-        result, T_a = coal.DistanceResult(), coal.Transform3s()
-        X = X_BA @ self._X_a
-        distance, on_a, on_b, normal = np.empty(len(X)), *(np.empty((len(X), 3)) for _ in range(3))
-        for i, placed in enumerate(X):
-            T_a.setTransform(np.ascontiguousarray(placed[:3, :3]), placed[:3, 3].copy())
-            result.clear()
-            distance[i] = self._compute(T_a, self._T_b, self._request, result)
-            on_a[i], on_b[i] = result.getNearestPoint1(), result.getNearestPoint2()
-            normal[i] = -np.asarray(result.normal)
+
+def _by_coal(of: Sequence[_Coal], X_BA: Array, points: bool) -> Nearest:
+    """Pairs (k,) in the frames of their second bodies, the first ones at X_BA (k, 4, 4); points as in `nearest`."""
+    request, result, T_a = coal.DistanceRequest(points, 0.0, 0.0), coal.DistanceResult(), coal.Transform3s()
+    request.enable_signed_distance = True
+    X = X_BA @ np.array([pair.X_a for pair in of])
+    R, t = np.ascontiguousarray(X[:, :3, :3]), np.ascontiguousarray(X[:, :3, 3])
+    out = Nearest.empty(len(of))
+    distance, on_a, on_b, normal = out.distance, out.on_a, out.on_b, out.normal
+    place, clear = T_a.setTransform, result.clear
+    for i, pair in enumerate(of):
+        place(R[i], t[i])
+        clear()
+        distance[i] = pair.distance(T_a, pair.T_b, request, result)
+        if points:
+            on_a[i], on_b[i], normal[i] = result.getNearestPoint1(), result.getNearestPoint2(), result.normal
+    if points:
+        normal *= -1
         apart = np.abs(distance) > 1e-6
-        between = (on_a - on_b) * np.sign(distance)[:, None]
-        normal[apart] = _unit(between[apart], normal[apart])
-        if isinstance(self._b, Mesh) and convex(self._b) is None:
-            outside = np.flatnonzero(distance > 0)
-            points = X_BA[outside, :3, :3] @ outline(self._a)[0].mean(axis=0) + X_BA[outside, :3, 3]
-            held = outside[inside(self._b, points)]
-            distance[held] *= -1
-            normal[held] *= -1
-        return Nearest(distance, on_a, on_b, normal)
+        normal[apart] = _unit(((on_a - on_b) * np.sign(distance)[:, None])[apart], normal[apart])
+    for i in np.flatnonzero([pair.hollow is not None for pair in of] & (distance > 0)).tolist():
+        mesh = of[i].hollow
+        assert mesh is not None
+        if inside(mesh, (X_BA[i, :3, :3] @ of[i].middle + X_BA[i, :3, 3])[None])[0]:
+            distance[i] *= -1
+            normal[i] *= -1
+    return out
