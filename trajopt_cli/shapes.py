@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import combinations, pairwise
 from pathlib import Path
 from typing import NamedTuple
+from urllib.parse import unquote
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -160,17 +162,26 @@ def _capsule_around(name: str, points: Array) -> Capsule:
 
 @dataclass(frozen=True, eq=False)
 class MeshFile:
-    """A mesh that still lies in a file: its coordinates times scale are metres, X (4, 4) places them."""
+    """A mesh that still lies in a file: its coordinates times scale, one for all or each, are metres, X (4, 4) places
+    them."""
 
     name: str
     path: Path
     X: Array = field(default_factory=lambda: np.eye(4))
-    scale: float = 1.0
+    scale: float | tuple[float, float, float] = 1.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X", _pose(self.X, f"mesh '{self.name}'"))
-        if not (np.isfinite(self.scale) and self.scale > 0):
+        if not (np.isfinite(self.scale).all() and np.min(self.scale) > 0):
             raise ValueError(f"mesh '{self.name}': scale {self.scale}, wanted a number above zero")
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The file and, of a .gltf, the buffers that it names beside itself."""
+        if self.path.suffix.lower() != ".gltf" or not self.path.is_file():
+            return (self.path,)
+        names = re.findall(r'"uri"\s*:\s*"((?!data:)[^"]+\.bin)"', self.path.read_text("utf-8", "replace"))
+        return (self.path, *(self.path.parent / unquote(name) for name in names))
 
 
 Shape = Box | Capsule | Mesh

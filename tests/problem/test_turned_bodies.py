@@ -12,6 +12,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
+from clear_of import with_capsules
 from link_poses import link_poses
 from unrefined import coarse_search
 
@@ -29,7 +30,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scene import WORLD, plan_cycle, scene_of_plant
-from trajopt_cli.shapes import Box, Mesh
+from trajopt_cli.shapes import Box, Capsule, Mesh
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")
 
@@ -54,7 +55,8 @@ def _coarse_search(monkeypatch: pytest.MonkeyPatch) -> None:
 def cell_of(obstacles: str, cell: str = CELL, folder: Path = Path()) -> tuple[Plant, object]:
     lines = "".join(f"  {line}\n" for line in obstacles.splitlines())
     cell_ = parse_cell(cell + lines, str(folder / "c.yaml"))
-    return build_plant(cell_), cell_.scenario
+    plant = build_plant(cell_)
+    return replace(plant, robot=with_capsules(plant.robot)), cell_.scenario
 
 
 def job(body: str, obstacles: str = FIN, cell: str = CELL) -> tuple[Plant, Program]:
@@ -90,7 +92,8 @@ def truth(plant: Plant, q: Array, theta: Array, name: str = "fin") -> Array:
     out = np.full(len(q), np.inf)
     for i, (X, angle) in enumerate(zip(link_poses(plant.robot, q), theta, strict=True)):
         X_WB = table(angle) @ X_TB
-        for link, capsule in plant.robot.capsules.items():
+        for link, (capsule,) in plant.robot.bodies.items():
+            assert isinstance(capsule, Capsule)
             a, b = (X[plant.robot.link_names.index(link)] @ np.r_[end, 1] for end in (capsule.a, capsule.b))
             along = (b - a)[:3]
             R = pin.Quaternion.FromTwoVectors(np.array([0, 0, 1.0]), along / np.linalg.norm(along)).matrix()

@@ -14,7 +14,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.urdf import rotation_rpy
-from trajopt_cli.robot.xml import read_robot_element
+from trajopt_cli.urdf_text import read_robot_element
 
 TURNING, SLIDING, FIXED = "revolute", "prismatic", "fixed"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)

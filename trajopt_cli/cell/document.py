@@ -16,6 +16,7 @@ from pydantic import (
     ConfigDict,
     Field,
     PlainValidator,
+    RootModel,
     StrictBool,
     StrictStr,
     create_model,
@@ -383,10 +384,33 @@ class CapsuleSection(_Section):
     radius: Annotated[float, BeforeValidator(positive(LENGTH))]
 
 
-class MeshSection(FrameSection):
-    """A mesh file beside the cell file, what its coordinates are worth in m, and its frame."""
+class FileSection(FrameSection):
+    """A file beside the cell file, and the frame it is seen from."""
 
     file: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
+
+
+class MeshSection(FileSection):
+    """A mesh file, what its coordinates are worth in m, and its frame."""
+
+    scale: Annotated[float, BeforeValidator(positive(RATIO))] = 1.0
+
+
+class ListedBody(MeshSection):
+    """A body of a list in a file of its own; the mesh lies beside that or below."""
+
+    ignore: tuple[StrictStr, ...] = ()
+    on: StrictStr | None = None
+
+
+class BodyList(RootModel[dict[StrictStr, ListedBody]]):
+    """A list of bodies, by name."""
+
+
+class FolderSection(FrameSection):
+    """A folder of meshes beside the cell file, what their coordinates are worth in m, and their common frame."""
+
+    path: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
     scale: Annotated[float, BeforeValidator(positive(RATIO))] = 1.0
 
 
@@ -419,23 +443,36 @@ def _beside(value: str) -> str:
     return str(path)
 
 
+_SHAPES = ("box", "capsule", "mesh", "fence", "urdf", "folder", "list")
+
+
 class SolidSection(_Section):
-    """A body: one of box, capsule, mesh or fence; ignore names the links that may touch it. on: a positioner that
-    carries it, STN1, or one of its axes from the floor on, STN1.1; its frame is then the one that this axis carries."""
+    """A body: one of box, capsule, mesh or fence; or many: of a urdf, a folder or a list. ignore names the links that
+    may touch it. on: a positioner that carries it, STN1, or one of its axes from the floor on, STN1.1, whose frame it
+    is then placed in."""
 
     box: BoxSection | None = None
     capsule: CapsuleSection | None = None
     mesh: MeshSection | None = None
     fence: FenceSection | None = None
+    urdf: FileSection | None = None
+    folder: FolderSection | None = None
+    list: FileSection | None = None
     ignore: tuple[StrictStr, ...] = ()
     on: StrictStr | None = None
 
     @model_validator(mode="after")
     def _one_shape(self) -> SolidSection:
-        given = [name for name in ("box", "capsule", "mesh", "fence") if getattr(self, name) is not None]
+        given = [name for name in _SHAPES if getattr(self, name) is not None]
         if len(given) != 1:
-            raise complain(f"has {' and '.join(given) or 'no shape'}; give one of box, capsule, mesh or fence")
+            known = f"{', '.join(_SHAPES[:-1])} or {_SHAPES[-1]}"
+            raise complain(f"has {' and '.join(given) or 'no shape'}; give one of {known}")
         return self
+
+    @property
+    def many(self) -> bool:
+        """Whether it may be several bodies."""
+        return bool(self.fence or self.urdf or self.folder or self.list)
 
 
 def _pair(value: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,16 +13,16 @@ import numpy as np
 from trajopt_cli.cell.document import (
     CellDocument,
     FenceSection,
-    FrameSection,
     FreeRail,
     FreeSection,
     PositionerSection,
     SolidSection,
 )
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
+from trajopt_cli.cell.scene_files import Found, frame_pose, from_folder, from_list, from_urdf
 from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
+from trajopt_cli.geometry import pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import FreeTurn, Source
 from trajopt_cli.scenario import (
@@ -39,6 +39,7 @@ from trajopt_cli.scenario import (
 )
 from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Rides, Solid
 from trajopt_cli.validation import hint
+from trajopt_cli.warnings import ProgramWarning, WarningKind
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
 _Value = TypeVar("_Value")
@@ -66,7 +67,8 @@ def parse_cell(text: str, file: str) -> Cell:
 def cell_of(content: Mapping[str, Any], lines: Mapping[str, int], file: str) -> Cell:
     """The Cell in what yaml_file.parse gives of a cell file. Raises InputError as load_cell does."""
     document = validated(CellDocument, content, lines, file, _WANTED)
-    return replace(_cell(document, file, lines), doubts=suspected(content, CELL, lines, file))
+    cell = _cell(document, file, lines)
+    return replace(cell, doubts=(*cell.doubts, *suspected(content, CELL, lines, file)))
 
 
 _WANTED = {
@@ -79,33 +81,60 @@ _WANTED = {
 }
 
 
-def frame_pose(section: FrameSection) -> Array:
-    """The pose (4, 4) that a frame section describes."""
-    if section.wxyz is not None:
-        return pose(rotation_from_wxyz(section.wxyz), section.position)
-    roll, pitch, yaw = section.rpy or (0.0, 0.0, 0.0)
-    R = rotation_about([0, 0, 1], yaw) @ rotation_about([0, 1, 0], pitch) @ rotation_about([1, 0, 0], roll)
-    return pose(R, section.position)
+@dataclass(eq=False)
+class _Bodies:
+    """The bodies of a section, in order; files that were read for them besides meshes; what is told about these."""
+
+    solids: list[Solid]
+    files: list[Path]
+    notes: list[str]
+    unknown: dict[str, str] = field(default_factory=dict)  # what bodies are said to ride on, and is none
+
+    @classmethod
+    def of(
+        cls, sections: Mapping[str, SolidSection], folder: Path, units: Mapping[str, int], file: str,
+        lines: Mapping[str, int],
+    ) -> _Bodies:  # fmt: skip
+        """units: how many axes each positioner has, by its name in lower case."""
+        out = cls([], [], [])
+        for name, section in sections.items():
+            try:
+                found = _found(name, section, folder)
+            except InputError as error:
+                if error.file is not None:
+                    raise
+                line = line_of(f"obstacles.{name}", lines)
+                raise InputError(f"obstacles.{name}: {error.message}", file=file, line=line) from error
+            for shape, ignore, on in found.shapes:
+                rides = _rides(on or section.on, units)
+                if (wanted := on or section.on) is not None and rides is None:
+                    out.unknown.setdefault(name, wanted)
+                out.solids.append(Solid(shape, frozenset((*section.ignore, *ignore)), rides))
+            out.files += found.files
+            out.notes += found.notes
+        return out
 
 
-def _solids(sections: Mapping[str, SolidSection], folder: Path, units: Mapping[str, int]) -> tuple[Solid, ...]:
-    """units: how many axes each positioner has, by its name in lower case."""
-    out = []
-    for name, section in sections.items():
-        if section.fence is not None:
-            out += [Solid(wall, frozenset(section.ignore)) for wall in _walls(name, section.fence)]
-            continue
-        shape: Box | Capsule | MeshFile
-        if section.box is not None:
-            shape = Box(name, np.array(section.box.size), frame_pose(section.box))
-        elif section.capsule is not None:
-            capsule = section.capsule
-            shape = Capsule(name, np.array(capsule.start), np.array(capsule.end), capsule.radius)
-        else:
-            assert section.mesh is not None
-            shape = MeshFile(name, folder / section.mesh.file, frame_pose(section.mesh), section.mesh.scale)
-        out.append(Solid(shape, frozenset(section.ignore), _rides(section.on, units)))
-    return tuple(out)
+def _found(name: str, section: SolidSection, folder: Path) -> Found:
+    if section.fence is not None:
+        return Found([(wall, (), None) for wall in _walls(name, section.fence)])
+    if section.urdf is not None:
+        return from_urdf(name, folder / section.urdf.file, frame_pose(section.urdf), folder)
+    if section.folder is not None:
+        many = section.folder
+        return from_folder(name, folder / many.path, frame_pose(many), many.scale)
+    if section.list is not None:
+        return from_list(name, folder / section.list.file, frame_pose(section.list))
+    shape: Box | Capsule | MeshFile
+    if section.box is not None:
+        shape = Box(name, np.array(section.box.size), frame_pose(section.box))
+    elif section.capsule is not None:
+        capsule = section.capsule
+        shape = Capsule(name, np.array(capsule.start), np.array(capsule.end), capsule.radius)
+    else:
+        assert section.mesh is not None
+        shape = MeshFile(name, folder / section.mesh.file, frame_pose(section.mesh), section.mesh.scale)
+    return Found([(shape, (), None)])
 
 
 def _rides(on: str | None, units: Mapping[str, int]) -> Rides | None:
@@ -232,6 +261,11 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         for kind, value in section
         if kind != "source" and value is not None
     )
+    folder = Path(file).parent
+    bodies = _Bodies.of(document.obstacles, folder, units, file, lines)
+    attached = _Bodies.of(
+        {name: one for name, one in document.attached.items() if not one.many}, folder, {}, file, lines
+    )
     tool: dict[str, Any] = dict(document.tcp or ())
     tool_source = tool.pop("source", None)
     cell = Cell(
@@ -259,8 +293,10 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         torque_limits=document.torque_limits,
         settle=(document.settle.fine, document.settle.inpos),
         droppable=frozenset(name.lower() for name in document.optional),
-        obstacles=_solids(document.obstacles, Path(file).parent, units),
-        attached=_solids(document.attached, Path(file).parent, {}),
+        obstacles=tuple(bodies.solids),
+        attached=tuple(attached.solids),
+        body_files=tuple(bodies.files),
+        doubts=tuple(ProgramWarning(WarningKind.ASSUMED, text, file) for text in bodies.notes),
         may_touch=document.may_touch,
         clearance=document.clearance,
         tool_radius=document.tool_radius,
@@ -284,34 +320,34 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     if document.attached and "tool_radius" in document.model_fields_set and document.tool_radius > 0:
         raise cell.error("tool_radius", "the attached bodies stand for the tool; remove one of the two")
-    bodies = {one: section for section in ("obstacles", "attached") for one in getattr(document, section)}
-    for name, body in document.obstacles.items():
-        walls = [wall.name for wall in _walls(name, body.fence)] if body.fence is not None else []
-        for other in sorted({*walls} & {*bodies} - {name}):
-            raise cell.error(f"{bodies[other]}.{other}", f"a wall of fence '{name}' has this name; give it another one")
+    seen: dict[str, str] = {}
+    for section, solids in (("obstacles", cell.obstacles), ("attached", cell.attached)):
+        for solid in solids:
+            if solid.name in seen:
+                where = f"{section}.{solid.name}"
+                raise cell.error(where, f"a body under {seen[solid.name]} has this name; give it another one")
+            seen[solid.name] = section
+    for name, on in bodies.unknown.items():
+        known = [*document.positioners, *(f"{one}.1" for one, axes in document.positioners.items() if axes[1:])]
+        text = f"'{on}' is no positioner of this file, nor an axis of one"
+        raise cell.error(f"obstacles.{name}.on", f"{text}; {hint(on, known)}" if known else text)
     for name, body in document.obstacles.items():
         if body.on is not None and body.fence is not None:
             raise cell.error(f"obstacles.{name}.on", "a fence stands on the floor; give the positioner a box")
-        if body.on is not None and _rides(body.on, units) is None:
-            known = [*document.positioners, *(f"{one}.1" for one, axes in document.positioners.items() if axes[1:])]
-            text = f"'{body.on}' is no positioner of this file, nor an axis of one"
-            raise cell.error(f"obstacles.{name}.on", f"{text}; {hint(body.on, known)}" if known else text)
+    there = [solid.name for solid in cell.obstacles]
     for i, one in enumerate(document.attach):
-        if one.part not in document.obstacles:
-            close = hint(one.part, [*document.obstacles])
-            raise cell.error(
-                f"attach.{i}.part", f"'{one.part}' is no obstacle; say under obstacles where it stands; {close}"
-            )
-    for i, one in enumerate(document.attach):
-        if document.obstacles[one.part].fence is not None:
+        if (named := document.obstacles.get(one.part)) is not None and named.fence is not None:
             raise cell.error(f"attach.{i}.part", f"'{one.part}' is a fence; no robot carries it")
+        if one.part not in there:
+            text = f"'{one.part}' is no obstacle; say under obstacles where it stands"
+            raise cell.error(f"attach.{i}.part", f"{text}; {hint(one.part, there)}")
     for name, body in document.attached.items():
-        if body.fence is not None:
-            raise cell.error(f"attached.{name}.fence", "a fence stands on the floor; give the flange a box")
+        if body.many:
+            shape = next(key for key in ("fence", "urdf", "folder", "list") if getattr(body, key) is not None)
+            what = "a fence stands on the floor" if body.fence else "it may be many bodies"
+            raise cell.error(f"attached.{name}.{shape}", f"{what}; give the flange a box, a capsule or a mesh")
         if body.on is not None:
             raise cell.error(f"attached.{name}.on", "the flange carries it; a positioner carries obstacles")
-        if name in document.obstacles:
-            raise cell.error(f"attached.{name}", "an obstacle has this name too; give each body its own")
     return cell
 
 

@@ -67,8 +67,9 @@ class Cell:
     attached: in the flange frame; meshes still in their files. may_touch: pairs of links or attached bodies that are
     not held against each other. clearance: the least distance wanted from obstacles [m]. tool_radius [m]: of the
     capsule from flange to TCP that stands for the tool where nothing is attached; 0 for none. grips: which obstacles
-    the flange takes on the way. doubts: numbers that look like another unit. order: groups of procedures and lines, by
-    name, that may be done in any order. settle: what takes the place of the robot's Settling [s], fine and inpos.
+    the flange takes on the way. body_files: that say which bodies there are, besides meshes. doubts: numbers that look
+    like another unit. order: groups of procedures and lines, by name, that may be done in any order. settle: what takes
+    the place of the robot's Settling [s], fine and inpos.
     """
 
     file: str
@@ -92,6 +93,7 @@ class Cell:
     clearance: float = 0.0
     tool_radius: float = TOOL_RADIUS
     grips: tuple[Grip, ...] = ()
+    body_files: tuple[Path, ...] = ()
     doubts: tuple[ProgramWarning, ...] = ()
     torque_limits: bool = False
     settle: tuple[float | None, float | None] = (None, None)
@@ -106,9 +108,10 @@ class Cell:
 
     @property
     def mesh_files(self) -> tuple[Path, ...]:
-        """The files the cell's meshes lie in, each once, as paths that begin where `file` does."""
+        """The files that obstacles are read from, each once, as paths that begin where `file` does."""
         shapes = [solid.shape for solid in (*self.obstacles, *self.attached)]
-        return tuple(dict.fromkeys(shape.path for shape in shapes if isinstance(shape, MeshFile)))
+        meshes = [path for shape in shapes if isinstance(shape, MeshFile) for path in shape.files]
+        return tuple(dict.fromkeys([*self.body_files, *meshes]))
 
     def robot_files(self, files: Sequence[Path] = ()) -> tuple[Path, ...]:
         """The robot's own YAML file and those it names; none for a robot that ships."""

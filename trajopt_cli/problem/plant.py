@@ -301,7 +301,8 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
         try:
             shape = load_mesh(shape)
         except InputError as error:
-            raise cell.error(f"{key}.mesh.file", error.message) from error
+            own, many, _ = solid.name.partition("/")
+            raise cell.error(f"{section}.{own}{'' if many else '.mesh.file'}", error.message) from error
     if solid.rides is not None:
         axes = cell.scenario.positioners[solid.rides.unit][: solid.rides.axes]
         shape = moved(shape, carried_by(axes, [axis.start for axis in axes]))

@@ -22,7 +22,8 @@ _ROUNDING = 1e-6  # of a mesh's size: what files with seven digits leave open
 
 
 def load_mesh(given: MeshFile) -> Mesh:
-    """The mesh in a file: STL (text or binary), OBJ, and what else coal's loader takes. Raises InputError, unplaced."""
+    """The mesh in a file: STL (text or binary), OBJ, glTF (whose y points up, and becomes z), STEP where cascadio is
+    installed, and what else coal's loader takes. Raises InputError, unplaced."""
     if not given.path.is_file():
         raise InputError(f"no such mesh file: {given.path}")
     if (size := given.path.stat().st_size) > MOST_BYTES:
@@ -30,7 +31,11 @@ def load_mesh(given: MeshFile) -> Mesh:
         raise InputError(f"the mesh {given.path} has {size / 1e6:.0f} MB, {bound}; give a coarser one")
     try:
         with TemporaryDirectory() as folder:
-            file = _with_noughts(given.path, Path(folder)) if given.path.suffix.lower() == ".obj" else given.path
+            file, kind = given.path, given.path.suffix.lower()
+            if kind == ".obj":
+                file = _with_noughts(given.path, Path(folder))
+            elif kind in (".step", ".stp"):
+                file = _tessellated(given.path, Path(folder))
             # boxes along the axes: fitting others to a vertex that is no number has the library complain by itself
             model = coal.MeshLoader(coal.NODE_TYPE.BV_AABB).load(str(file), np.ones(3))
     except ValueError as error:
@@ -38,13 +43,30 @@ def load_mesh(given: MeshFile) -> Mesh:
         said = str(error).partition("message:")[2].strip().splitlines()
         why = " ".join((said[1] if len(said) > 1 else str(error)).split())[:_REASON]
         raise InputError(f"cannot read the mesh {given.path}: {why}") from error
-    vertices = np.array(model.vertices()).reshape(-1, 3) * given.scale
+    vertices = np.array(model.vertices()).reshape(-1, 3)
+    if kind in (".glb", ".gltf"):
+        vertices = vertices @ np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+    vertices = vertices * np.array(given.scale)
     triangles = [[corners[k] for k in range(3)] for corners in map(model.tri_indices, range(model.num_tris))]
     if not triangles:
         raise InputError(f"the mesh {given.path} has no triangles")
     if not np.isfinite(vertices).all():
         raise InputError(f"the mesh {given.path} has a vertex that is not finite")
     return Mesh(given.name, vertices, np.array(triangles), given.X)
+
+
+def _tessellated(path: Path, folder: Path) -> Path:
+    """A STEP file's surfaces as a GLB file in a folder, in metres within 0.1 mm, z upwards. Raises InputError where the
+    library that does it is not there."""
+    try:
+        import cascadio  # type: ignore[import-not-found]
+    except ImportError as error:
+        advice = "pip install 'trajopt-cli[step]', or save it as STL, OBJ or glTF"
+        raise InputError(f"the mesh {path} is STEP, which cascadio reads: {advice}") from error
+    out = folder / "step.glb"
+    if cascadio.step_to_glb(str(path), str(out), 0.1, 0.2) != 0 or not out.is_file():
+        raise InputError(f"cannot read the mesh {path}: no STEP file with surfaces")
+    return out
 
 
 def _with_noughts(path: Path, folder: Path) -> Path:

@@ -19,9 +19,9 @@ from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.catalogue import LinkPart, PostureTable, Profile, Rate, RobotFile, SixAxisFile, SrsFile
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, chain_of
-from trajopt_cli.robot.xml import read_bytes
 from trajopt_cli.scenario import Settling
 from trajopt_cli.shapes import Capsule, LinkShape, polytope
+from trajopt_cli.urdf_text import read_bytes
 from trajopt_cli.yaml_file import remembered
 
 Raw = Mapping[str, Any]

@@ -10,8 +10,8 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.robot.xml import robot_element
 from trajopt_cli.units import decimal
+from trajopt_cli.urdf_text import robot_element
 
 FLANGE, RAIL = "tool0", "rail"
 

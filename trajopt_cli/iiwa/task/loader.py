@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.cell.document import FrameSection
-from trajopt_cli.cell.loader import frame_pose
+from trajopt_cli.cell.scene_files import frame_pose
 from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
