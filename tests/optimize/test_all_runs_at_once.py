@@ -29,6 +29,7 @@ from trajopt_cli.trajectories import dense_check
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import check_leg
+from trajopt_cli.trajectories.leg_trajectories import PathLeg
 from trajopt_cli.trajectories.route import Route
 
 DATA = "CONST zonedata z_t:=[FALSE,12,18,25,9E9,9E9,9E9];"
@@ -124,6 +125,19 @@ def test_no_speed_in_a_corner_is_overlooked(body: str, monkeypatch: pytest.Monke
     found = sampled_ratios(axes, problem, course, law, every).tool
     set_defaults(monkeypatch, path_interval_samples=100)
     assert found == pytest.approx(sampled_ratios(axes, problem, course, law, every).tool, rel=4e-5)
+
+
+def test_motions_hold_no_more_than_their_own_numbers() -> None:
+    """And none of the paths they were timed on, which are ten times as large; timed few at a time they are the same."""
+    axes, problem, chain = chain_of(BODY.replace("z_t", "fine"))
+    few = replace(axes, plant=replace(axes.plant, settings=replace(axes.settings, batch=64)))
+    for one, other in zip(timed(axes, problem, chain).legs, timed(few, problem, chain).legs, strict=True):
+        assert one is not None
+        assert other is not None
+        assert pytest.approx(other.T, rel=1e-12) == one.T
+        for array in (x for x in vars(one).values() if isinstance(x, np.ndarray) and isinstance(one, PathLeg)):
+            whole = array if array.base is None else array.base
+            assert whole.size <= 4 * array.size
 
 
 def test_what_binds_many_legs_binds_each_alone() -> None:

@@ -129,7 +129,10 @@ def _joint_edge(axes: Axes, problem: Problem, k: int, a: _Layer, b: _Layer) -> E
 
 
 def _with_leg_time(T: Array, leg: Leg) -> Array:
-    """Least times of a leg with its programmed time, where that is enough, or with the time of what turns meanwhile."""
+    """Least times of a leg with its programmed time, where that is enough, or with the time of what turns meanwhile:
+    T itself where neither is given."""
+    if leg.duration is None and leg.least == 0.0:
+        return T
     return np.maximum(T, leg.least) if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
 
 

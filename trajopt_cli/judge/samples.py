@@ -56,7 +56,7 @@ PIECE = 4096
 """Rows that are worked out together."""
 
 _KEPT = 5  # pieces of one thing that stay at hand
-_ROOM = 100_000_000  # bytes of what is dear to work out that stay at hand besides
+_ROOM = 30_000_000  # bytes of what is dear to work out that stay at hand besides. With 100 MB judging takes as long.
 OVERLAP = 2 * LAGS[-1]
 """Rows that windows share, so that every lag is seen from each of their rows."""
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from hashlib import blake2b
+from itertools import groupby
 
 import numpy as np
 
@@ -155,19 +156,24 @@ def _timed_runs(
         else:
             left.append(run)
     nodes = [3 * settings.run_nodes if last == first + 1 else settings.run_nodes for first, last in left]
-    paths = dict(zip(left, sample_paths(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
-    for run, path in paths.items():
-        try:
-            pieces = None if path is None else time_path(axes, problem, path)
-        except Unresolved as singular:
-            out[run] = NotDriven(run, singular=singular)
-            continue
-        if pieces is None:
-            out[run] = NotDriven(run)
-        elif run[1] > run[0] + 1:
-            out[run] = dict(pieces)
-        else:
-            (motions[run],) = pieces[run[0]].pieces  # one leg between stops is one piece
+    size = np.cumsum([N * (last - first) for N, (first, last) in zip(nodes, left, strict=True)])
+    for _, group in groupby(range(len(left)), key=lambda i: int(size[i]) // settings.batch):  # their paths are large
+        some = [*group]
+        asked = [left[i] for i in some]
+        paths = sample_paths(axes, problem, asked, [q] * len(some), cfx, [nodes[i] for i in some])
+        for i, run in enumerate(asked):
+            path, paths[i] = paths[i], None
+            try:
+                pieces = None if path is None else time_path(axes, problem, path)
+            except Unresolved as singular:
+                out[run] = NotDriven(run, singular=singular)
+                continue
+            if pieces is None:
+                out[run] = NotDriven(run)
+            elif run[1] > run[0] + 1:
+                out[run] = dict(pieces)
+            else:
+                (motions[run],) = pieces[run[0]].pieces  # one leg between stops is one piece
     for run, motion in motions.items():
         T, least = problem.legs[run[0]].duration, problem.legs[run[0]].least
         if motion is None or (T is not None and T * (1 + 1e-9) < motion.T):

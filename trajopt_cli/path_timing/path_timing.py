@@ -323,7 +323,7 @@ def _piece(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw, i: int
     """Part i of a path under a law, in scaled time."""
     part, row = path.parts[i], path.begins[i]
     leg, at = problem.legs[part.leg], slice(row, row + part.N + 1)
-    q, dq, rates = path.along.q[at], path.along.dq[at], law.rates[row - i : row - i + part.N + 1]
+    q, dq, rates = path.along.q[at].copy(), path.along.dq[at], law.rates[row - i : row - i + part.N + 1]
     times = np.concatenate([[0.0], np.cumsum(2 * part.size * np.diff(part.u) / (rates[1:] + rates[:-1]))])
     T = float(times[-1])
     grid = times / T
@@ -338,6 +338,6 @@ def _piece(axes: Axes, problem: Problem, path: SampledPath, law: TimeLaw, i: int
     w = dd * rate[:, None]
     steps = np.diff(grid)
     return PathLeg(
-        T, part.segment, leg.X_FT, part.cfx, q[0, axes.layout.arm], grid, part.own(part.u), way * rate,
+        T, part.segment, leg.X_FT, part.cfx, q[0, axes.layout.arm].copy(), grid, part.own(part.u), way * rate,
         way * np.diff(rate) / steps, d, w, np.diff(w, axis=0) / steps[:, None],
     )  # fmt: skip

@@ -134,6 +134,8 @@ def _planned_as_given(
     legal = find_initial_plan(axes, question, memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal
+    if target is Target.STREAM:
+        memory.runs.clear()  # of a long program they fill the memory, and nothing asks for them again
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     if problem.coordinated and (target, freedom) in memory.stopped:
         notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
