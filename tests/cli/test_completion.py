@@ -64,7 +64,7 @@ def test_zsh_and_fish_get_choices_or_files(monkeypatch: pytest.MonkeyPatch, caps
     assert completed("zsh", "trajopt optimize ti") == (0, "_files")
     assert '"stream"' in completed("zsh", "trajopt optimize a.mod --target ")[1]
     assert completed("fish", "trajopt optimize ti", "is-args")[0] == 1  # then fish itself completes files
-    assert completed("fish", "trajopt robot show ii", "get-args")[1].split() == ["iiwa7"]
+    assert completed("fish", "trajopt robot show ii", "get-args")[1].split() == ["iiwa14", "iiwa7"]
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")

@@ -45,8 +45,8 @@ def test_the_robots_ship_and_load():
     arms = ("irb120", "irb1200_5_90", "irb140", "irb1600_6_120", "irb2600_12_165", "irb4600_40_255")
     arms += ("irb6640_180_255", "irb6700_200_260", "crb15000_5_95", "kr6_r900", "puma560", "ur10e", "ur5e")
     assert robot_names(Structure.SIX_AXIS) == tuple(sorted([*arms, *(f"{name}_rail" for name in arms)]))
-    assert set(robot_names()) == {"iiwa7", *robot_names(Structure.SIX_AXIS)}
-    assert robot_names(Structure.SRS) == ("iiwa7",)
+    assert set(robot_names()) == {"iiwa14", "iiwa7", *robot_names(Structure.SIX_AXIS)}
+    assert robot_names(Structure.SRS) == ("iiwa14", "iiwa7")
     assert load_robot("irb140").axis_names == tuple(f"joint_{i}" for i in range(1, 7))
     rail = load_robot("irb140_rail")
     assert rail.axis_names == ("rail", *(f"joint_{i}" for i in range(1, 7)))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trajopt_cli.adopt.chain import NormalChain, normal_chain
+from trajopt_cli.adopt.seven import parallel, srs_yaml
 from trajopt_cli.adopt.solids import link_capsules, self_pairs
 from trajopt_cli.adopt.track import on_track
 from trajopt_cli.adopt.tree import read_tree
@@ -46,7 +47,8 @@ def new_robot(
     confdata: str | None = None,
     track: bool = False,
 ) -> NewRobot:
-    """A robot of this program from the URDF of a six-axis arm that robot.arm_chain reads, on a sliding axis or not.
+    """A robot of this program from the URDF of a six-axis arm that robot.arm_chain reads, on a sliding axis or not, or
+    of a seven-axis arm with spherical shoulder and wrist.
 
     tip: the flange's link, base: the chain's first link, both found where None. confdata: the rule of RAPID's confdata,
     "abb_six_axis" or "none"; for None the first where the URDF speaks of ABB. track: NAME_rail too, the same on a
@@ -55,14 +57,23 @@ def new_robot(
     check_name(name)
     tree = read_tree(urdf)
     chain = normal_chain(tree, tip, base)
-    arm_from_chain(chain.joints[-7:], str(urdf))
+    seven = chain.turning == 7
+    if seven and (confdata or track):
+        option = f"--confdata {confdata}" if confdata else "--rail"
+        raise InputError(f"{option}: is for arms of six axes; this one has seven, for 'trajopt iiwa'", file=str(urdf))
+    if seven:
+        chain = parallel(chain)
+    else:
+        arm_from_chain(chain.joints[-7:], str(urdf))
     rule = confdata or ("abb_six_axis" if _ABB.search(f"{tree.name} {urdf.name}") else "none")
     solids = link_capsules(chain)
-    pairs = self_pairs(chain.joints[-7:], {n: (c,) for n, c in solids.capsules.items()}, linkage=chain.linkage)
+    shapes = {link: (capsule,) for link, capsule in solids.capsules.items()}
+    pairs = self_pairs(chain.joints[-1 - chain.turning :], shapes, linkage=chain.linkage)
     title = f"{tree.name} (from {urdf.name})"
+    made = solids.capsules, pairs, solids.missing
     texts = {
         f"{name}.urdf": urdf_text(name, chain),
-        f"{name}.yaml": yaml_text(name, title, chain, rule, solids.capsules, pairs, solids.missing),
+        f"{name}.yaml": srs_yaml(name, title, chain, *made) if seven else yaml_text(name, title, chain, rule, *made),
     }
     files = {place: text.encode("utf-8") for place, text in texts.items()}
     if track:

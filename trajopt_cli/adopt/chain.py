@@ -34,11 +34,11 @@ class Body:
 
 @dataclass(frozen=True, eq=False)
 class NormalChain:
-    """A chain as robot files have it. joints: from the root to tool0; axes called rail, joint_1..joint_6, a fixed joint
-    before joint_1 where the base stands off the root or the rail, one behind joint_6. named: the URDF's name of each
-    axis. bodies: from the root on, joint i between body i and i + 1. notes: what was taken otherwise than it stands
-    there, and what was left out. levers: joints beside the chain that tell a parallel linkage; linkage: then 1 or -1,
-    joint_3 is the controller's axis 3 - linkage * axis 2.
+    """A chain as robot files have it. joints: from the root to tool0; axes called rail, joint_1 to joint_6 or 7, a
+    fixed joint before joint_1 where the base of six axes stands off the root or the rail, one behind the last. named:
+    the URDF's name of each axis. bodies: from the root on, joint i between body i and i + 1. notes: what was taken
+    otherwise than it stands there, and what was left out. levers: joints beside the chain that tell a parallel linkage;
+    linkage: then 1 or -1, joint_3 is the controller's axis 3 - linkage * axis 2.
     """
 
     tree: Tree
@@ -52,6 +52,16 @@ class NormalChain:
     linkage: float = 0.0
 
     @property
+    def turning(self) -> int:
+        """How many joints turn: six or seven."""
+        return sum(joint.kind == TURNING for joint in self.joints)
+
+    @property
+    def arm(self) -> tuple[Body, ...]:
+        """The arm's bodies: its base and the link behind each joint that turns."""
+        return self.bodies[-2 - self.turning : -1]
+
+    @property
     def axes(self) -> list[UrdfJoint]:
         """The joints that move."""
         return [joint for joint in self.joints if joint.kind != FIXED]
@@ -61,7 +71,7 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
     """The chain to the flange in normal form. tip: the flange's link, base: the first link, both found where None.
 
     Raises InputError for names that are none, a chain that is not six turning joints with at most one sliding joint
-    before them, and an axis without a range or a speed.
+    before them or seven turning ones, and an axis without a range or a speed.
     """
     file = str(tree.path)
     for option, link in (("--tip", tip), ("--base", base)):
@@ -76,16 +86,18 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
     turning = [joint for joint in moving if joint.kind != SLIDING]
     sliding = [joint for joint in moving if joint.kind == SLIDING]
     kinds = ", ".join(f"{joint.name} ({joint.kind})" for joint in moving) or "no axis"
-    if len(turning) != 6 or len(sliding) > 1 or moving[:1] != (sliding or turning)[:1]:
+    seven = len(turning) == 7 and not sliding
+    if not seven and (len(turning) != 6 or len(sliding) > 1 or moving[:1] != (sliding or turning)[:1]):
         hint = "" if len(turning) == 6 else "; --tip names another link as the flange, --base another first link"
         message = (
-            f"the chain to '{chosen}' is {kinds}: wanted six turning axes, at most one sliding one before them{hint}"
+            f"the chain to '{chosen}' is {kinds}: wanted six turning axes, at most one sliding one before them"
+            f"{hint}; seven turning ones are an arm for 'trajopt iiwa'"
         )
         raise InputError(message, file=file)
     notes = [note for note in tree.notes if any(f"'{one.name}'" in note for one in given) or "link '" in note]
     endless = [one.name for one in moving if one.kind == "continuous"]
     notes += [f"joint '{name}' is continuous, without a range: -360 to 360 degrees are taken" for name in endless]
-    names = [*([RAIL] if sliding else []), *(f"joint_{i}" for i in range(1, 7))]
+    names = [*([RAIL] if sliding else []), *(f"joint_{i}" for i in range(1, 1 + len(turning)))]
     joints, bodies = _normal(tree, given, names, base or tree.root)
     left = [name for name in tree.links if not any(name in body.links for body in bodies)]
     if left:
@@ -208,12 +220,12 @@ def _normal(
     def step(name: str, child: str, X: Array, joint: TreeJoint | None = None) -> None:
         bodies.append(_body(tree, here, body))
         if joint is None:
-            joints.append(UrdfJoint(name, FIXED, here, child, _exact(X), np.zeros(3), 0.0, 0.0, 0.0))
+            joints.append(UrdfJoint(name, FIXED, here, child, exact(X), np.zeros(3), 0.0, 0.0, 0.0))
             return
         low, high = (-_WHOLE_TURN, _WHOLE_TURN) if joint.kind == "continuous" else (joint.lower, joint.upper)
         kind = SLIDING if joint.kind == SLIDING else TURNING
         numbers = (low or 0.0, high or 0.0, joint.velocity or 0.0, joint.effort)
-        joints.append(UrdfJoint(name, kind, here, child, _exact(X), _exact(joint.axis), *numbers))
+        joints.append(UrdfJoint(name, kind, here, child, exact(X), exact(joint.axis), *numbers))
 
     todo = list(names)
     for joint in given:
@@ -224,7 +236,7 @@ def _normal(
         name = todo.pop(0)
         if name == "joint_1":
             before, base = body[:-1], body[-1][0]
-            if np.abs(X - np.eye(4)).max() > _DUST:
+            if np.abs(X - np.eye(4)).max() > _DUST and "joint_7" not in names:
                 body = before
                 step("mount", BASE, X)
                 body = [(base, np.eye(4))]
@@ -272,7 +284,7 @@ def _sum(parts: list[Inertial]) -> Inertial | None:
     return Inertial(mass, centre, inertia)
 
 
-def _exact(values: Array) -> Array:
+def exact(values: Array) -> Array:
     """Without the dust that products of rotations leave at 0 and 1."""
     out = np.where(np.abs(values) < _DUST, 0.0, values)
     return np.where(np.abs(np.abs(out) - 1) < _DUST, np.sign(out), out)

@@ -36,7 +36,7 @@ class LinkCapsules:
 def link_capsules(chain: NormalChain) -> LinkCapsules:
     """A capsule around every link of the arm whose collision geometry is given and readable."""
     capsules, missing = {}, []
-    for body in chain.bodies[-8:-1]:  # from the arm's base to link_6
+    for body in chain.arm:
         points: list[Array] = []
         complete = True
         for shape in body.shapes:
@@ -99,14 +99,14 @@ def self_pairs(
     joints: Sequence[UrdfJoint], bodies: Mapping[str, Sequence[LinkShape]], linkage: float = 0.0
 ) -> tuple[tuple[str, str], ...]:
     """Pairs of links worth holding against each other, the one nearer the base first; "attached" stands for what the
-    flange carries. joints: the arm's six and the flange's. linkage: joint 3 is axis 3 - linkage * axis 2.
+    flange carries. joints: the arm's and the flange's. linkage: joint 3 is axis 3 - linkage * axis 2.
 
     Left out are neighbours, pairs that touch in none of POSTURES within the ranges, and pairs whose bodies overlap
     because they are larger than the links: with all axes at 0 or in more than _EVER of the postures, of links with one
     between them, whose way the two axes' ranges bound, in more than _OFTEN. The same postures every time.
     """
-    names = [joints[0].parent, *(joint.child for joint in joints[:6])]
-    q = np.vstack([np.zeros((1, 6)), sampled(joints, POSTURES)])
+    names = [joints[0].parent, *(joint.child for joint in joints[:-1])]
+    q = np.vstack([np.zeros((1, len(joints) - 1)), sampled(joints, POSTURES)])
     q[:, 2] -= linkage * q[:, 1]
     poses = link_poses(joints, q)
     pairs: list[tuple[str, str]] = []
@@ -119,15 +119,15 @@ def self_pairs(
                 touch = np.any(each, axis=0)
                 if not touch[0] and 0 < float(np.mean(touch)) <= (_OFTEN if j == i + 2 else _EVER):
                     pairs.append((names[i], names[j]))
-        if i < 4:  # what is carried touches the wrist by where it stands
+        if i < len(joints) - 3:  # what is carried touches the wrist by where it stands
             pairs.append((names[i], ATTACHED))
     return tuple(pairs)
 
 
 def sampled(joints: Sequence[UrdfJoint], count: int) -> Array:
-    """Postures (count, 6) within the ranges [rad], evenly spread and the same every time."""
-    lower, upper = (np.array([getattr(joint, end) for joint in joints[:6]]) for end in ("lower", "upper"))
-    return np.asarray(lower + np.random.default_rng(_SEED).random((count, 6)) * (upper - lower))
+    """Postures (count, k) within the ranges [rad] of all but the flange's joint, evenly spread and always the same."""
+    lower, upper = (np.array([getattr(joint, end) for joint in joints[:-1]]) for end in ("lower", "upper"))
+    return np.asarray(lower + np.random.default_rng(_SEED).random((count, len(lower))) * (upper - lower))
 
 
 def link_poses(joints: Iterable[UrdfJoint], q: Array) -> Array:

@@ -54,10 +54,7 @@ def yaml_text(
     about, source, grade = _CONFDATA[confdata]
     of = chain.tree.path.name
     lines = [
-        _HEAD.rstrip("\n"),
-        f"name: {name}",
-        f"title: {quoted(title)}",
-        f"urdf: {name}.urdf",
+        *head_lines(name, title),
         "",
         about.rstrip("\n"),
         *(
@@ -83,16 +80,16 @@ def yaml_text(
         *_axes(chain.axes, of),
         "",
         *(_coupled(chain) if chain.linkage else ()),
-        "# Accelerations and jerks: makers publish none. A rule of thumb stands here: full speed in 0.2 s, full",
-        "# acceleration in 0.1 s. Better ones come from a controller's log ('trajopt identify').",
-        "profiles:",
-        "  default:",
-        f"    about: {_REPLACE.lower().rstrip(': ')} these, guesses by a rule of thumb; full speed in 0.2 s",
-        *_profile(chain.axes),
+        *profile_lines(chain),
         "",
-        *_collision(chain, capsules, pairs, missing),
+        *collision_lines(chain, capsules, pairs, missing),
     ]
     return "\n".join([*lines, ""])
+
+
+def head_lines(name: str, title: str) -> list[str]:
+    """How a file begins."""
+    return [_HEAD.rstrip("\n"), f"name: {name}", f"title: {quoted(title)}", f"urdf: {name}.urdf"]
 
 
 def quoted(text: str) -> str:
@@ -148,20 +145,27 @@ def _coupled(chain: NormalChain) -> Iterator[str]:
     yield ""
 
 
-def _profile(axes: Sequence[UrdfJoint]) -> Iterator[str]:
+def profile_lines(chain: NormalChain) -> Iterator[str]:
+    """Guessed accelerations and jerks."""
+    yield "# Accelerations and jerks: makers publish none. A rule of thumb stands here: full speed in 0.2 s, full"
+    yield "# acceleration in 0.1 s. Better ones come from a controller's log ('trajopt identify')."
+    yield "profiles:"
+    yield "  default:"
+    yield f"    about: {_REPLACE.lower().rstrip(': ')} these, guesses by a rule of thumb; full speed in 0.2 s"
     for key, column, why in (
         ("acceleration", 0, "full speed in 0.2 s, a rule of thumb"),
         ("jerk", 1, "full acceleration in 0.1 s, a rule of thumb"),
     ):
         yield f"    {key}:"
-        for joint in axes:
+        for joint in chain.axes:
             yield f"      {joint.name}: {number(guessed(joint)[column], why)}"
 
 
-def _collision(
+def collision_lines(
     chain: NormalChain, capsules: Mapping[str, Capsule], pairs: Sequence[tuple[str, str]], missing: Sequence[str]
 ) -> Iterator[str]:
-    bare = [body.name for body in chain.bodies[-8:-1] if body.name not in capsules]
+    """The collision section, or why there is none."""
+    bare = [body.name for body in chain.arm if body.name not in capsules]
     if not capsules:
         yield "# No collision section: the URDF gives no collision geometry that can be read, so self-collision and"
         yield "# obstacles are not looked at. A capsule is  link_1: {a: [0, 0, 0], b: [0, 0, 0.3], radius: 0.1}  under"

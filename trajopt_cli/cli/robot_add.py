@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -15,6 +16,7 @@ from trajopt_cli.errors import InputError, printable
 if TYPE_CHECKING:
     from trajopt_cli.adopt.add import NewRobot
     from trajopt_cli.robot.model import RobotModel
+    from trajopt_cli.robot.srs import SrsRobot
     from trajopt_cli.table import TextTable
 
 _LENGTHS = {
@@ -29,6 +31,10 @@ _LENGTHS = {
     "wrist across": "axis 6 above axis 4, at right angles to axis 5",
     "axis 5 off axis 4": "axis 5 beside axis 4",
     "wrist along axis 5": "axis 4 to where axes 5 and 6 meet, along axis 5",
+    "bs": "base to shoulder",
+    "se": "shoulder to elbow",
+    "ew": "elbow to wrist centre",
+    "wf": "wrist centre to the flange",
 }
 
 
@@ -64,7 +70,8 @@ def add(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Make a robot of the URDF of nearly any six-axis arm, alone or on a sliding axis.
+    """Make a robot of the URDF of nearly any six-axis arm, alone or on a sliding axis, or of a seven-axis arm with
+    spherical shoulder and wrist, as a KUKA LBR iiwa.
 
     Writes a clean URDF of the chain, and a YAML file with what a URDF cannot say, guessed and marked.
 
@@ -75,6 +82,7 @@ def add(
     from trajopt_cli.adopt.add import new_robot
     from trajopt_cli.cli import console
     from trajopt_cli.robot.model import load_robot
+    from trajopt_cli.robot.srs import load_srs
     from trajopt_cli.runs.transaction import replace_files
 
     made = new_robot(model, name, tip, base, confdata, rail)
@@ -90,7 +98,8 @@ def add(
             raise InputError("is the URDF to read; choose another --name or --output", file=str(path))
     old = {path: (path.read_bytes(), places[path]) for path in there}
     kept = replace_files(old, {path: content for path, content in places.items() if path not in old})
-    robot = load_robot(str(output / f"{name}.yaml"))
+    load: Any = load_srs if made.chain.turning == 7 else load_robot
+    robot = load(str(output / f"{name}.yaml"))
     files = [str(path) for path in places]
     if as_json:
         console.print_json({"files": files, "kept": [str(path) for path in kept.values()]} | _record(made, robot))
@@ -109,13 +118,19 @@ def add(
     console.tell(out, [f"next: trajopt robot show {shown if shown.parent != Path('.') else f'./{shown}'}"])
 
 
-def _zero(robot: RobotModel) -> Any:
+def _lengths(robot: RobotModel | SrsRobot) -> dict[str, float]:
+    from trajopt_cli.robot.srs import SrsRobot
+
+    return asdict(robot.lengths) if isinstance(robot, SrsRobot) else dict(robot.arm.lengths)
+
+
+def _zero(robot: RobotModel | SrsRobot) -> Any:
     import numpy as np
 
     return robot.forward(np.zeros(len(robot.axis_names)))
 
 
-def _record(made: NewRobot, robot: RobotModel) -> dict[str, Any]:
+def _record(made: NewRobot, robot: RobotModel | SrsRobot) -> dict[str, Any]:
     """What was read, SI."""
 
     X = _zero(robot)
@@ -135,7 +150,7 @@ def _record(made: NewRobot, robot: RobotModel) -> dict[str, Any]:
         "tip": made.chain.tip,
         "confdata": made.confdata,
         "axes": axes,
-        "lengths_m": robot.arm.lengths,
+        "lengths_m": _lengths(robot),
         "flange_at_zero_m": X[:3, 3].tolist(),
         "flange_z_at_zero": X[:3, 2].tolist(),
         "capsules": list(made.capsules),
@@ -145,7 +160,7 @@ def _record(made: NewRobot, robot: RobotModel) -> dict[str, Any]:
     }
 
 
-def _told(made: NewRobot, robot: RobotModel) -> Iterator[TextTable | str]:
+def _told(made: NewRobot, robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     from trajopt_cli.table import TextTable
     from trajopt_cli.units import DEG, MM
 
@@ -157,9 +172,10 @@ def _told(made: NewRobot, robot: RobotModel) -> Iterator[TextTable | str]:
         figures = [f"{value / factor:.6g}" for value in (joint.lower, joint.upper, joint.velocity)]
         rows.append((joint.name, chain.named[joint.name], *figures[:2], unit, figures[2], f"{unit}/s"))
     yield TextTable("axes", ("axis", "in the URDF", ">from", ">to", "unit", ">speed", "unit"), tuple(rows))
-    lengths = ((what, f"{value / MM:.6g}", _LENGTHS[what]) for what, value in robot.arm.lengths.items())
+    lengths = ((what, f"{value / MM:.6g}", _LENGTHS[what]) for what, value in _lengths(robot).items())
     yield TextTable("dimensions", ("length", ">mm", "what it is"), tuple(lengths))
-    if not robot.closed_form:
+    six = made.chain.turning == 6
+    if not getattr(robot, "closed_form", True):
         yield "axes 4, 5 and 6 do not meet in one point: configurations are sought step by step, so planning takes"
         yield "minutes, and no nonlinear program improves the plan\n"
     X = _zero(robot)
@@ -168,17 +184,18 @@ def _told(made: NewRobot, robot: RobotModel) -> Iterator[TextTable | str]:
     )
     yield f"with all axes at 0 the flange is at {place} mm, its z along {out}, its x along {ahead}: hold that against"
     yield "the robot or its data sheet\n"
-    yield f"confdata: {made.confdata}" + (
-        ", so the confdata of targets is not looked at"
-        if made.confdata == "none"
-        else "; --confdata none where it is not ABB's"
-    )
+    if six:
+        yield f"confdata: {made.confdata}" + (
+            ", so the confdata of targets is not looked at"
+            if made.confdata == "none"
+            else "; --confdata none where it is not ABB's"
+        )
     yield f"capsules: {', '.join(made.capsules) or 'none, so self-collision and obstacles are not looked at'}"
     if made.capsules and (bare := [name for name in robot.link_names if name not in made.capsules]):
         yield f"no capsules: {', '.join(bare)}, which may touch anything unseen"
     for line in (*made.missing, *chain.notes):
         yield f"note: {printable(line)}"
-    guesses = "accelerations, jerks, tcp caps"
+    guesses = "accelerations, jerks" + (", tcp caps" if six else "")
     yield f"guessed, marked REPLACE in {made.name}.yaml: {guesses}"
 
 
