@@ -1,7 +1,7 @@
 """The links of a robot file, bodies against the truth, and the pairs that are checked against what is measured."""
 
 import json
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,10 @@ from link_poses import link_poses
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.proximity.pair import Pair
-from trajopt_cli.robot.model import load_robot
+from trajopt_cli.robot.catalogue import read_head
+from trajopt_cli.robot.model import load_robot, robot_names
+from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import Capsule
 
 ROBOTS = Path(__file__).parents[2] / "robots"
@@ -146,6 +149,28 @@ def test_an_arm_without_the_section_has_no_shapes(tmp_path):
     robot = load_robot(str(tmp_path / "irb140.yaml"))
     assert robot.bodies == {}
     assert robot.self_pairs == ()
+
+
+@pytest.mark.parametrize("name", robot_names())
+def test_every_shipped_robot_has_bodies_that_hang_together_and_pairs_to_watch(name, rng):
+    """Neighbours meet at their joint wherever it turns: bodies in another frame than their link's would part."""
+    path = ROBOTS / f"{name}.yaml"
+    if read_head(path).structure is Structure.SRS:
+        robot = load_srs(name)
+        X = robot.links(rng.uniform(-2, 2, (40, 7)))
+    else:
+        robot = load_robot(name)
+        limits = robot.profile()
+        X = link_poses(robot, rng.uniform(limits.lower, limits.upper, (40, len(limits.lower))))
+    assert tuple(robot.bodies) == robot.link_names
+    for i, (first, second) in enumerate(pairwise(robot.link_names)):
+        apart = Pair(robot.bodies[second][0], robot.bodies[first][0]).distances(inverse_pose(X[:, i]) @ X[:, i + 1])
+        assert apart.max() < 0.004, (second, apart.max())
+    assert len(robot.self_pairs) > 5
+    assert (robot.link_names[0], "attached") in robot.self_pairs
+    assert robot.colour is not None
+    arm = ROBOTS / f"{name.removesuffix('_rail')}.yaml"
+    assert path.read_text().partition("collision:")[2] == arm.read_text().partition("collision:")[2]
 
 
 def test_a_link_may_have_several_bodies(tmp_path):
