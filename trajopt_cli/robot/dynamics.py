@@ -103,6 +103,12 @@ class Dynamics:
         out: list[float] = self._pin.rnea(self._model, self._data, np.array(q), np.array(qd), np.array(qdd)).tolist()
         return out
 
+    def inertia_and_bias(self, q: Array, qd: Array) -> tuple[Array, Array]:
+        """The joints' inertia (k, k) [kg m2] at q (k,) and the torques (k,) [Nm] of gravity and speed qd (k,)."""
+        M = np.triu(self._pin.crba(self._model, self._data, q))
+        bias = self._pin.rnea(self._model, self._data, q, qd, np.zeros(len(q)))
+        return M + np.triu(M, 1).T, np.array(bias)
+
     def gravity_torque(self, q: Array) -> Array:
         """Joint torques (k,) or (n, k) [Nm] that hold the arm at rest at q."""
         rows = self._rows(q, "q")

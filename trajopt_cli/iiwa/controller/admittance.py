@@ -160,7 +160,7 @@ class Controller:
             return goal
         return self._looked_at(goal, self._near)
 
-    def adopt(self) -> None:
+    def adopt(self, _: Measured | None = None) -> None:
         """Take up the changes due by the present period. The pose and its rates stay, however they are written."""
         while self._changes and self._changes[0].t <= self.t + _SOON:
             change = self._changes.pop(0)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.admittance import Controller
+from trajopt_cli.iiwa.controller.impedance import ImpedanceController
 from trajopt_cli.iiwa.controller.lag import held_rows
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Stop, StopKind
 from trajopt_cli.iiwa.controller.rotations import nine
@@ -55,7 +56,7 @@ class LoopRun:
 
 
 def run(
-    controller: Controller,
+    controller: Controller | ImpedanceController,
     x_e: ArrayLike,
     world: World,
     limits: JointLimits,
@@ -84,7 +85,7 @@ def run(
     refused = _guard(limits, controller.settings.h)
     with _no_collection():
         for goal, following in zip_longest(goals, goals[1:]):
-            controller.adopt()
+            controller.adopt(measured)
             before = controller.seen(goal).x, controller.x, controller.v, controller.X_WT[0], command
             answer = controller.feel(measured) if following is None else controller.step(goal, measured, following)
             stop = answer if isinstance(answer, Stop) else None
@@ -97,7 +98,7 @@ def run(
             if stop is not None:
                 break
             command = answer.q
-            measured = world.step(command)
+            measured = world.step(answer.torque or command)
     shapes = (6,), (6,), (6,), (3, 3), (7,), (7,), (6,), (6,), ()
     values = zip(*rows, strict=True) if rows else [()] * len(shapes)
     x_e, x, v, R, sent, q, force, contact, depth = (

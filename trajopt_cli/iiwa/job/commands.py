@@ -117,7 +117,7 @@ def simulate(
         read_summary(results)["simulation"],
         lag[0],
         [
-            texts.law_table(found.axes, found.opened.equilibrium.h),
+            *([texts.law_table(found.axes, found.opened.equilibrium.h)] if found.axes else []),
             [*lag, *texts.contact_lines(found), *texts.loop_time_line(found)],
             *([texts.force_table(found)] if found.forces else []),
         ],

@@ -150,6 +150,9 @@ def schedule_feed(
         message = "is dosed already, or presses with a force: its equilibrium is not its path; dose one that is"
         raise InputError(message, file=str(folder))
 
+    if before.task.impedance is not None:
+        raise InputError("controller: dosing goes by the admittance controller's law", file=before.task.file)
+
     def none(message: str) -> Refused:
         return Refused("no sequence", [f"{folder}: {message}"])
 

@@ -62,7 +62,9 @@ def simulation_page(run: Simulated) -> bytes:
     world = [f"The whole loop was run because of {', '.join(run.why)}."] if run.why else []
     world += ["MuJoCo is not installed: obstacles are springs, and links pass through them."] if run.fallback else []
     world += [*motor_lines(run), *(link_lines(run) if run.contact is not None else [])]
-    law = drawn(law_table(run.axes, run.opened.equilibrium.h)) + (drawn(force_table(run)) if run.forces else "")
+    law = (drawn(law_table(run.axes, run.opened.equilibrium.h)) if run.axes else "") + (
+        drawn(force_table(run)) if run.forces else ""
+    )
     kind = "the controller's law alone" if run.loop is None else run.loop.world
     return run_page(
         Path(run.opened.task.file).stem,

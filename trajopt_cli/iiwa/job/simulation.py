@@ -15,6 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.forces import zero
+from trajopt_cli.iiwa.controller.impedance import ImpedanceController
 from trajopt_cli.iiwa.controller.lag import Lag, deviation, held, held_rows, worst_lag
 from trajopt_cli.iiwa.controller.loop import LoopRun, run
 from trajopt_cli.iiwa.controller.parameters import Settings
@@ -39,9 +40,9 @@ from trajopt_cli.iiwa.task.model import (
     Task,
     Zeroing,
 )
-from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld
+from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld, seven
 from trajopt_cli.iiwa.world import mujoco_world
-from trajopt_cli.iiwa.world.worlds import Engine, make_world
+from trajopt_cli.iiwa.world.worlds import Engine, make_world, torque_world
 from trajopt_cli.runs import REPORT
 
 _LONGEST_SETTLING = 10.0  # s
@@ -213,7 +214,7 @@ def run_controller(
     task = opened.task if integration is None else replace(opened.task, integration=integration)
     opened = counted_from_start(replace(opened, task=task))
     sequence, feed = opened.equilibrium, feed or opened.feed
-    axes = stability(task.compliance, sequence.h, task.integration)
+    axes = () if task.impedance else stability(task.compliance, sequence.h, task.integration)
     unstable = [axis.sentence for axis in axes if axis.verdict is StabilityVerdict.UNSTABLE]
     for change in task.changes:
         if change.compliance is not None:
@@ -226,11 +227,13 @@ def run_controller(
     if settle is None:
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
         # a round time, so that runs whose laws differ by rounding end together
-        settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
+        settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.25 if task.impedance else 0.0)) / 10)
     asked = pressing(task, opened.plan or sequence, opened.X_start[:3, :3])
     wrench = None if asked is None or not task.wrench else asked.wrench
     why = _loop_needed(task, contact, engine)
-    fallback = bool(why) and engine is None and not mujoco_world.available()
+    if task.impedance and engine == Engine.SPRING.value:
+        raise InputError("--engine spring: an impedance controller moves an arm with masses; only mujoco has them")
+    fallback = bool(why) and engine is None and not task.impedance and not mujoco_world.available()
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
     if why:
@@ -290,6 +293,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
     record: dict[str, Any] = {
         "feed": run.feed.value,
         "integration": run.opened.task.integration.value,
+        "controller": "admittance" if run.opened.task.impedance is None else "impedance",
         "duration_s": float(run.t[-1]),
         "held_s": run.settle,
         "loop_run_for": list(run.why),
@@ -378,6 +382,7 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
         "sensor errors": task.sensor is not None,
         "clamps": clamped(task),
         "changes": any(one.reframes or one.zeroing is not None or one.clamps is not None for one in task.changes),
+        "the impedance controller": task.impedance is not None,
         "--engine": engine is not None,
     }
     return tuple(name for name, wanted in asked.items() if wanted)
@@ -392,13 +397,17 @@ def _loop(
     place: str | None,
     wrench: Array | None,
 ) -> tuple[LoopRun, TrackedWorld]:
-    task, sequence = opened.task, opened.equilibrium
+    task, sequence, settings = opened.task, opened.equilibrium, Settings.of(opened.task, feed)
+    body, q_0 = (opened.robot, task.X_FT, task.load, contact, sequence.h), seven(task.start_joints)
+    controller: Controller | ImpedanceController
     try:
-        world = make_world(engine, opened.robot, task.X_FT, task.load, contact, sequence.h)
+        if task.impedance is None:
+            world, controller = make_world(engine, *body), Controller(opened.robot, settings, q_0)
+        else:
+            world = torque_world(*body, task.pushes)
+            controller = ImpedanceController(opened.robot, settings, q_0, task.impedance)
     except ValueError as error:
         raise InputError(str(error), file=place) from error
-    q_0 = task.start_joints.tolist()
-    controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
     R_e = sequence.rotations(opened.X_start[:3, :3])
     limits = opened.robot.profile(task.limits)
     return run(controller, sequence.pose, world, limits, R_e=R_e, wrench=wrench, settle=settle), world

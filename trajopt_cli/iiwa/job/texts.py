@@ -277,7 +277,7 @@ def motor_lines(run: Simulated) -> list[str]:
 
 def loop_time_line(run: Simulated) -> list[str]:
     """What one period of the controller cost here, beside the thesis'."""
-    if run.loop is None or not len(run.loop.step_times):
+    if run.loop is None or not run.loop.step_times.any():
         return []
     from trajopt_cli.iiwa.controller.loop import PARTS
 

@@ -79,7 +79,21 @@ _CAPS = {
     "angular_jerk": rate(RADIAN, 3),
 }
 # What a task says besides its way; the controller's business, which verify does not judge.
-_CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact", "force")
+_CONTROLLER = (
+    "K",
+    "D",
+    "M",
+    "integration",
+    "zero",
+    "clamps",
+    "changes",
+    "pushes",
+    "sensor",
+    "contact",
+    "force",
+    "controller",
+    "impedance",
+)
 _WAY = (
     "h",
     "profile",

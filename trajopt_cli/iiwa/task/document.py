@@ -376,6 +376,27 @@ class ContactDocument(BaseModel):
     contact: ContactSection
 
 
+def _ratios(value: Any) -> tuple[float, ...]:
+    out = numbers(RATIO, 6)(value if isinstance(value, list) else [value] * 6)
+    if not all(0 < one <= 2 for one in out):
+        raise complain(f"needs damping ratios above 0 and at most 2, not {shown(value)}")
+    return tuple(out)
+
+
+class ImpedanceSection(Section):
+    """The impedance controller's damping ratios, and its null space: as Sunrise's CartesianImpedanceControlMode."""
+
+    damping_ratio: (
+        Annotated[
+            tuple[float, ...],
+            BeforeValidator(_ratios, json_schema_input_type=Annotated[float | list[float], Field()]),
+        ]
+        | None
+    ) = None
+    null_stiffness: Annotated[float, _from_zero(TURN_STIFFNESS)] = 10.0
+    null_damping: Annotated[float, _from_zero(RATIO)] = 0.7
+
+
 class TaskDocument(Section):
     """The whole file."""
 
@@ -416,6 +437,8 @@ class TaskDocument(Section):
     epsilon_max: TurnAcceleration | None = None
     jerk: Jerk | None = None
     angular_jerk: TurnJerk | None = None
+    controller: Literal["admittance", "impedance"] = "admittance"
+    impedance: ImpedanceSection = ImpedanceSection()
     K: Stiffness
     D: Damping
     M: Inertia
@@ -439,6 +462,7 @@ def task_schema() -> dict[str, Any]:
     """What a task file may hold, with a description of every key."""
     keys = files("trajopt_cli.iiwa.task").joinpath("keys.md").read_text(encoding="utf-8")
     schema = json_schema(TaskDocument, "trajopt iiwa task file", keys)
+    schema["required"] = [name for name in schema["required"] if name not in ("D", "M")]  # what a controller has itself
     # a path in a file of its own stands where the loader looks before the document does
     schema["properties"]["poses"]["anyOf"].append({"type": "string", "pattern": r"\.[cC][sS][vV]\s*$"})
     schema["properties"]["pushes"]["anyOf"] = [

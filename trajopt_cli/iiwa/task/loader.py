@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from math import nan
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -33,6 +34,7 @@ from trajopt_cli.iiwa.task.model import (
     Compliance,
     Contact,
     Force,
+    Impedance,
     Integration,
     Obstacle,
     Passing,
@@ -154,6 +156,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     log = content.get("pushes")
     if isinstance(log, str):
         content = {key: value for key, value in content.items() if key != "pushes"}
+    content, lines = _controller(content, lines, file)
     document = validated(TaskDocument, content, lines, file, _WANTED)
     doubts = map(str, suspected(content, TASK, lines, file))
     at = _Lines(file, lines)
@@ -268,6 +271,13 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
         contact=None if document.contact is None else _contact(document.contact, at),
         by_joints=document.timing == "joints",
+        impedance=None
+        if document.controller == "admittance"
+        else Impedance(
+            None if (ratios := document.impedance.damping_ratio) is None else np.array(ratios),
+            document.impedance.null_stiffness,
+            document.impedance.null_damping,
+        ),
         wrench=document.force is not None and document.force.by == "wrench",
         lead=document.force is not None and document.force.lead,
         notes=(*doubts, *notes, *path.notes),
@@ -286,6 +296,26 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     if "contact" in content:
         refuse_empty({"contact": content["contact"]}, lines, file)
     return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, _Lines(file, lines)), text
+
+
+_ADMITTANCE = ("zero", "clamps", "changes", "sensor")  # what the impedance controller does not have
+
+
+def _controller(content: dict[str, Any], lines: dict[str, int], file: str) -> tuple[dict[str, Any], dict[str, int]]:
+    """The file's content with the D and M that its controller does without."""
+    if content.get("controller", "admittance") != "impedance":
+        if "impedance" in content:
+            raise _Lines(file, lines).wrong("impedance", "impedance: goes with 'controller: impedance'")
+        return content, lines
+    if given := [key for key in _ADMITTANCE if key in content]:
+        message = f"{given[0]}: the impedance controller measures no force and stays as it is; take it out"
+        raise _Lines(file, lines).wrong(given[0], message)
+    section = content.get("impedance")
+    by_ratio = isinstance(section, Mapping) and section.get("damping_ratio") is not None
+    if by_ratio == ("D" in content):
+        message = "give one of 'D' and 'impedance: {damping_ratio: 0.7}'"
+        raise _Lines(file, lines).wrong("D" if by_ratio else "controller", message)
+    return {"M": [1.0] * 6, "D": [1.0] * 6, **content}, lines
 
 
 def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:

@@ -205,6 +205,16 @@ class Compliance:
 
 
 @dataclass(frozen=True, eq=False)
+class Impedance:
+    """A controller of torques: damping ratios (6,) in place of D, None for D itself; stiffness [Nm/rad] and damping
+    ratio of the arm's motion that moves nothing of the tool."""
+
+    damping_ratio: Array | None
+    null_stiffness: float
+    null_damping: float
+
+
+@dataclass(frozen=True, eq=False)
 class Zeroing:
     """Forces the controller is blind to: zeroed (6,) of bool, in the frame R* = Rz Ry Rx of frame (3,) [rad] (4.21)."""
 
@@ -325,6 +335,7 @@ class Task:
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
     by_joints: whether the joints' speeds and accelerations time the route, too.
+    impedance: the controller is one of torques, else the admittance controller of eq. 4.13.
     wrench: whether the waypoints' forces are told to the controller, instead of shifting its equilibrium;
     lead: whether this runs ahead of the path besides, so that the tool does not lag.
     notes: what the user should know. sources: name -> text of the files the task came from, the task file first.
@@ -349,6 +360,7 @@ class Task:
     sensor: Sensor | None
     contact: Contact | None
     by_joints: bool = False
+    impedance: Impedance | None = None
     wrench: bool = False
     lead: bool = False
     notes: tuple[str, ...] = ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from math import ceil, hypot, isfinite, nan, sqrt
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.task.model import Contact
+from trajopt_cli.iiwa.task.model import Contact, Push, PushLog
 from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven, Six
 from trajopt_cli.iiwa.world.contact import APART, FRICTION_RISE, about, added
 from trajopt_cli.iiwa.world.mjcf import HULL, SLIP_RATIO, SOFTEST, TCP, TIP, collision_links, mjcf
@@ -104,6 +105,8 @@ class MujocoWorld:
     shorter time steps than FINEST.
     """
 
+    _servoed = True
+
     def __init__(self, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float) -> None:
         mujoco = _imported()
         self._mj: Any = mujoco
@@ -119,6 +122,7 @@ class MujocoWorld:
                 "MuJoCo cannot resolve the inertia of the arm with this load: correct their masses and inertias, or "
                 "use the spring wall"
             )
+        stiffness = stiffness if self._servoed else 0.0 * stiffness
         gains = [(k, 2.0 * sqrt(k * m)) for k, m in zip(stiffness.tolist(), np.diag(inertia).tolist(), strict=True)]
         self.model: Any = self._compiled(mjcf(robot, X_FT, load, contact, gains))
         # A state that is none any more is to be seen, not replaced by the model's first.
@@ -198,7 +202,11 @@ class MujocoWorld:
         # The filter's acceleration swings within a period, and its middle is not its mean.
         controls += self._forward((before + after) / 2, (after - before) / h, (speed - before_speed) / h)
         self._filtered, self._speed = after, speed
-        step, model, data, ctrl = self._mj.mj_step, self.model, self._data, self._ctrl
+        return self._driven(controls)
+
+    def _driven(self, controls: Array) -> Measured:
+        """One period with the motors' controls (n + 1, 7) [Nm] of its time steps and its end."""
+        step, model, data, ctrl, h = self._mj.mj_step, self.model, self._data, self._ctrl, self._h
         most = np.zeros(len(self._limits))
         with _Quiet(self._mj):
             for control in controls[:-1]:
@@ -296,7 +304,7 @@ class MujocoWorld:
         if not np.isfinite(inertia).all():
             return 1  # no state: what is measured says so
         fastest = np.linalg.eigvals(np.linalg.solve(inertia, np.diag(self._kd + self.model.dof_damping))).real.max()
-        least = ceil(self._h * float(fastest) / _EXPLICIT)
+        least = max(1, ceil(self._h * float(fastest) / _EXPLICIT))
         if self._contact is None:
             return least
         mass = self._tip_mass(q)
@@ -335,6 +343,37 @@ class MujocoWorld:
         J = np.zeros((3, model.nv))
         mj.mj_jacSite(model, data, J, None, self._tcp)
         return float(1.0 / np.linalg.eigvalsh(J @ np.linalg.solve(inertia, J.T))[-1])
+
+
+Pushes = Sequence[Push | PushLog]
+
+
+class TorqueWorld(MujocoWorld):
+    """The same arm with motors that take torques, held for a period, and pushes on its tool.
+
+    Joints lose nothing: an LBR's torque control goes by the sensors behind gears and friction, and makes up for both.
+    """
+
+    _servoed = False
+
+    def __init__(
+        self, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float, pushes: Pushes
+    ) -> None:
+        none = np.zeros(len(robot.torque))
+        super().__init__(replace(robot, damping=none, friction=none), X_FT, load, contact, h)
+        self._pushes = pushes
+
+    def step(self, tau: Seven) -> Measured:
+        """Drive the motors with tau [Nm] (7,) for one period, after a reset."""
+        self._left -= 1
+        if self._left <= 0:
+            self._refined(self._data.qpos)
+        if self._pushes:
+            J = np.zeros((6, self.model.nv))
+            self._mj.mj_jacSite(self.model, self._data, J[:3], J[3:], self._tcp)
+            self._data.qfrc_applied[:] = J.T @ sum(push.at(self._t) for push in self._pushes)
+        steps = round(self._h / self.model.opt.timestep)
+        return self._driven(np.tile(tau, (steps + 1, 1)))
 
 
 class _Servo:

@@ -7,7 +7,7 @@ from enum import Enum
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact
 from trajopt_cli.iiwa.task.world import TrackedWorld
-from trajopt_cli.iiwa.world.mujoco_world import MujocoWorld
+from trajopt_cli.iiwa.world.mujoco_world import MujocoWorld, Pushes, TorqueWorld
 from trajopt_cli.iiwa.world.spring_wall import SpringWorld
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
@@ -33,3 +33,10 @@ def make_world(
             return SpringWorld(robot, X_FT, load, contact, h)
         case Engine.MUJOCO:
             return MujocoWorld(robot, X_FT, load, contact, h)
+
+
+def torque_world(
+    robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float, pushes: Pushes
+) -> TrackedWorld:
+    """As make_world, of an arm whose motors take torques and whose tool is pushed; MuJoCo's."""
+    return TorqueWorld(robot, X_FT, load, contact, h, pushes)
