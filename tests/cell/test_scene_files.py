@@ -15,6 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.proximity.meshes import convex
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Solid
 
 CELL = 'robot: irb140\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\nobstacles:\n'
@@ -314,3 +315,11 @@ def step_box(*size: float) -> str:
     head = "HEADER;FILE_DESCRIPTION((''),'2;1');FILE_NAME('','',(''),(''),'','','');"
     head += "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));ENDSEC;"
     return "\n".join(["ISO-10303-21;", head, "DATA;", *lines, "ENDSEC;", "END-ISO-10303-21;"])
+
+
+def test_vertices_within_faces_leave_a_mesh_solid(tmp_path: Path) -> None:
+    """A cylinder with a vertex in the middle of each end, as tools write it: the depth inside is the whole depth."""
+    trimesh.creation.cylinder(0.1, 1.0, sections=32).export(tmp_path / "pin.stl")
+    shape = bodies(cell_of(tmp_path, "pin: {mesh: {file: pin.stl}}"))["pin"].loaded
+    ball = Capsule("ball", np.array([0, 0, 0.48]), np.array([0, 0, 0.48]), 0.01)
+    assert Pair(ball, shape).distances(np.eye(4)[None])[0] == pytest.approx(-0.03, abs=1e-6)

@@ -39,6 +39,7 @@ from trajopt_cli import __version__
 from trajopt_cli.cli import (
     analyse,
     batch,
+    cell,
     check,
     compare,
     doctor,
@@ -74,7 +75,7 @@ _COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
         "estimate": (estimate.estimate, "Estimate a program's cycle time as written."),
         "optimize": (optimize.optimize, "Optimise a program and check the result."),
         "verify": (verify.verify, "Check results or any joint CSV file."),
-        "view": (view.view, "Open a results page in the browser."),
+        "view": (view.view, "Open a results page, or a cell, in the browser."),
         "export": (export.app, ""),
     },
     _REST: {
@@ -89,6 +90,7 @@ _COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
         "identify": (identify.identify, "Speed, acceleration and jerk limits from controllers' logs."),
         "play": (play.app, ""),
         "iiwa": (iiwa.app, ""),
+        "cell": (cell.app, ""),
         "robot": (robot.app, ""),
         "schema": (schema.schema, "What cell, task and robot files may hold."),
         "doctor": (doctor.doctor, "What is installed, what is missing, and whether it works."),

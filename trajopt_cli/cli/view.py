@@ -1,4 +1,4 @@
-"""`trajopt view RESULTS`: the page of a results folder in the system's browser."""
+"""`trajopt view RESULTS|CELL.yaml`: the page of a results folder, or of a cell, in the system's browser."""
 
 from __future__ import annotations
 
@@ -10,8 +10,15 @@ import typer
 
 def view(
     results: Annotated[
-        Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize or trajopt iiwa.")
+        Path,
+        typer.Argument(
+            metavar="RESULTS|CELL.yaml", help="Results folder of trajopt optimize or trajopt iiwa, or a cell file."
+        ),
     ],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", metavar="FILE.html", help="Of a cell: the page; default: CELL.html here."),
+    ] = None,
     only_print: Annotated[bool, typer.Option("--print", help="Print the page's place and open nothing.")] = False,
     serve: Annotated[
         bool,
@@ -22,6 +29,8 @@ def view(
 ) -> None:
     """Open report.html of RESULTS in the browser, or print its path where no browser can be opened.
 
+    Of a cell file a page is written that draws robot, obstacles and positioners as they stand, without any plan.
+
     A browser that is a snap, or that runs on the Windows side of WSL, may not read files here: then, and with --serve,
     the page is served on a port of 127.0.0.1 until Ctrl-C, this one file and nothing else.
 
@@ -29,13 +38,20 @@ def view(
     Example:
       trajopt optimize programs/hinge_cell.mod
       trajopt view results/hinge_cell --print
+      trajopt view programs/hinge_cell_fenced.yaml --print
     """
     from trajopt_cli.cli.page_server import apart, open_browser, serve_page
+    from trajopt_cli.errors import InputError
     from trajopt_cli.runs import REPORT
     from trajopt_cli.runs.folder import read_report
 
-    content = read_report(results)
-    place = (results / REPORT).resolve()
+    if results.suffix.lower() in (".yaml", ".yml") and not results.is_dir():
+        place = (output or Path(f"{results.stem}.html")).resolve()
+        content = _cell_page(results, place)
+    elif output is not None:
+        raise InputError(f"--output: {results} has its page already; leave it out, or give a cell file")
+    else:
+        content, place = read_report(results), (results / REPORT).resolve()
     if only_print:
         typer.echo(str(place))
         return
@@ -47,3 +63,16 @@ def view(
     elif not open_browser(place.as_uri()):
         typer.echo(str(place))
         typer.echo("no browser could be opened here; open this file in one", err=True)
+
+
+def _cell_page(cell: Path, place: Path) -> bytes:
+    """The page of a cell file, written to its place."""
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.page.standing import cell_page
+    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.runs.files import check_file, write_file
+
+    check_file(place)
+    content = cell_page(build_plant(load_cell(cell)), cell.name)
+    write_file(place, content)
+    return content

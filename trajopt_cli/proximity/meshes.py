@@ -13,7 +13,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Polytope, Shape, TriangleArray
+from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Polytope, Shape
 
 MOST_BYTES = 200_000_000  # four million triangles
 _REASON = 100  # characters of why a file cannot be read; an OBJ or STL may be quoted in it whole
@@ -92,7 +92,7 @@ def convex(mesh: Mesh) -> Any:
 @lru_cache(maxsize=64)
 def _convex(mesh: Mesh) -> Any:
     if isinstance(mesh, Polytope):
-        return _hull(mesh.vertices, mesh.triangles)
+        return _hull(mesh.vertices)
     near = _ROUNDING * float(np.ptp(mesh.vertices, axis=0).max())
     _, first, same = np.unique(
         np.round(mesh.vertices / max(near, 1e-12)), axis=0, return_index=True, return_inverse=True
@@ -113,21 +113,13 @@ def _convex(mesh: Mesh) -> Any:
             deep = max(deep, float(np.abs(off).max()))
     if deep <= near:
         return None
-    return _hull(vertices, triangles)
+    return _hull(vertices)
 
 
-def _bvh(vertices: Array, triangles: TriangleArray) -> Any:
-    model = coal.BVHModelOBBRSS()
-    model.beginModel(len(triangles), len(vertices))
-    model.addVertices(np.array(vertices))
-    model.addTriangles(np.array(triangles))
-    model.endModel()
-    return model
-
-
-def _hull(vertices: Array, triangles: TriangleArray) -> Any:
-    model = _bvh(vertices, triangles)
-    return model.convex if model.buildConvexHull(True, "Qt") else None
+def _hull(vertices: Array) -> Any:
+    points = coal.StdVec_Vec3s()
+    points.extend(list(vertices))
+    return coal.Convex.convexHull(points, True, "Qt")  # without vertices that lie within faces
 
 
 def inside(mesh: Mesh, points: Array) -> BoolArray:
@@ -175,7 +167,12 @@ def coal_geometry(shape: Shape) -> tuple[Any, Array]:
 
 @lru_cache(maxsize=64)
 def _surface(mesh: Mesh) -> Any:
-    return _bvh(mesh.vertices, mesh.triangles)
+    model = coal.BVHModelOBBRSS()
+    model.beginModel(len(mesh.triangles), len(mesh.vertices))
+    model.addVertices(np.array(mesh.vertices))
+    model.addTriangles(np.array(mesh.triangles))
+    model.endModel()
+    return model
 
 
 def with_z(z: Array) -> Array:
