@@ -42,6 +42,7 @@ from trajopt_cli.iiwa.task.model import (
 )
 from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld, seven
 from trajopt_cli.iiwa.world import mujoco_world
+from trajopt_cli.iiwa.world.contact import check_start
 from trajopt_cli.iiwa.world.worlds import Engine, make_world, torque_world
 from trajopt_cli.runs import REPORT
 
@@ -230,6 +231,12 @@ def run_controller(
         settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.25 if task.impedance else 0.0)) / 10)
     asked = pressing(task, opened.plan or sequence, opened.X_start[:3, :3])
     wrench = None if asked is None or not task.wrench else asked.wrench
+    if contact is not None:
+        contact = replace(contact, body=task.tool)
+        try:
+            check_start(opened.robot, task.start_joints, task.X_FT, contact)
+        except ValueError as error:
+            raise InputError(f"contact: {error}", file=place) from error
     why = _loop_needed(task, contact, engine)
     if task.impedance and engine == Engine.SPRING.value:
         raise InputError("--engine spring: an impedance controller moves an arm with masses; only mujoco has them")

@@ -264,9 +264,10 @@ class LoadSection(Section):
 
 
 class ToolSection(FrameSection):
-    """The tool centre point in the flange frame, and the tool's load."""
+    """The tool centre point and the tool's body in the flange frame, and its load."""
 
     load: LoadSection | None = None
+    capsule: CapsuleSection | None = None
 
 
 class StartSection(Section):

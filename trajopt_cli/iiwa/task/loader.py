@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.cell.document import FrameSection
+from trajopt_cli.cell.document import CapsuleSection, FrameSection
 from trajopt_cli.cell.scene_files import frame_pose
 from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
@@ -270,6 +270,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         if (one := document.sensor) is None
         else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
         contact=None if document.contact is None else _contact(document.contact, at),
+        tool=None
+        if document.tool.capsule is None
+        else _capsule(document.tool.capsule, "tool", "tool.capsule", _LONGEST_TOOL, at),
         by_joints=document.timing == "joints",
         impedance=None
         if document.controller == "admittance"
@@ -429,6 +432,13 @@ def _changes(
     return tuple(out)
 
 
+def _capsule(section: CapsuleSection, name: str, key: str, most: float, at: _Lines) -> Capsule:
+    a, b = np.array(section.start), np.array(section.end)
+    if not (_THINNEST <= section.radius <= most and np.abs([a, b]).max() <= most):
+        raise at.wrong(key, f"{key}: wanted lengths of {_THINNEST:g} to {most:g} m; check the unit")
+    return Capsule(name, a, b, section.radius)
+
+
 def _contact(section: ContactSection, at: _Lines) -> Contact:
     if section.tip > _THICKEST_TIP:
         message = f"contact.tip: {section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
@@ -437,10 +447,8 @@ def _contact(section: ContactSection, at: _Lines) -> Contact:
     for name, one in section.obstacles.items():
         law = one.stiffness, one.damping, one.friction
         if one.capsule is not None:
-            key, a, b = f"contact.obstacles.{name}.capsule", np.array(one.capsule.start), np.array(one.capsule.end)
-            if not (_THINNEST <= one.capsule.radius <= _FARTHEST and np.abs([a, b]).max() <= _FARTHEST):
-                raise at.wrong(key, f"{key}: wanted lengths of {_THINNEST:g} to {_FARTHEST:g} m; check the unit")
-            obstacles.append(Obstacle(Capsule(name, a, b, one.capsule.radius), *law))
+            capsule = _capsule(one.capsule, name, f"contact.obstacles.{name}.capsule", _FARTHEST, at)
+            obstacles.append(Obstacle(capsule, *law))
             continue
         assert one.box is not None
         key, size = f"contact.obstacles.{name}.box", one.box.size

@@ -322,10 +322,12 @@ class Obstacle:
 
 @dataclass(frozen=True)
 class Contact:
-    """What the tool may run into, and the tool's tip: a ball of this radius [m] around the TCP."""
+    """What the tool may run into, and the tool's tip: a ball of this radius [m] around the TCP. body: of the tool
+    behind its tip, in the flange frame."""
 
     obstacles: tuple[Obstacle, ...]
     tip: float
+    body: Capsule | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -334,6 +336,7 @@ class Task:
 
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
+    tool: its body, in the flange frame.
     by_joints: whether the joints' speeds and accelerations time the route, too.
     impedance: the controller is one of torques, else the admittance controller of eq. 4.13.
     wrench: whether the waypoints' forces are told to the controller, instead of shifting its equilibrium;
@@ -359,6 +362,7 @@ class Task:
     pushes: tuple[Push | PushLog, ...]
     sensor: Sensor | None
     contact: Contact | None
+    tool: Capsule | None = None
     by_joints: bool = False
     impedance: Impedance | None = None
     wrench: bool = False

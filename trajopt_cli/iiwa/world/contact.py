@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import copysign, hypot, inf
 
+import numpy as np
+
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact, Obstacle
 from trajopt_cli.iiwa.task.world import Six
+from trajopt_cli.proximity.pair import Pair
+from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.shapes import Box, Capsule
 
 FRICTION_RISE = 2000.0
@@ -14,6 +20,7 @@ FRICTION_RISE = 2000.0
 
 Below that speed the tip creeps instead of sticking. An assumption: what real surfaces do there nobody measured here.
 """
+_TOUCHING = 1e-6  # m that the arm may be in an obstacle where it starts: rounding
 Three = tuple[float, float, float]
 
 
@@ -128,6 +135,39 @@ def _push(obstacle: Obstacle, tip: float, depth: float, n: Three, v: Three, w: T
     bound = obstacle.friction * push
     rub = FRICTION_RISE if FRICTION_RISE * sliding <= bound else bound / sliding
     return about((x, y, z), (push * n[0] - rub * sx, push * n[1] - rub * sy, push * n[2] - rub * sz))
+
+
+def bodies(robot: SrsRobot, contact: Contact) -> list[tuple[str, int, Capsule]]:
+    """What of an arm may run into something but its tip: names, which link's frame each is in, capsules there."""
+    numbered = enumerate(robot.link_names[1:], start=1)
+    out = [(name, i, robot.capsules[name]) for i, name in numbered if name in robot.capsules]
+    if (one := contact.body) is not None:
+        a, b = (robot.chain[-1].X[:3, :3] @ end + robot.chain[-1].X[:3, 3] for end in (one.a, one.b))
+        out.append((one.name, len(robot.link_names) - 1, Capsule(one.name, a, b, one.radius)))
+    return out
+
+
+def depths(robot: SrsRobot, q: Array, contact: Contact) -> Iterator[tuple[str, str, Array]]:
+    """Of every body and obstacle the depth (n,) [m] of one in the other at joints q (n, 7), negative where apart."""
+    X = robot.links(q)
+    for name, link, capsule in bodies(robot, contact):
+        for obstacle in contact.obstacles:
+            yield name, obstacle.shape.name, -Pair(capsule, obstacle.shape).distances(X[:, link])
+
+
+def check_start(robot: SrsRobot, q: Array, X_FT: Array, contact: Contact) -> None:
+    """Raise ValueError where the arm or its tool is in an obstacle at joints q (7,); X_FT (4, 4): its TCP."""
+    tip = Capsule("the tip", X_FT[:3, 3], X_FT[:3, 3], contact.tip)
+    parts = [*depths(robot, q[None], contact)]
+    parts += [
+        (tip.name, one.shape.name, -Pair(tip, one.shape).distances(robot.forward(q)[None])) for one in contact.obstacles
+    ]
+    name, obstacle, depth = max(parts, key=lambda part: float(part[2][0]), default=("", "", np.zeros(1)))
+    if depth[0] > _TOUCHING:
+        raise ValueError(
+            f"{name} is {1e3 * depth[0]:.3g} mm deep in obstacle '{obstacle}' at the start joints: begin outside of it,"
+            " or move it"
+        )
 
 
 def about(lever: Three, force: Three) -> Six:

@@ -8,6 +8,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.iiwa.task.model import Contact
+from trajopt_cli.iiwa.world.contact import bodies
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.shapes import Capsule
@@ -47,7 +48,8 @@ def mjcf(
         '<default><geom contype="0" conaffinity="0"/></default>',
         "<worldbody>",
     ]
-    obstacles = contact.obstacles if contact is not None else ()
+    contact = contact or Contact((), 0.0)
+    obstacles = contact.obstacles
     for i, obstacle in enumerate(obstacles):
         if isinstance(shape := obstacle.shape, Capsule):
             lines.append(_capsule(shape, f"box_{i}", ""))
@@ -70,11 +72,13 @@ def mjcf(
             f'range="{_row((joint.lower, joint.upper))}" damping="{_number(damping)}" '
             f'frictionloss="{_number(friction)}"/>'
         )
-        if contact is not None and joint.child in robot.capsules:
+        if obstacles and joint.child in robot.capsules:
             lines.append(_capsule(robot.capsules[joint.child], f"{HULL}{joint.child}"))
     lines.append(f'<body name="{last.child}" {_place(last.X)}>')
     lines.append(f'<site name="{TCP}" {_place(X_FT)}/>')
-    if contact is not None:
+    if obstacles and contact.body is not None:
+        lines.append(_capsule(contact.body, f"{HULL}{contact.body.name}"))
+    if contact.tip:
         lines.append(f'<geom name="{TIP}" type="sphere" size="{_number(contact.tip)}" {_place(X_FT)} mass="0"/>')
     lines += ["</body>"] * len(robot.chain)
     lines += ["</worldbody>", "<actuator>"]
@@ -90,15 +94,10 @@ def mjcf(
         lines.append(f'<pair name="box_{i}" geom1="{TIP}" geom2="box_{i}" {rub} solimp="{solimp}"/>')
         lines += [
             f'<pair name="{name}_box_{i}" geom1="{HULL}{name}" geom2="box_{i}" {rub} solimp="{solimp}"/>'
-            for name in collision_links(robot)
+            for name, *_ in bodies(robot, contact)
         ]
     lines += ["</contact>", "</mujoco>"]
     return "\n".join(lines)
-
-
-def collision_links(robot: SrsRobot) -> tuple[str, ...]:
-    """The links that collide with obstacles: those that move and have a capsule."""
-    return tuple(name for name in robot.link_names[1:] if name in robot.capsules)
 
 
 def _capsule(capsule: Capsule, name: str, mass: str = 'mass="0" ') -> str:

@@ -14,8 +14,8 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact, Push, PushLog
 from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven, Six
-from trajopt_cli.iiwa.world.contact import APART, FRICTION_RISE, about, added
-from trajopt_cli.iiwa.world.mjcf import HULL, SLIP_RATIO, SOFTEST, TCP, TIP, collision_links, mjcf
+from trajopt_cli.iiwa.world.contact import APART, FRICTION_RISE, about, added, bodies
+from trajopt_cli.iiwa.world.mjcf import HULL, SLIP_RATIO, SOFTEST, TCP, TIP, mjcf
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
 
@@ -94,8 +94,7 @@ class MujocoWorld:
     the damping times the speed of approach, as in BallOnBoxes, beside a small inertia (see mjcf.SLIP_RATIO): MuJoCo's
     solref sets accelerations, which divided by the contact's regularisation R = (1 - SOFTEST) / SOFTEST * A are forces,
     A the compliance that MuJoCo ascribes to the tool's body. Boxes on springs would need masses that bounce. Capsules
-    around the links that move meet the obstacles by the same law; the links do not meet one another, and between flange
-    and tip there is nothing.
+    around the links that move and the tool's body meet the obstacles by the same law, but not one another.
 
     A measurement is MuJoCo's state at the period's end: tau is what sensors behind the gears see, the motors' torques
     less what the joints lose. Equal commands give equal measurements, digit by digit. Once MuJoCo warns that its state
@@ -135,7 +134,7 @@ class MujocoWorld:
         self._force = data.actuator_force
         self._rubbing = np.flatnonzero(self.model.dof_frictionloss)
         self._names, self._limits = robot.axis_names, np.array(robot.torque)
-        self._hulls = collision_links(robot) if contact is not None else ()
+        self._hulls = [name for name, *_ in bodies(robot, contact)] if contact is not None else []
         self._warnings = data.warning.number
         self._servo: _Servo
         self._tip = self.model.geom(TIP).id if contact is not None else -1

@@ -7,8 +7,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.model import Contact
 from trajopt_cli.iiwa.task.world import LinkContact, Measured, Motor, Seven, seven
-from trajopt_cli.iiwa.world.contact import APART, BallOnBoxes, Touch
-from trajopt_cli.proximity.pair import Pair
+from trajopt_cli.iiwa.world.contact import APART, BallOnBoxes, Touch, depths
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle
@@ -47,22 +46,20 @@ class SpringWorld:
 
     @property
     def link_contacts(self) -> tuple[LinkContact, ...]:
-        """Which links were in which obstacles since the reset: capsules of all links that move, not pushed back.
+        """Which links were in which obstacles since the reset: capsules of all links that move and the tool's body, not
+        pushed back.
 
         Of EVERY periods one is sampled, and the last.
         """
         if self._contact is None or not self._path:
             return ()
-        robot, count, found = self._robot, len(self._path), list[LinkContact]()
+        count, found = len(self._path), list[LinkContact]()
         rows = sorted({*range(0, count, EVERY), count - 1})
-        X = dict(zip(robot.link_names, robot.links(np.array(self._path)[rows]).swapaxes(0, 1), strict=True))
-        for link in (name for name in robot.link_names[1:] if name in robot.capsules):
-            for box in (obstacle.shape for obstacle in self._contact.obstacles):
-                depth = -Pair(robot.capsules[link], box).distances(X[link])
-                inside = [i for i, deep in enumerate(depth.tolist()) if deep > 0]
-                if inside:
-                    first, last = (rows[i] * self._h for i in (inside[0], inside[-1]))
-                    found.append(LinkContact(link, box.name, first, last, float(depth.max()), None))
+        for name, obstacle, depth in depths(self._robot, np.array(self._path)[rows], self._contact):
+            inside = [i for i, deep in enumerate(depth.tolist()) if deep > 0]
+            if inside:
+                first, last = (rows[i] * self._h for i in (inside[0], inside[-1]))
+                found.append(LinkContact(name, obstacle, first, last, float(depth.max()), None))
         return tuple(sorted(found, key=lambda one: one.first))
 
     @property
