@@ -27,6 +27,7 @@ _WORDS = {
     "timing": ("timing the paths found", "timing"),
     "solve": ("refining the plan", "refining"),
     "ease": ("making the plan gentler", "easing"),
+    "tool turns": ("turning tools that are free about their axis", "turning tools"),
     "ways around": ("looking for ways around what is touched", "ways around"),
     "stopped": ("waiting for the RAPID plan", "waiting"),
     "bound": ("proving the bound", "bound"),

@@ -1,10 +1,11 @@
 r"""A plan written back into its RAPID program: edits in place, every other character as it was.
 
 A target's expression stays as written: rail and configuration change in the numbers of a declaration, or by a function
-around the target, which is added to the module. A dropped motion becomes a comment, a wait in which the rail moves a
-MoveL in its place. A move with confdata switched off (ConfJ \Off) has `ConfJ \On;` before it and `ConfJ \Off;` behind
-it where the plan wants another configuration than the nearest. A way around obstacles is a joint move to a constant for
-each point; with free_speed a motion planned faster than programmed has vmax. docs/exports.md shows all of it.
+around the target, which is added to the module; RelTool around all that turns a tool that is free about its axis. A
+dropped motion becomes a comment, a wait in which the rail moves a MoveL in its place. A move with confdata switched off
+(ConfJ \Off) has `ConfJ \On;` before it and `ConfJ \Off;` behind it where the plan wants another configuration than the
+nearest. A way around obstacles is a joint move to a constant for each point; with free_speed a motion planned faster
+than programmed has vmax. docs/exports.md shows all of it.
 
 The edited text is read again and held against the plan, motion by motion, before anybody sees it.
 """
@@ -24,8 +25,9 @@ from trajopt_cli.problem.editable_text import EditableText, confdata_counts
 from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.scenario import Scenario
-from trajopt_cli.units import MM
+from trajopt_cli.units import DEG, MM
 
 _RAIL_STILL = 1e-9  # m
 
@@ -48,7 +50,7 @@ def export_rapid(
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")
     if faster and not plant.free_speed:
         raise ValueError("motions faster than programmed need a plant with free_speed")
-    scenario = scenario or Scenario()
+    scenario, program = scenario or Scenario(), turned(program, plan.turns)
     intents = intents_of(program, plan, plant, faster)
     there, parts = with_detours(program, plant, plan.detours), unfolded(plan)
     numbering = Numbering(len(program.motions), plan.detours)
@@ -111,6 +113,7 @@ def intents_of(program: Program, plan: Plan, plant: Plant, faster: frozenset[int
                 monitored or is_nearest(plant, part, motion),
                 fast=planned.index in faster,
                 points=tuple(one for one in points if isinstance(one, MoveJ | MoveAbsJ)),
+                turn=motion.turn / DEG if isinstance(motion, PoseMove) else 0.0,
             )
         elif isinstance(motion, Wait):
             rail = None if before is None else _rail(program, before, plant, part)

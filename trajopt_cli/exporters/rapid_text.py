@@ -16,6 +16,7 @@ from trajopt_cli.rapid.marks import DROPPED
 
 NAME_LIMIT = 32  # characters in a RAPID name
 PLACE = 3  # decimals of a place in mm: 0.001 mm, a thirtieth of the robot's repeatability
+TURN = 3  # decimals of a turn in deg: 0.001 deg, whole multiples of which plans have
 
 
 class Edits:

@@ -24,7 +24,7 @@ from trajopt_cli.exporters.rapid_targets import (
     type_of,
     written_conf,
 )
-from trajopt_cli.exporters.rapid_text import Edits, Names, plain, refusal
+from trajopt_cli.exporters.rapid_text import TURN, Edits, Names, plain, refusal
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveJ, PoseMove, Source, Span, Wait
 from trajopt_cli.problem.detours import JointMove, quoted
@@ -59,6 +59,7 @@ class Intent:
     rail: where it is at the end as the target says it [mm], EOffs taken out; None where the target says nothing of it.
     moves: it gets there meanwhile. arm (6,): the joints at the end [rad]; None: the configuration stays as written.
     nearest: no others are nearer. drop: the move is left out. fast: at vmax. points: additional joint moves before it.
+    turn: how far the tool is turned about its axis there, from as the target says it [deg].
     """
 
     rail: float | None = None
@@ -68,6 +69,7 @@ class Intent:
     drop: bool = False
     fast: bool = False
     points: tuple[JointMove, ...] = ()
+    turn: float = 0.0
 
 
 class Disagreement(InputError):
@@ -98,6 +100,7 @@ class _Writer:
         self._arrays: dict[tuple[str, int, str], str] = {}  # by module and what it holds
         self._chosen: dict[str, str] = {}  # names of new ones, by kind
         self._wrapped: list[Source] = []
+        self._turned: list[Source] = []
         self._wishes: dict[Span, dict[int, Wish]] = {}  # of the executions of each statement that moves
         self._literals: dict[Span, Span | None] = {}  # of statements
         self._in_place: dict[Span, Wish] = {}  # what literals say anew
@@ -127,6 +130,7 @@ class _Writer:
                 self._edits.remove(declaration)
         for places, what in (
             (self._wrapped, "a function around the target sets another rail position or configuration"),
+            (self._turned, "RelTool around the target turns the tool about its axis"),
             (self._monitored, "ConfJ \\On added: the plan needs a configuration other than the nearest"),
         ):
             more = f" and {len(places) - 1} more" if len(places) > 1 else ""
@@ -150,9 +154,13 @@ class _Writer:
             if not same or any(one != points[0] for one in points):
                 wrong.append(indices[0])
             for group in [] if first.drop else self._grouped(indices):
-                if len({_shown(self._intents[i].rail) for i in group}) > 1 and self._needed(group):
+                rails, turns = ({_shown(x) for x in one} for one in zip(*map(self._rail_and_turn, group), strict=True))
+                if len(turns) > 1 or (len(rails) > 1 and self._needed(group)):
                     wrong.append(group[0])
         self._refuse(wrong)
+
+    def _rail_and_turn(self, index: int) -> tuple[float | None, float]:
+        return self._intents[index].rail, self._intents[index].turn
 
     def _refuse(
         self,
@@ -280,6 +288,12 @@ class _Writer:
                        for i in indices) or not self._unsure.isdisjoint(indices)  # fmt: skip
             self._wrapped.append(move.source)
             edits.replace(move.written.target, self._around(span, move, wishes, said))
+        if any(self._intents[i].turn for i in indices):
+            assert move.written.target is not None
+            begin, end = self._reltool(span, move, {i: self._intents[i].turn for i in indices})
+            edits.insert(span.file, move.written.target.start, begin)
+            edits.insert(span.file, move.written.target.end, end)
+            self._turned.append(move.source)
         if intent.fast:
             call = read_move(move, edits.text(span))
             edits.replace(call.speed, "vmax")
@@ -332,6 +346,9 @@ class _Writer:
         frame = wobj or r"\WObj:=wobj0"
         here = None if isinstance(move, PoseMove) else rf"CRobT(\Tool:={tool}{frame})"
         target = self._around(span, move, wishes, said, here)
+        turns = {i: self._intents.get(self._text.dwells[i], Intent()).turn for i in indices}
+        if here is None and any(turns.values()):
+            target = target.join(self._reltool(span, move, turns))
         seconds = plain(wait.duration) if wait.condition else last_argument(wait, self._edits.text(span))
         line = rf"MoveL {target},{speed}\T:={seconds},fine,{tool}{wobj};"
         if wait.condition is None:
@@ -418,6 +435,16 @@ class _Writer:
         type_ = "robtarget" if here else type_of(move)
         kind = "ConfAt" if not given else "RailAt" if type_ == "robtarget" else "RailAtJ"
         return f"{self._function(span, kind, type_)}({text},{parts[0]})"
+
+    def _reltool(self, span: Span, move: Move, turns: Mapping[int, float]) -> tuple[str, str]:
+        r"""What stands before and behind a move's target and turns it by angles [deg] about the tool's axis, by
+        execution: RelTool(TARGET,0,0,0\Rz:=ANGLE)."""
+        assert isinstance(move, PoseMove)
+        assert move.free is not None
+        assert move.written.target is not None
+        name = f"turn{_titled(base_name(self._edits.text(move.written.target)))}"
+        value = self._value(span, "num", name, {i: plain(turn, TURN) for i, turn in turns.items()})
+        return "RelTool(", rf",0,0,0\R{'xyz'[move.free.axis.index(1.0)]}:={value})"
 
     def _wrapper(self, span: Span, node: object) -> Call | None:
         """A target's call of a function that an export has written for this rail; None where it is none."""

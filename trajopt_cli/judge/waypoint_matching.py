@@ -143,11 +143,12 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
     d_R = np.maximum(off_taught(frame.rotations(at), X_WT[:3, :3], stop.free) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
-    if stop.free is not None:  # any turn will do, but one: as in the row before or behind
+    if stop.free is not None:  # any turn will do, but one: as in the row before or behind, or at rest by its speeds
         R = frame.rotations(at)
         near_by = [np.clip(at + step, 0, len(rows.t) - 1) for step in (-1, 1)]
         apart = [np.where(k == at, np.inf, angle_between(R, frame.rotations(k))) for k in near_by]
-        tight &= np.minimum(*apart) - 2 * frame.doubt_R[at] <= STOP_ROTATION
+        stays_so = np.minimum(*apart) - 2 * frame.doubt_R[at] <= STOP_ROTATION
+        tight &= stays_so if rows.qd is None else stays_so | (frame.least_turning[at] <= REST_ANGULAR)
     distance = np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION)
     return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
 

@@ -13,6 +13,7 @@ from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.tool_turns import turned_motion
 from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.units import MM
 
@@ -60,6 +61,8 @@ def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motio
                 extax[eax] = float(job.plant.layout.place(q)) / MM
             a, b, c, d, e, f = extax
             conf = confdata(job.plant.robot, np.asarray(q[job.plant.layout.arm]))
+            motion = turned_motion(motion, plan.turns.get(end.index, 0.0))
+            assert isinstance(motion, PoseMove)
             motion = replace(motion, extax=(a, b, c, d, e, f), conf=conf, settings=settings)
         out.append(motion)
     return tuple(out)

@@ -24,6 +24,7 @@ from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, fo
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.problem.stop_condition import Patience, Stopped
+from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
@@ -354,7 +355,8 @@ def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
     for target, one in judged.items():
         for line in changed_configurations(job.program, job.plant, one.plan):
             yield f"{target.value}: {line}"
-    for line in unsure_nearest(job.program, job.plant, judged[Target.RAPID].plan):
+    rapid = judged[Target.RAPID].plan
+    for line in unsure_nearest(turned(job.program, rapid.turns), job.plant, rapid):
         yield f"{Target.RAPID.value}: {line}"
 
 

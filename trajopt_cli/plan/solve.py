@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -11,12 +11,16 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.bound.lower_bound import lower_bound
+from trajopt_cli.bound.tcp_time_bound import tool_time
+from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import detours_left
+from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.graph_search.ik_tables import check_reach
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.motion import Hold, Program, Wait, motion_name
-from trajopt_cli.path_timing.path_parameterized_plan import duration
+from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.path_timing.positioner_timing import turning
 from trajopt_cli.plan.fallback_plan import fallback_motion
 from trajopt_cli.plan.initial_plan import (
@@ -31,17 +35,20 @@ from trajopt_cli.plan.local_refinement import refine, refine_laws
 from trajopt_cli.plan.min_effort import least_effort_plan
 from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
+from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
+from trajopt_cli.plan.tool_turns import chain_time, ladder, reachable, refined_turns, stays_at_wrist
 from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, folded, quoted
-from trajopt_cli.problem.editable import Changes
+from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Strain, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.problem import LegKind, Problem, build_problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.problem.stop_condition import Patience, Stopped
+from trajopt_cli.problem.tool_turns import turn_groups, turned
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts, rail_way
@@ -52,6 +59,8 @@ from trajopt_cli.trajectory import Trajectory
 _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
 )
+_REACHES = "the tool is turned about its axis (free) at {count} targets that cannot be reached as taught"
+_SAVES = 5e-4  # of a cycle time: less is no reason to turn a tool
 _CUT_BOUND = "the bound was not proved to its end for want of time: it holds, but a better one may"
 _FIRST = (
     "the plan is the first legal one: between rows of the file the faster one passes a limit, wherever it is mended"
@@ -76,6 +85,8 @@ def check_feasible(
     problems = question.problems(axes)
     first = problems[0]
     if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
+        return None
+    if _turned_to_reach(question):
         return None
     held = getattr(program.motions[first.index], "hold", None)
     hint = _HELD.get(held) if held is not None and plant.robot.has_rail else None
@@ -105,15 +116,30 @@ def optimize(
     patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
     max_workers: how many processes may work, asked when there is work for several; the plan is the same for
     any number.
-    Where jerk is limited the program with every fly-by a stop is planned as well.
+    Where jerk is limited the program with every fly-by a stop is planned as well; where tools may be turned about their
+    axis, the program with targets turned so that it is fast: the faster one of both is the plan.
     Raises NoCleanPlan when the solver fails from every start.
     """
     patience, memory = patience or Patience(), memory or PlanCache()
     tell = never_worse(progress or (lambda _: None))
     with_limits = plant, target, freedom, changes, patience, tell, max_workers, objective
-    found = _planned_as_given(program, memory, bounded, *with_limits)
+    question = PlanRequest(program, plant, target, freedom, changes)
+    if base := _turned_to_reach(question):
+        memory = PlanCache(repair=memory.repair)  # what is known of the program says nothing of a turned one
+    found = _planned_as_given(turned(program, base), memory, bounded, *with_limits)
+    if isinstance(found, Plan) and base:
+        found = replace(found, turns=base, notes=(_REACHES.format(count=len(base)), *found.notes))
+    known = memory.answers.get((target, freedom))
+    if isinstance(found, Plan) and isinstance(known, InitialPlan) and not isinstance(objective, LeastEffort):
+        taught = found
+        with suppress(NoCleanPlan, Stopped):
+            for turns, own in _turned(question, known, base, patience, tell):
+                other = _planned_as_given(turned(program, turns), own, False, *with_limits)
+                if isinstance(other, Plan) and other.duration < min(found.duration, taught.duration * (1 - _SAVES)):
+                    memory.repair.update(own.repair)
+                    found = _with_turns(program, other, turns, taught)
     jerk, fastest = plant.limits.binding_jerk is not None, not isinstance(objective, LeastEffort)
-    if jerk and fastest and isinstance(found, Plan) and corners_of(program, plant).passed:
+    if jerk and fastest and isinstance(found, Plan) and not found.turns and corners_of(program, plant).passed:
         with suppress(NoCleanPlan, Stopped):  # short ways that end in large zones may take longer than stops
             other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits)
             if isinstance(other, Plan) and other.duration < found.duration:
@@ -121,6 +147,85 @@ def optimize(
                 memory.repair.update(own.repair)
                 return replace(other, lower_bound=None if bound is None else min(bound, other.duration))
     return found
+
+
+def _turned_to_reach(question: PlanRequest) -> dict[int, float]:
+    """Turns [rad] of targets, by motion, that cannot be reached as taught; none where all can, or none would help."""
+    if not question.freedom.turn or not any(getattr(one, "free", None) for one in question.program.motions):
+        return {}
+    axes = Axes.of(question.plant)
+    for problem in question.unchecked():
+        if isinstance(problem, Problem):
+            groups = turn_groups(problem, question.changes or everything(question.program, question.plant))
+            turns = reachable(groups, partial(_out_of_reach, axes, question, problem))
+            if turns is not None:
+                return turns
+    return {}
+
+
+def _out_of_reach(axes: Axes, question: PlanRequest, problem: Problem, turns: Mapping[int, float]) -> Infeasible | None:
+    return check_reach(axes, _turned_problem(question, turns, problem))
+
+
+def _turned(
+    question: PlanRequest, known: InitialPlan, base: dict[int, float], patience: Patience, tell: Report
+) -> Iterator[tuple[dict[int, float], PlanCache]]:
+    """Turns [rad] of targets, by motion, with which a faster chain is found than that of a plan with those of base,
+    each with a legal motion through it or, where the search finds a faster one still, without."""
+    if not question.freedom.turn or not any(getattr(one, "free", None) for one in question.program.motions):
+        return
+    axes, name = Axes.of(question.plant), (question.target, question.freedom)
+    problem = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == known.dropped)
+    groups = turn_groups(problem, question.changes or everything(question.program, question.plant))
+    chain = search(axes, _turned_problem(question, base, problem)) if known.detours else known.chain
+    if not groups.groups or chain is None:
+        return
+    tell(Progress("tool turns"))
+    best, least = known.duration, None
+    for _ in range(2 if axes.layout.has_rail else 1):  # the rail may stand elsewhere for turned tools
+        angles, chain = ladder(axes, groups, chain)
+        if chain is None or patience.over:
+            break
+        angles, chain = refined_turns(axes, groups, chain, angles)
+        turns = groups.turns(angles)
+        asked = _turned_problem(question, turns, problem)
+        chain = refine_corner_rail(axes, asked, refine_rail(axes, asked, chain, around=collision_scene_of(asked)))
+        with suppress(NotDriven):
+            draft = timed(axes, asked, chain)
+            if duration(draft) < best and clear(axes, asked, draft):
+                best, least = duration(draft), (turns, InitialPlan(asked, chain, draft))
+    if least is None:
+        return
+    turns, legal = least
+    yield turns, PlanCache({name: legal})
+    other = search(axes, legal.problem)
+    if other is not None and not patience.over:
+        other = refine_corner_rail(axes, legal.problem, refine_rail(axes, legal.problem, other))
+        if chain_time(axes, legal.problem, other) < chain_time(axes, legal.problem, legal.chain) * (1 - _SAVES):
+            yield turns, PlanCache()
+
+
+def _turned_problem(question: PlanRequest, turns: Mapping[int, float], problem: Problem) -> Problem:
+    """A problem of the question's with targets turned by angles [rad], by motion."""
+    program = turned(question.program, turns)
+    out = build_problem(program, question.plant, question.freedom, question.target, question.changes, problem.dropped)
+    assert isinstance(out, Problem), out  # as it was one as taught
+    return out
+
+
+def _with_turns(program: Program, plan: Plan, turns: Mapping[int, float], taught: Plan) -> Plan:
+    """A plan with its turns and a note on them. taught: the plan without, whose bound holds for this one, too."""
+    places = {program.motions[i].source for i in turns}
+    degrees = np.degrees([*turns.values()])
+    if taught.turns:
+        return replace(plan, lower_bound=taught.lower_bound, turns=turns, notes=(taught.notes[0], *plan.notes))
+    note = (
+        f"the tool is turned about its axis at {len(places)} target{'s' if len(places) > 1 else ''}, by "
+        f"{degrees.min():.0f} to {degrees.max():.0f} deg from as taught (free); that saves "
+        f"{taught.duration - plan.duration:.3f} s"
+    )
+    bound = taught.lower_bound if taught.lower_bound is None else min(taught.lower_bound, plan.duration)
+    return replace(plan, lower_bound=bound, bound_cut=taught.bound_cut, turns=turns, notes=(note, *plan.notes))
 
 
 def _planned_as_given(
@@ -259,6 +364,10 @@ def bounded(plan: Plan, bound: float, spent: float, cut: bool = False) -> Plan:
 def _bound(axes: Axes, problem: Problem, duration: float, cut: Callable[[], None]) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
     apart, settling = problem.without_settling()
+    if problem.freedom.turn and any(getattr(one, "free", None) for one in problem.program.motions):
+        apart = replace(apart, legs=tuple(replace(leg, v_ori=np.inf) for leg in apart.legs))
+        if not stays_at_wrist(axes, turn_groups(problem, everything(problem.program, problem.plant))):
+            return min(sum(tool_time(apart, *run) for run in apart.runs), duration) + settling
     return lower_bound(axes, apart, duration * 1.001 - settling, cut) + settling
 
 

@@ -20,6 +20,7 @@ from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg, build_problem
+from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.runs.uncertainty import WRITTEN, Guess, Uncertainty
 from trajopt_cli.scenario import Settling
 from trajopt_cli.trajectories.axes import Axes
@@ -108,7 +109,8 @@ class _Again:
     its pace where that can be kept."""
 
     def __init__(self, program: Program, plant: Plant, plan: Plan):
-        self._program, self._plan = with_detours(program, plant, plan.detours), unfolded(plan)
+        self._program = with_detours(turned(program, plan.turns), plant, plan.detours)
+        self._plan = unfolded(plan)
         self._driven = [one for one in self._plan.motions if one.t_1 > one.t_0]
         ends = np.array([one.t_1 for one in self._driven])
         self._course = Course(plan.trajectory, Axes.of(plant), self._legs(plant), ends)

@@ -22,6 +22,7 @@ class Freedom:
     through_stops: the rail may move while the TCP stops (stream only). configuration: the IK branch may differ
     from the program's confdata. drop: motions marked optional may be left out. ways: what would touch something is
     avoided, if need be by additional points before joint moves; without it the plan is made as if nothing stood there.
+    turn: tools that may be turned about their axis are.
     """
 
     rail: RailFreedom = RailFreedom.STOP
@@ -31,6 +32,7 @@ class Freedom:
     configuration: bool = True
     drop: bool = True
     ways: bool = True
+    turn: bool = True
 
     def and_not_more_than(self, other: Freedom) -> Freedom:
         """What both of them allow."""
@@ -43,6 +45,7 @@ class Freedom:
             self.configuration and other.configuration,
             self.drop and other.drop,
             self.ways and other.ways,
+            self.turn and other.turn,
         )
 
 
@@ -55,5 +58,6 @@ AS_WRITTEN = Freedom(
     configuration=False,
     drop=False,
     ways=False,
+    turn=False,
 )
-FIXED_RAIL = Freedom(rail=RailFreedom.STATION, lines=False, dwells=False, through_stops=False)
+FIXED_RAIL = Freedom(rail=RailFreedom.STATION, lines=False, dwells=False, through_stops=False, turn=False)

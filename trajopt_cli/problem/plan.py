@@ -131,6 +131,7 @@ class Plan:
     estimate: what the chain takes that the search began with [s], None where there was no search.
     stopped: the search was; bound_cut: the time for the bound was over before it was all that can be proved.
     detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
+    turns: by how much [rad] targets are turned about the tool's axis, by motion.
     """
 
     target: Target
@@ -145,6 +146,7 @@ class Plan:
     estimate: float | None = None
     stopped: bool = False
     bound_cut: bool = False
+    turns: Mapping[int, float] = field(default_factory=dict)
 
     @property
     def duration(self) -> float:

@@ -112,7 +112,7 @@ def compare(
     patience.reserve(_WRITING * patience.load)
     study = _Study(job, rule, loops, patience)
     passed = bool(corners_of(job.program, job.plant).passed)
-    reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable), passed)
+    reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable), passed, study.free)
     names = {study.question(cause.target, cause.freedom, cause.stops): cause.name for cause in reasons}
     asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
     names |= {question: name for name, question in asks.items()}
@@ -219,13 +219,14 @@ class _Study:
     def __init__(self, job: Job, rule: RailRule | None, loops: Loops, patience: Patience):
         self.job, self.rule, self.patience = job, rule or RailRule(), patience
         self.stopping = with_stops(job.program)
+        self.free = any(getattr(one, "free", None) is not None for one in job.program.motions)
         agreed = may_change(job, loops)
         self.changes, self.notices = agreed.changes, agreed.notices
         self._known: dict[Question, Result] = {}
 
     def question(self, target: Target, freedom: Freedom, stops: bool = False) -> Question:
         """A question in the form that is equal for all that ask for the same plan."""
-        return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable)), stops
+        return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable), self.free), stops
 
     def answer(
         self, name: str, question: Question, following: Sequence[str], tell: Tell

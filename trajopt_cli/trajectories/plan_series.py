@@ -14,6 +14,7 @@ from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.trajectory import hermite
 
@@ -129,6 +130,7 @@ class PlanSeries:
 def follow(program: Program, plant: Plant, plan: Plan, title: str, times: Array | None = None) -> PlanSeries:
     """Sample a plan. title: the program's name for people. times (n,) [s]: inside it, in order; None for both ends of
     every interval. Raises ValueError for a trajectory without speeds."""
+    program = turned(program, plan.turns)
     legs = legs_of(program, plant, plan)
     rows = plan.trajectory.t
     if times is None:
