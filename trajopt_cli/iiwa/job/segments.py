@@ -21,7 +21,7 @@ from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.equilibrium import counted
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.loader import load_task, minimal_task
-from trajopt_cli.iiwa.task.model import AngleMeaning, Task
+from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, Task
 from trajopt_cli.iiwa.task.segments import SegmentFacts, planned
 from trajopt_cli.robot.srs import SrsRobot, load_srs
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
@@ -84,7 +84,7 @@ def make_segments(
         equilibrium, facts = planned(read.route, tell, arm_of(read, robot) if read.by_joints else None)
     except Untimed as untimed:
         return Refused("cannot be timed", [f"{task_path}: {untimed}"])
-    opened = Opened(read, robot, equilibrium)
+    opened = Opened(read, robot, equilibrium, feed=Feed.VELOCITY if read.follows else Feed.POSITION)
     if angles is not None:
         try:
             equilibrium = counted(equilibrium, angles, opened.X_start[:3, :3])

@@ -463,7 +463,14 @@ def task_schema() -> dict[str, Any]:
     """What a task file may hold, with a description of every key."""
     keys = files("trajopt_cli.iiwa.task").joinpath("keys.md").read_text(encoding="utf-8")
     schema = json_schema(TaskDocument, "trajopt iiwa task file", keys)
-    schema["required"] = [name for name in schema["required"] if name not in ("D", "M")]  # what a controller has itself
+    schema["required"] = [
+        name for name in schema["required"] if name not in ("K", "D", "M")
+    ]  # what a controller has itself
+    kinds = schema["properties"]["controller"]
+    kinds["anyOf"] = [
+        {name: kinds.pop(name) for name in ("enum", "type")},
+        {"type": "string", "pattern": r"\.ya?ml(:\w+)?$"},
+    ]
     # a path in a file of its own stands where the loader looks before the document does
     schema["properties"]["poses"]["anyOf"].append({"type": "string", "pattern": r"\.[cC][sS][vV]\s*$"})
     schema["properties"]["pushes"]["anyOf"] = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -53,6 +54,7 @@ from trajopt_cli.iiwa.task.model import (
 from trajopt_cli.iiwa.task.path_csv import guided_path, read_forces, read_path
 from trajopt_cli.iiwa.task.path_csv import read_text as read_csv_text
 from trajopt_cli.iiwa.task.poses import program_route, written_waypoints
+from trajopt_cli.iiwa.task.ros2_admittance import read_admittance
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot, load_srs
@@ -156,7 +158,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     log = content.get("pushes")
     if isinstance(log, str):
         content = {key: value for key, value in content.items() if key != "pushes"}
-    content, lines = _controller(content, lines, file)
+    content, lines, texts, told = _controller(content, lines, file)
     document = validated(TaskDocument, content, lines, file, _WANTED)
     doubts = map(str, suspected(content, TASK, lines, file))
     at = _Lines(file, lines)
@@ -168,7 +170,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     start = np.array(document.start.joints)
     _check_start(robot, start, limits, at)
     X_WF = robot.forward(start)
-    meaning, texts = AngleMeaning(document.angles), {file: text}
+    meaning, texts = AngleMeaning(document.angles), {file: text, **texts}
     pushes: tuple[Push | PushLog, ...] = tuple(
         Push(push.start, push.end, np.array(push.force)) for push in document.pushes
     )
@@ -283,7 +285,8 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         ),
         wrench=document.force is not None and document.force.by == "wrench",
         lead=document.force is not None and document.force.lead,
-        notes=(*doubts, *notes, *path.notes),
+        follows=bool(told),
+        notes=(*doubts, *told, *notes, *path.notes),
         sources=texts,
     )
 
@@ -301,15 +304,32 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, _Lines(file, lines)), text
 
 
+_PARAMETERS = re.compile(r"(?P<file>.+\.ya?ml)(?::(?P<name>\w+))?")
 _ADMITTANCE = ("zero", "clamps", "changes", "sensor")  # what the impedance controller does not have
 
 
-def _controller(content: dict[str, Any], lines: dict[str, int], file: str) -> tuple[dict[str, Any], dict[str, int]]:
-    """The file's content with the D and M that its controller does without."""
+def _controller(
+    content: dict[str, Any], lines: dict[str, int], file: str
+) -> tuple[dict[str, Any], dict[str, int], dict[str, str], tuple[str, ...]]:
+    """The file's content with the K, D and M that its controller has itself; texts of its files, notes."""
+    named = str(content.get("controller", "admittance"))
+    if match := _PARAMETERS.fullmatch(named):
+        at, place = _Lines(file, lines), Path(file).parent / match["file"]
+        for key in ("K", "D", "M", "zero", "integration"):
+            if key in content:
+                raise at.wrong(key, f"{key}: is the controller file's; take it out")
+        if not place.is_file() or not place.resolve().is_relative_to(Path(file).parent.resolve()):
+            message = f"controller: there is no file {place}; it must be in the task file's folder or below it"
+            raise at.wrong("controller", message)
+        text = read_text(place, "controller file")
+        own, note = read_admittance(text, str(place), match["name"])
+        rest = {key: value for key, value in content.items() if key != "controller"}
+        lines = {**dict.fromkeys(own, line_of("controller", lines)), **lines}
+        return {**own, **rest}, lines, {str(place): text}, (note,)
     if content.get("controller", "admittance") != "impedance":
         if "impedance" in content:
             raise _Lines(file, lines).wrong("impedance", "impedance: goes with 'controller: impedance'")
-        return content, lines
+        return content, lines, {}, ()
     if given := [key for key in _ADMITTANCE if key in content]:
         message = f"{given[0]}: the impedance controller measures no force and stays as it is; take it out"
         raise _Lines(file, lines).wrong(given[0], message)
@@ -318,7 +338,7 @@ def _controller(content: dict[str, Any], lines: dict[str, int], file: str) -> tu
     if by_ratio == ("D" in content):
         message = "give one of 'D' and 'impedance: {damping_ratio: 0.7}'"
         raise _Lines(file, lines).wrong("D" if by_ratio else "controller", message)
-    return {"M": [1.0] * 6, "D": [1.0] * 6, **content}, lines
+    return {"M": [1.0] * 6, "D": [1.0] * 6, **content}, lines, {}, ()
 
 
 def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:

@@ -339,6 +339,7 @@ class Task:
     tool: its body, in the flange frame.
     by_joints: whether the joints' speeds and accelerations time the route, too.
     impedance: the controller is one of torques, else the admittance controller of eq. 4.13.
+    follows: it moves on with the equilibrium's speed.
     wrench: whether the waypoints' forces are told to the controller, instead of shifting its equilibrium;
     lead: whether this runs ahead of the path besides, so that the tool does not lag.
     notes: what the user should know. sources: name -> text of the files the task came from, the task file first.
@@ -365,6 +366,7 @@ class Task:
     tool: Capsule | None = None
     by_joints: bool = False
     impedance: Impedance | None = None
+    follows: bool = False
     wrench: bool = False
     lead: bool = False
     notes: tuple[str, ...] = ()
