@@ -24,7 +24,7 @@ from trajopt_cli.runs.summary import Settled, settled
 from trajopt_cli.runs.uncertainty import Uncertainty
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule, Solve
 from trajopt_cli.study.causes import asked, causes
-from trajopt_cli.study.table import BASELINES, Baseline, solved
+from trajopt_cli.study.table import BASELINES, SAMPLED, Baseline, solved
 from trajopt_cli.workers import shared_out
 
 _WRITING = 2.0  # s of writing the comparison
@@ -114,7 +114,8 @@ def compare(
     passed = bool(corners_of(job.program, job.plant).passed)
     reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable), passed, study.free)
     names = {study.question(cause.target, cause.freedom, cause.stops): cause.name for cause in reasons}
-    asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
+    table = {name: one for name, one in BASELINES.items() if study.free or name != SAMPLED}
+    asks = {name: study.question(one.target, one.freedom) for name, one in table.items() if one.freedom}
     names |= {question: name for name, question in asks.items()}
 
     tasks: dict[str, Callable[[Tell], dict[Question | str, Result]]] = {}
@@ -123,20 +124,20 @@ def compare(
         first = ["as-written", "optimum rapid"]
         order = sorted(reversed(order), key=lambda item: first.index(item[1]) if item[1] in first else len(first))
     for question, name in order:
-        following = [later for later, one in BASELINES.items() if one.after and asks[one.after] == question]
+        following = [later for later, one in table.items() if one.after and asks[one.after] == question]
         tasks[name] = partial(study.answer, name, question, following)
     limited = job.plant.limits.binding_jerk is not None
     if limited:
         tasks[_JERK_FREE] = study.jerk_free
     if job.plant.obstacles:
         tasks[_UNOBSTRUCTED] = study.unobstructed
-    alone = [name for name, one in BASELINES.items() if not one.freedom and not one.after]
+    alone = [name for name, one in table.items() if not one.freedom and not one.after]
     tasks |= {name: partial(study.make, name) for name in alone}
     results: dict[Question | str, Result] = {}
     for found in shared_out(tasks, lambda told: listen(*told)).values():
         results |= found
     results |= study.ordered(results)
-    rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
+    rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in table.items())
     answers = [(cause.name, results[study.question(cause.target, cause.freedom, cause.stops)]) for cause in reasons]
     if limited:
         answers = [(_JERK_FREE, results[_JERK_FREE]), ("jerk limits", answers[0][1]), *answers[1:]]

@@ -11,6 +11,7 @@ from trajopt_cli.study.cartesian import bang_bang_row
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned
 from trajopt_cli.study.practice import practice
 from trajopt_cli.study.ruckig_row import ruckig, ruckig_jerk
+from trajopt_cli.study.sampled_turn import sampled_turn
 from trajopt_cli.study.thesis import thesis
 from trajopt_cli.study.toppra_row import toppra
 
@@ -51,6 +52,9 @@ def _free(target: Target, freedom: Freedom, title: str, moves: str) -> Baseline:
     return Baseline(target, title, moves, solved(target, freedom), freedom)
 
 
+SAMPLED = "sampled turn"
+"""The row that is there only where a tool is free about its axis."""
+
 _RAPID, _STREAM = Target.RAPID, Target.STREAM
 
 BASELINES: dict[str, Baseline] = {
@@ -81,6 +85,12 @@ BASELINES: dict[str, Baseline] = {
     ),
     "toppra": Baseline(
         _STREAM, "the fixed-rail plan's path timed by TOPP-RA", "timing along a path", toppra, after="fixed-rail"
+    ),
+    SAMPLED: Baseline(
+        _STREAM,
+        "free tools turned by a ladder graph (Descartes), timed by TOPP-RA",
+        "tool turn, timing",
+        sampled_turn,
     ),
     "optimum rapid": _free(_RAPID, EVERYTHING, "everything free that the controller can execute", "everything"),
     "optimum stream": _free(_STREAM, EVERYTHING, "everything free that a joint stream can carry", "everything"),
