@@ -34,7 +34,7 @@ from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL, Program
 from trajopt_cli.problem.collision_objects import bodies_on
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.shapes import Box, Mesh, MeshFile, Shape
+from trajopt_cli.shapes import Box, Mesh, MeshFile, Polytope, Shape
 
 REPOSITORY = Path(__file__).parents[1]
 TOOL = 0.1  # m
@@ -59,7 +59,7 @@ class World:
         frames = [self.model.getFrameId(name, pin.FrameType.BODY) for name in (*robot.link_names, "tool0")]
         self._frames = dict(zip((*robot.link_names, "tool0"), frames, strict=True))
         self.least, self.limits = plant.clearance, plant.limits
-        placed = {name: (name, shape) for name, shape in robot.capsules.items()}
+        placed = {name: (name, shape) for name, (shape,) in robot.bodies.items()}
         placed |= {solid.name: ("tool0", _loaded(solid.shape)) for solid in bodies.carried}
         self._of = {name: (self._frames[link], *_coal(shape)) for name, (link, shape) in placed.items()}
         first = robot.link_names[0]
@@ -121,8 +121,13 @@ def _coal(shape: Shape) -> tuple[object, Array]:
     """coal's geometry and its pose."""
     if isinstance(shape, Box):
         return coal.Box(*map(float, shape.size)), np.asarray(shape.X)
+    if isinstance(shape, Polytope):
+        points, faces = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+        points.extend([np.array(corner) for corner in shape.vertices])
+        faces.extend([coal.Triangle(*corners) for corners in shape.triangles.tolist()])
+        return coal.Convex(points, faces), np.asarray(shape.X)
     if isinstance(shape, Mesh):
-        raise ValueError(f"{shape.name}: this check knows boxes and capsules")
+        raise ValueError(f"{shape.name}: this check knows boxes, capsules and polytopes")
     along = shape.b - shape.a
     length = float(np.linalg.norm(along))
     X = np.eye(4)

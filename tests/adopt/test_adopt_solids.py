@@ -1,16 +1,19 @@
-"""Capsules fitted around collision geometry, and the pairs of links that are worth watching."""
+"""Bodies fitted around collision geometry, and the pairs of links that are worth watching."""
 
 import struct
 
 import numpy as np
 import pytest
 from loose_arm import written
+from scipy.spatial import ConvexHull
 
 from trajopt_cli.adopt.add import new_robot
 from trajopt_cli.adopt.capsule import smallest_capsule, smallest_circle
+from trajopt_cli.adopt.polytopes import polytopes_around, reach, volume
 from trajopt_cli.adopt.solids import find_mesh, self_pairs
 from trajopt_cli.geometry import rotation_about
 from trajopt_cli.robot.model import load_robot
+from trajopt_cli.shapes import DIRECTIONS, Capsule, polytope
 
 ROUND = '<cylinder radius="0.2" length="0.3"/>'
 TILT = rotation_about([0.6, 0, 0.8], 1.1)
@@ -116,18 +119,18 @@ def test_meshes_are_found_in_packages_and_scaled(tmp_path):
         '<link name="foot"/>': f'<link name="foot">{collision(ROUND)}</link>',
     }
     made = new_robot(written(package / "urdf", edits), "mine")
-    assert list(made.capsules) == ["base_link", "link_2"]
-    lower = made.capsules["link_2"]
-    assert lower.radius == pytest.approx(0.05 * np.sqrt(2), abs=3e-4)
-    corners = [[x, y, z] for x in (-0.05, 0.05) for y in (-0.05, 0.05) for z in (0, 0.7)]
-    assert distance(corners, lower).max() <= lower.radius
+    assert list(made.bodies) == ["base_link", "link_2"]
+    (lower,) = made.bodies["link_2"]
+    assert ConvexHull(lower.vertices).volume == pytest.approx(0.1 * 0.1 * 0.7, rel=5e-3)  # rounded up to 0.1 mm
+    corners = np.array([[x, y, z] for x in (-0.05, 0.05) for y in (-0.05, 0.05) for z in (0, 0.7)])
+    assert (corners @ DIRECTIONS.T <= (lower.vertices @ DIRECTIONS.T).max(axis=0) + 1e-9).all()
     assert made.missing == (
         "link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF: put the folder 'other' beside it,"
-        " or the link has no capsule",
+        " or the link has no body",
     )
     text = made.files["mine.yaml"].decode()
     assert "#   link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF" in text
-    assert "Without a capsule, and so not looked at: link_1, link_3, link_4, link_5, link_6" in text
+    assert "Without a body, and so not looked at: link_1, link_3, link_4, link_5, link_6" in text
     assert find_mesh("../meshes/lower.stl", package / "urdf" / "x.urdf").is_file()
 
 
@@ -139,6 +142,61 @@ def test_without_collision_geometry_there_is_no_section_and_the_file_says_so(tmp
     for name, content in made.files.items():
         (tmp_path / name).write_bytes(content)
     assert load_robot(str(tmp_path / "mine.yaml")).bodies == {}
+
+
+def surface(boxes):
+    """Triangles (m, 3, 3) of boxes between two corners each."""
+    out = []
+    for low, high in boxes:
+        v = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * np.subtract(high, low) + low
+        out.append(v[ConvexHull(v).simplices])
+    return np.concatenate(out)
+
+
+def test_a_bent_link_is_cut_into_bodies_that_hold_all_of_it():
+    """An elbow of two boxes has two bodies as large as these; a point on its surface lies in one of them."""
+    elbow = surface([([0, 0, 0], [0.1, 0.1, 0.6]), ([0, 0, 0.5], [0.5, 0.1, 0.6])])
+    parts = polytopes_around("elbow", elbow)
+    assert len(parts) == 2
+    assert sum(map(volume, parts)) == pytest.approx(0.006 + 0.004, rel=0.15)
+    assert volume(polytopes_around("whole", surface([([0, 0, 0], [0.1, 0.1, 0.6])]))[0]) == pytest.approx(
+        0.006, rel=0.01
+    )
+    rng = np.random.default_rng(2)
+    weights = rng.dirichlet(np.ones(3), 4000)
+    points = np.einsum("kc,kcx->kx", weights, elbow[rng.integers(0, len(elbow), 4000)])
+    held = [(points @ DIRECTIONS.T <= np.array(reach(part)) + 1e-9).all(axis=1) for part in parts]
+    assert np.any(held, axis=0).all()
+    assert not np.all(held, axis=0).all()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_bodies_of_any_surface_hold_it(seed):
+    rng = np.random.default_rng(seed)
+    boxes = [(at, at + rng.uniform(0.05, 0.4, 3)) for at in rng.uniform(0, 0.5, (4, 3))]
+    triangles = surface(boxes)
+    parts = polytopes_around("x", triangles)
+    points = np.concatenate([rng.uniform(low, high, (1000, 3)) for low, high in boxes])  # inside, too
+    assert np.any([(points @ DIRECTIONS.T <= np.array(reach(p)) + 1e-9).all(axis=1) for p in parts], axis=0).all()
+    if len(parts) > 1:
+        assert sum(map(volume, parts)) < volume(polytope("x", (triangles.reshape(-1, 3) @ DIRECTIONS.T).max(axis=0)))
+
+
+def test_a_robot_with_a_bent_link_is_read_again(tmp_path):
+    bent = "".join(
+        collision(f'<box size="{size}"/>', xyz)
+        for size, xyz in (("0.1 0.1 0.6", "0 0 0.3"), ("0.5 0.1 0.1", "0.2 0 0.55"))
+    )
+    ball = collision('<sphere radius="0.1"/>')
+    edits = {f'<link name="{n}"/>': f'<link name="{n}">{s}</link>' for n, s in (("lower", bent), ("hand", ball))}
+    made = new_robot(written(tmp_path, edits), "mine")
+    for name, content in made.files.items():
+        (tmp_path / name).write_bytes(content)
+    bodies = load_robot(str(tmp_path / "mine.yaml")).bodies
+    assert {link: len(parts) for link, parts in bodies.items()} == {"link_2": 2, "link_6": 1}
+    assert isinstance(bodies["link_6"][0], Capsule)  # smaller than its polytope
+    for one, other in zip(bodies["link_2"], made.bodies["link_2"], strict=True):
+        assert volume(one) == pytest.approx(volume(other), rel=1e-3)
 
 
 def test_the_pairs_of_the_irb_140_are_those_a_person_chose():
@@ -158,12 +216,12 @@ def test_a_mesh_that_is_missing_or_drawn_in_mm_is_told_with_what_to_do(tmp_path)
         "v 0 0 0\nv 400 0 0\nv 0 400 0\nv 0 0 400\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
     )
     assert made('<mesh filename="large.obj"/>') == (
-        "link_4: mesh large.obj is 400 m long, so the link has no capsule: if it is drawn in mm, say"
+        "link_4: mesh large.obj is 400 m long, so the link has no body: if it is drawn in mm, say"
         ' <mesh scale="0.001 0.001 0.001">',
     )
     assert made('<mesh filename="large.obj" scale="0.001 0.001 0.001"/>') == ()
     assert made('<mesh filename="other.obj"/>') == (
-        "link_4: mesh other.obj is not there: put it beside the URDF, or the link has no capsule",
+        "link_4: mesh other.obj is not there: put it beside the URDF, or the link has no body",
     )
     (told,) = made('<mesh filename="package://parts/a.stl"/>')
-    assert told.endswith("put the folder 'parts' beside it, or the link has no capsule")
+    assert told.endswith("put the folder 'parts' beside it, or the link has no body")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from trajopt_cli.adopt.chain import NormalChain, normal_chain
 from trajopt_cli.adopt.seven import parallel, srs_yaml
-from trajopt_cli.adopt.solids import link_capsules, self_pairs
+from trajopt_cli.adopt.solids import link_bodies, self_pairs
 from trajopt_cli.adopt.track import on_track
 from trajopt_cli.adopt.tree import read_tree
 from trajopt_cli.adopt.urdf_text import urdf_text
@@ -17,7 +17,7 @@ from trajopt_cli.adopt.yaml_text import yaml_text
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.urdf import RAIL
-from trajopt_cli.shapes import Capsule
+from trajopt_cli.shapes import LinkShape
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _YAML_WORDS = {"null", "true", "false", "yes", "no", "on", "off", "y", "n"}
@@ -26,14 +26,14 @@ _ABB = re.compile(r"(?<![a-z])(abb(?![a-z])|irb[ _-]?\d)", re.IGNORECASE)
 
 @dataclass(frozen=True, eq=False)
 class NewRobot:
-    """A robot's two files and what they were made from. files: name in the folder to content; capsules: by link;
+    """A robot's two files and what they were made from. files: name in the folder to content; bodies: by link;
     missing: meshes that were not found or not readable."""
 
     name: str
     chain: NormalChain
     confdata: str
     files: Mapping[str, bytes]
-    capsules: Mapping[str, Capsule]
+    bodies: Mapping[str, tuple[LinkShape, ...]]
     pairs: Sequence[tuple[str, str]]
     missing: Sequence[str]
 
@@ -66,11 +66,10 @@ def new_robot(
     else:
         arm_from_chain(chain.joints[-7:], str(urdf))
     rule = confdata or ("abb_six_axis" if _ABB.search(f"{tree.name} {urdf.name}") else "none")
-    solids = link_capsules(chain)
-    shapes = {link: (capsule,) for link, capsule in solids.capsules.items()}
-    pairs = self_pairs(chain.joints[-1 - chain.turning :], shapes, linkage=chain.linkage)
+    solids = link_bodies(chain, capsules=seven)
+    pairs = self_pairs(chain.joints[-1 - chain.turning :], solids.bodies, linkage=chain.linkage)
     title = f"{tree.name} (from {urdf.name})"
-    made = solids.capsules, pairs, solids.missing
+    made = solids.bodies, pairs, solids.missing
     texts = {
         f"{name}.urdf": urdf_text(name, chain),
         f"{name}.yaml": srs_yaml(name, title, chain, *made) if seven else yaml_text(name, title, chain, rule, *made),
@@ -80,7 +79,7 @@ def new_robot(
         if RAIL in chain.named:
             raise InputError(f"--rail: the chain has one already, '{chain.named[RAIL]}'; leave it out", file=str(urdf))
         files |= on_track(name, files)
-    return NewRobot(name, chain, rule, files, solids.capsules, pairs, solids.missing)
+    return NewRobot(name, chain, rule, files, solids.bodies, pairs, solids.missing)
 
 
 def check_name(name: str) -> None:

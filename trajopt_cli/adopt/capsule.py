@@ -18,14 +18,16 @@ def smallest_capsule(name: str, points: Array) -> Capsule:
     corners = _hull(points)
     middle = corners.mean(axis=0)
     corners = corners - middle
-    best = min((_along(corners, direction) for direction in _directions(corners)), key=_volume)
+    best = min((_along(corners, direction) for direction in _directions(corners)), key=capsule_volume)
     turn = 0.35  # rad
     while turn > 1e-3:
         axis = _direction(best)
         sides = np.linalg.svd(axis[None])[2][1:]
         around = (axis + np.tan(turn) * (c * sides[0] + s * sides[1]) for c, s in ((1, 0), (-1, 0), (0, 1), (0, -1)))
-        found = min((_along(corners, direction / np.linalg.norm(direction)) for direction in around), key=_volume)
-        if _volume(found) < _volume(best) * (1 - 1e-6):
+        found = min(
+            (_along(corners, direction / np.linalg.norm(direction)) for direction in around), key=capsule_volume
+        )
+        if capsule_volume(found) < capsule_volume(best) * (1 - 1e-6):
             best = found
         else:
             turn /= 2
@@ -59,7 +61,8 @@ def _direction(capsule: Capsule) -> Array:
     return along / length if length > 1e-9 else np.array([0.0, 0.0, 1.0])
 
 
-def _volume(capsule: Capsule) -> float:
+def capsule_volume(capsule: Capsule) -> float:
+    """[m3]"""
     length = float(np.linalg.norm(capsule.b - capsule.a))
     return np.pi * capsule.radius**2 * (length + 4 / 3 * capsule.radius)
 
@@ -80,7 +83,7 @@ def _along(corners: Array, direction: Array) -> Capsule:
             low = high = (low + high) / 2
         a, b = (centre @ sides + end * direction for end in (low, high))
         found.append(Capsule("", a, b, radius))
-    return min(found, key=_volume)
+    return min(found, key=capsule_volume)
 
 
 def _reach(points: Array, a: Array, b: Array) -> float:

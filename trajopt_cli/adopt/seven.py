@@ -12,7 +12,7 @@ from trajopt_cli.adopt.tree import FIXED, CollisionShape, Inertial
 from trajopt_cli.adopt.yaml_text import collision_lines, head_lines, profile_lines, quoted
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.srs import lengths_from_chain
-from trajopt_cli.shapes import Capsule
+from trajopt_cli.shapes import LinkShape
 
 
 def parallel(chain: NormalChain) -> NormalChain:
@@ -48,7 +48,7 @@ def srs_yaml(
     name: str,
     title: str,
     chain: NormalChain,
-    capsules: Mapping[str, Capsule],
+    bodies: Mapping[str, tuple[LinkShape, ...]],
     pairs: Sequence[tuple[str, str]],
     missing: Sequence[str],
 ) -> str:
@@ -80,6 +80,6 @@ def srs_yaml(
         "",
         *profile_lines(chain),
         "",
-        *collision_lines(chain, capsules, pairs, missing),
+        *collision_lines(chain, bodies, pairs, missing),
     ]
     return "\n".join([*lines, ""])

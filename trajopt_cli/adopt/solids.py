@@ -1,4 +1,4 @@
-"""Capsules around the links from a URDF's collision geometry, and which pairs of links are worth watching."""
+"""Bodies around the links from a URDF's collision geometry, and which pairs of links are worth watching."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ from pathlib import Path
 from urllib.parse import unquote, urlparse
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
-from trajopt_cli.adopt.capsule import smallest_capsule
+from trajopt_cli.adopt.capsule import capsule_volume, smallest_capsule
 from trajopt_cli.adopt.chain import NormalChain
+from trajopt_cli.adopt.polytopes import polytopes_around, volume
 from trajopt_cli.adopt.tree import FIXED, CollisionShape
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.robot.urdf import UrdfJoint
-from trajopt_cli.shapes import ATTACHED, Capsule, LinkShape, MeshFile
+from trajopt_cli.shapes import ATTACHED, LinkShape, MeshFile
 
 POSTURES = 4000
 _SEED = 140
@@ -26,28 +28,40 @@ _ROUND = 24  # sides of a cylinder's or sphere's outline
 
 
 @dataclass(frozen=True, eq=False)
-class LinkCapsules:
-    """capsules: by link name; missing: meshes that are not there or cannot be read, one line each."""
+class LinkBodies:
+    """bodies: by link name; missing: meshes that are not there or cannot be read, one line each."""
 
-    capsules: Mapping[str, Capsule]
+    bodies: Mapping[str, tuple[LinkShape, ...]]
     missing: tuple[str, ...]
 
 
-def link_capsules(chain: NormalChain) -> LinkCapsules:
-    """A capsule around every link of the arm whose collision geometry is given and readable."""
-    capsules, missing = {}, []
+def link_bodies(chain: NormalChain, capsules: bool = False) -> LinkBodies:
+    """Bodies around every link of the arm whose collision geometry is given and readable: one capsule or polytopes,
+    whichever have less volume; capsules True: one capsule."""
+    bodies, missing = {}, []
     for body in chain.arm:
-        points: list[Array] = []
+        surface: list[Array] = []
         complete = True
         for shape in body.shapes:
             try:
-                points.append(_points(shape, chain.tree.path))
+                surface.append(_triangles(shape, chain.tree.path))
             except InputError as error:
                 missing.append(f"{body.name}: {error.message}")
                 complete = False
-        if complete and points:  # part of a link's shapes would be a capsule around part of it
-            capsules[body.name] = smallest_capsule(body.name, np.vstack(points))
-    return LinkCapsules(capsules, tuple(missing))
+        if complete and surface:  # part of a link's shapes would be a body around part of it
+            bodies[body.name] = _around(body.name, np.concatenate(surface), capsules)
+    return LinkBodies(bodies, tuple(missing))
+
+
+def _around(name: str, triangles: Array, capsules: bool) -> tuple[LinkShape, ...]:
+    capsule = smallest_capsule(name, triangles.reshape(-1, 3))
+    if capsules:
+        return (capsule,)
+    try:
+        parts = polytopes_around(name, triangles)
+    except ValueError:  # a plate
+        return (capsule,)
+    return (capsule,) if capsule_volume(capsule) < sum(map(volume, parts)) else tuple(parts)
 
 
 def find_mesh(name: str, urdf: Path) -> Path:
@@ -62,22 +76,23 @@ def find_mesh(name: str, urdf: Path) -> Path:
                     return candidate
         raise InputError(
             f"mesh {name} is in no folder above the URDF: put the folder '{url.netloc}' beside it, or the link has no"
-            " capsule"
+            " body"
         )
     path = Path(unquote(url.path)) if url.scheme == "file" else urdf.parent / name
     if not path.is_file():
-        raise InputError(f"mesh {name} is not there: put it beside the URDF, or the link has no capsule")
+        raise InputError(f"mesh {name} is not there: put it beside the URDF, or the link has no body")
     return path
 
 
-def _points(shape: CollisionShape, urdf: Path) -> Array:
-    """Points (n, 3) whose hull is the shape, round ones a little larger, in the link's frame."""
+def _triangles(shape: CollisionShape, urdf: Path) -> Array:
+    """The shape's surface (m, 3, 3), of round ones a little larger, in the link's frame."""
     if shape.kind == "mesh":
         from trajopt_cli.proximity.meshes import load_mesh
 
-        points = load_mesh(MeshFile("mesh", find_mesh(shape.file, urdf))).vertices * np.array(shape.sizes)
+        mesh = load_mesh(MeshFile("mesh", find_mesh(shape.file, urdf)))
+        points, corners = mesh.vertices * np.array(shape.sizes), mesh.triangles
         if (long := float(np.ptp(points, axis=0).max())) > _LONGEST:
-            message = f"mesh {shape.file} is {long:.4g} m long, so the link has no capsule"
+            message = f"mesh {shape.file} is {long:.4g} m long, so the link has no body"
             raise InputError(f'{message}: if it is drawn in mm, say <mesh scale="0.001 0.001 0.001">')
     elif shape.kind == "box":
         corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
@@ -92,7 +107,9 @@ def _points(shape: CollisionShape, urdf: Path) -> Array:
             points = np.vstack([ring - half, ring + half])
         else:
             points = np.vstack([ring @ rotation_about([1, 0, 0], turn).T for turn in angles[: _ROUND // 2]])
-    return np.asarray(points @ shape.X[:3, :3].T + shape.X[:3, 3])
+    if shape.kind != "mesh":
+        corners = np.asarray(ConvexHull(points).simplices, dtype=np.int64)
+    return np.asarray((points @ shape.X[:3, :3].T + shape.X[:3, 3])[corners])
 
 
 def self_pairs(

@@ -6,12 +6,15 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from math import floor, log10
 
+import numpy as np
+
 from trajopt_cli.adopt.chain import NormalChain
+from trajopt_cli.adopt.polytopes import reach
 from trajopt_cli.adopt.solids import POSTURES
 from trajopt_cli.errors import printable
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.urdf import RAIL, UrdfJoint
-from trajopt_cli.shapes import Capsule
+from trajopt_cli.shapes import Capsule, LinkShape
 
 TO_FULL_SPEED = 0.2  # s, a rule of thumb of industrial robots
 TO_FULL_ACCELERATION = 0.1  # s
@@ -46,7 +49,7 @@ def yaml_text(
     title: str,
     chain: NormalChain,
     confdata: str,
-    capsules: Mapping[str, Capsule],
+    bodies: Mapping[str, tuple[LinkShape, ...]],
     pairs: Sequence[tuple[str, str]],
     missing: Sequence[str],
 ) -> str:
@@ -82,7 +85,7 @@ def yaml_text(
         *(_coupled(chain) if chain.linkage else ()),
         *profile_lines(chain),
         "",
-        *collision_lines(chain, capsules, pairs, missing),
+        *collision_lines(chain, bodies, pairs, missing),
     ]
     return "\n".join([*lines, ""])
 
@@ -162,35 +165,51 @@ def profile_lines(chain: NormalChain) -> Iterator[str]:
 
 
 def collision_lines(
-    chain: NormalChain, capsules: Mapping[str, Capsule], pairs: Sequence[tuple[str, str]], missing: Sequence[str]
+    chain: NormalChain,
+    bodies: Mapping[str, tuple[LinkShape, ...]],
+    pairs: Sequence[tuple[str, str]],
+    missing: Sequence[str],
 ) -> Iterator[str]:
     """The collision section, or why there is none."""
-    bare = [body.name for body in chain.arm if body.name not in capsules]
-    if not capsules:
+    bare = [body.name for body in chain.arm if body.name not in bodies]
+    if not bodies:
         yield "# No collision section: the URDF gives no collision geometry that can be read, so self-collision and"
         yield "# obstacles are not looked at. A capsule is  link_1: {a: [0, 0, 0], b: [0, 0, 0.3], radius: 0.1}  under"
         yield "# collision: links:, with source, grade and self_pairs."
         yield from (f"#   {printable(line)}" for line in missing)
         return
-    yield "# Capsules around the links, each in its link's frame (the URDF's), and the pairs of links held against each"
-    yield f"# other. Neighbours are not, nor are pairs whose capsules overlap in none of {POSTURES:,} postures"
-    yield "# within the ranges, or in more than a tenth of them: those are larger than the links. attached: what a cell"
-    yield "# fixes to the flange."
+    yield "# Bodies around the links, each in its link's frame (the URDF's): a capsule, or how far the link or a part"
+    yield "# reaches in 26 directions [m], to faces, edges and corners of a cube: (-1,-1,-1), (-1,-1,0) ... (1,1,1)."
+    yield "# And the pairs of links held against each other: neighbours are not, nor are pairs that touch in none of"
+    yield f"# {POSTURES:,} postures within the ranges, or with all axes at 0, or in more than nine tenths of them, or"
+    yield "# with one link between them in more than a tenth: those bodies are larger than the links. attached: what a"
+    yield "# cell fixes to the flange."
     if bare:
-        yield f"# Without a capsule, and so not looked at: {', '.join(bare)}."
+        yield f"# Without a body, and so not looked at: {', '.join(bare)}."
     yield from (f"#   {printable(line)}" for line in missing)
     yield "collision:"
-    yield f"  source: {quoted(f'smallest capsules around the collision geometry of {chain.tree.path.name}')}"
+    yield f"  source: {quoted(f'bodies around the collision geometry of {chain.tree.path.name}')}"
     yield "  grade: C"
     yield "  links:"
-    for name, capsule in capsules.items():
-        yield f"    {name}: {{a: {_point(capsule.a)}, b: {_point(capsule.b)}, radius: {capsule.radius:.6g}}}"
+    for name, parts in bodies.items():
+        if len(parts) == 1:
+            yield f"    {name}: {_body(parts[0])}"
+        else:
+            yield f"    {name}:"
+            yield "      parts:"
+            yield from (f"        - {_body(part)}" for part in parts)
     if not pairs:
         yield "  self_pairs: []"
         return
     yield "  self_pairs:"
     for first, second in pairs:
         yield f"    - [{first}, {second}]"
+
+
+def _body(shape: LinkShape) -> str:
+    if isinstance(shape, Capsule):
+        return f"{{a: {_point(shape.a)}, b: {_point(shape.b)}, radius: {shape.radius:.6g}}}"
+    return f"{{polytope: {_point(np.array(reach(shape)))}}}"
 
 
 def _point(values: Array) -> str:

@@ -153,7 +153,7 @@ def _record(made: NewRobot, robot: RobotModel | SrsRobot) -> dict[str, Any]:
         "lengths_m": _lengths(robot),
         "flange_at_zero_m": X[:3, 3].tolist(),
         "flange_z_at_zero": X[:3, 2].tolist(),
-        "capsules": list(made.capsules),
+        "bodies": {link: len(parts) for link, parts in made.bodies.items()},
         "self_pairs": [list(pair) for pair in made.pairs],
         "meshes_missing": list(made.missing),
         "notes": list(made.chain.notes),
@@ -190,9 +190,9 @@ def _told(made: NewRobot, robot: RobotModel | SrsRobot) -> Iterator[TextTable | 
             if made.confdata == "none"
             else "; --confdata none where it is not ABB's"
         )
-    yield f"capsules: {', '.join(made.capsules) or 'none, so self-collision and obstacles are not looked at'}"
-    if made.capsules and (bare := [name for name in robot.link_names if name not in made.capsules]):
-        yield f"no capsules: {', '.join(bare)}, which may touch anything unseen"
+    yield f"bodies: {', '.join(made.bodies) or 'none, so self-collision and obstacles are not looked at'}"
+    if made.bodies and (bare := [name for name in robot.link_names if name not in made.bodies]):
+        yield f"no bodies: {', '.join(bare)}, which may touch anything unseen"
     for line in (*made.missing, *chain.notes):
         yield f"note: {printable(line)}"
     guesses = "accelerations, jerks" + (", tcp caps" if six else "")
