@@ -21,7 +21,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.print_resolution import Digits
 from trajopt_cli.sheet import TIME, TIMES, Head, Sheet
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 _TIME = "t [s]"
 _SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
@@ -59,7 +59,7 @@ class Resolution:
 
 def header(names: Sequence[str], speeds: bool) -> list[str]:
     """Column heads for axes in order; the rail is in m, every other axis in rad."""
-    units = ["m" if name == "rail" else "rad" for name in names]
+    units = ["m" if slides(name) else "rad" for name in names]
     heads = [_TIME] + [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)]
     if speeds:
         heads += [f"{name} speed [{unit}/s]" for name, unit in zip(names, units, strict=True)]
@@ -145,7 +145,7 @@ def check_reach(
         wrong = np.argwhere((q < lower - far) | (q > upper + far))
         if len(wrong):
             i, k = (int(x) for x in wrong[0])
-            name, unit = trajectory.names[k], "m" if trajectory.names[k] == "rail" else "rad"
+            name, unit = trajectory.names[k], "m" if slides(trajectory.names[k]) else "rad"
             message = f"{name} is {q[i, k]:.6g} {unit}, its range [{lower[k]:.6g}, {upper[k]:.6g}] {unit}: more than"
             message += f" {ABSURD} times the range beside it is no trajectory; see the value, and the column's unit"
             raise InputError(message, file=file, line=int(lines[first + i]))
@@ -154,7 +154,7 @@ def check_reach(
         wrong = np.argwhere(np.abs(qd := trajectory.qd[first : first + _ROWS]) > fast)
         if len(wrong):
             i, k = (int(x) for x in wrong[0])
-            name, unit = trajectory.names[k], "m/s" if trajectory.names[k] == "rail" else "rad/s"
+            name, unit = trajectory.names[k], "m/s" if slides(trajectory.names[k]) else "rad/s"
             message = f"the speed of {name} is {qd[i, k]:.6g} {unit}, its limit {velocity[k]:.6g} {unit}: more than"
             message += f" {ABSURD} times the limit is no trajectory; see the value, and the column's unit"
             raise InputError(message, file=file, line=int(lines[first + i]))
@@ -176,7 +176,7 @@ def _heads(sheet: Sheet) -> tuple[Head, list[tuple[Head, str]]]:
         if head is times[0]:
             continue
         text = head.text
-        if head.name is not None and not (text.startswith("eax_") and head.unit in ("rad", "deg")):
+        if head.name is not None and not (text.startswith("eax_") and head.unit in ("rad", "deg", "m", "mm")):
             if head.unit is None:
                 ways = " or ".join(
                     f"'{head.name} [{one}]'" for one in (("m", "mm") if head.name == "rail" else ("rad", "deg"))
@@ -193,8 +193,10 @@ def _read_header(sheet: Sheet, heads: Sequence[tuple[Head, str]]) -> tuple[tuple
     speeds: list[re.Match[str]] = []
     for head, text in heads:
         position, speed = _POSITION.fullmatch(text), _SPEED.fullmatch(text)
-        if (match := position or speed) and match["name"].startswith("eax_") and match["unit"] in ("m", "mm"):
-            raise sheet.wrong(f"column '{head.text}' is of an axis that turns; wanted its values in rad or deg", head)
+        match = position or speed
+        if match and match["name"].startswith("eax_") and slides(match["name"]) != (match["unit"] in ("m", "mm")):
+            what, wanted = ("slides", "m or mm") if slides(match["name"]) else ("turns", "rad or deg")
+            raise sheet.wrong(f"column '{head.text}' is of an axis that {what}; wanted its values in {wanted}", head)
         if position and not speeds:
             positions.append(position)
         elif speed and len(speeds) < len(positions) and speed["name"] == positions[len(speeds)]["name"]:

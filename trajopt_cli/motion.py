@@ -264,13 +264,17 @@ class Process:
     data: tuple[tuple[str, str], ...] = ()
 
 
+SLIDE = "_slide"
+"""Ends the names of positioners' axes that slide, in m; of all others but the rail they are in rad."""
+
+
 class UnitMove(NamedTuple):
     """A positioner's axis that turns while a move goes on: mechanical unit and external axis (0 for eax_a), from and to
     where [rad], the least time it takes [s] from rest to rest. carries: whether the move's work object rides on it.
 
     velocity [rad/s], acceleration [rad/s2]: what it may do, the programmed speed counted. p [m], u (a unit vector): the
-    line in the world about which it turns, where that lies when the move begins. shared: another unit has the same
-    external axis.
+    line in the world about which it turns, or along which it slides, where that lies when the move begins. shared:
+    another unit has the same external axis. slides: lengths are in m where they are in rad of others.
     """
 
     unit: str
@@ -284,6 +288,7 @@ class UnitMove(NamedTuple):
     p: tuple[float, float, float]
     u: tuple[float, float, float]
     shared: bool = False
+    slides: bool = False
 
     @property
     def angle(self) -> float:
@@ -292,8 +297,8 @@ class UnitMove(NamedTuple):
 
     @property
     def column(self) -> str:
-        """Its name in rows of axes: "eax_b", or "eax_b_stn1" where it shares that axis."""
-        return f"eax_{'abcdef'[self.eax]}{f'_{self.unit}' if self.shared else ''}"
+        """Its name in rows of axes: "eax_b", "eax_b_stn1" where it shares that axis, "eax_b_slide" where it slides."""
+        return f"eax_{'abcdef'[self.eax]}{f'_{self.unit}' if self.shared else ''}{SLIDE if self.slides else ''}"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import radians
 from typing import NamedTuple
 
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup
@@ -85,8 +86,9 @@ class RailPlace(NamedTuple):
 
 @dataclass(frozen=True)
 class PositionerAxis:
-    """One axis of a positioner: eax, 0 for eax_a. p [m], q (w, x, y, z): the frame about whose z it turns, in the world
-    or on the axis before it. range, start [rad], velocity [rad/s], acceleration [rad/s2]."""
+    """One axis of a positioner: eax, 0 for eax_a. p [m], q (w, x, y, z): the frame about whose z it turns, or along
+    whose z it slides, in the world or on the axis before it. range, start [rad or m], velocity [1/s], acceleration
+    [1/s2]."""
 
     eax: int
     p: tuple[float, float, float]
@@ -96,6 +98,12 @@ class PositionerAxis:
     acceleration: float
     start: float
     source: str
+    slides: bool = False
+
+    @property
+    def unit(self) -> float:
+        """What RAPID's unit of its values is in SI: mm or degrees."""
+        return 1e-3 if self.slides else radians(1.0)
 
 
 class RailUnit(NamedTuple):

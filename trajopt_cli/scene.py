@@ -3,7 +3,7 @@
 Frame i of a chain is the one behind its i-th element, BASE the one before the first: X_WF = base · placement_1 ·
 joint_1(q_1) · placement_2 · joint_2(q_2) ... Whoever draws takes poses from here or works them out by this rule.
 Behind the chain come the frames of positioners' axes: how what they carry has moved since the start, parent · X ·
-turn about z · X^-1.
+turn about z or shift along it · X^-1.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, readonly, rotation_about
-from trajopt_cli.motion import MoveAbsJ, PathMove, PoseMove, Program
+from trajopt_cli.motion import SLIDE, MoveAbsJ, PathMove, PoseMove, Program
 from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
@@ -61,7 +61,7 @@ class Joint:
 @dataclass(frozen=True, eq=False)
 class TableAxis:
     """A positioner's axis: unit, number from 0, external axis. parent: the frame it stands on. X (4, 4): where it is in
-    the world at start, at which angle [rad]."""
+    the world at start, at which angle [rad], or place [m] where it slides."""
 
     unit: str
     number: int
@@ -69,6 +69,7 @@ class TableAxis:
     parent: int
     X: Array
     start: float
+    slides: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,8 +137,8 @@ class Cycle:
 
     tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
     and arcs; none for a motion that has no such parts. parts: bodies that are there for a time, WORLD or on the flange:
-    what it takes and leaves, and the capsule that stands for the tool. turned (n, T) [rad]: the scene's tables, since
-    the start; None for none.
+    what it takes and leaves, and the capsule that stands for the tool. turned (n, T) [rad or m]: the scene's tables,
+    since the start; None for none.
     """
 
     name: str
@@ -175,7 +176,7 @@ def tables_of(plant: Plant) -> tuple[TableAxis, ...]:
         for i, axis in enumerate(plant.units[unit]):
             X = carried_by(plant.units[unit][: i + 1], [one.start for one in plant.units[unit][: i + 1]])
             parent = first + len(out) - 1 if i else WORLD
-            out.append(TableAxis(unit, i, axis.eax, parent, X, axis.start))
+            out.append(TableAxis(unit, i, axis.eax, parent, X, axis.start, axis.slides))
     return tuple(out)
 
 
@@ -192,7 +193,8 @@ def turned_since(tables: Sequence[TableAxis], rows: Trajectory | None, n: int, p
     at = {(unit.unit, unit.eax): unit.end for unit in before}
     out = np.empty((n, len(tables)))
     for j, one in enumerate(tables):
-        names = [f"{TABLE}{'abcdef'[one.eax]}{tail}" for tail in (f"_{one.unit}", "")]
+        kind = SLIDE if one.slides else ""
+        names = [f"{TABLE}{'abcdef'[one.eax]}{tail}{kind}" for tail in (f"_{one.unit}", "")]
         name = next((name for name in names if rows is not None and name in rows.names), None)
         angle = at.get((one.unit, one.eax), one.start)
         out[:, j] = (angle if name is None or rows is None else rows.q[:, rows.names.index(name)]) - one.start

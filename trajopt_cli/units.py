@@ -10,7 +10,12 @@ DEG = pi / 180.0
 
 def unit_of(axis: str) -> tuple[float, str]:
     """SI per shown unit, and the unit's sign, of an axis by name."""
-    return (MM, "mm") if axis == "rail" else (DEG, "deg")
+    return (MM, "mm") if slides(axis) else (DEG, "deg")
+
+
+def slides(axis: str) -> bool:
+    """Whether an axis, by name, is the rail or one of a positioner that slides: in m, all others in rad."""
+    return axis == "rail" or (axis.startswith("eax_") and axis.endswith("_slide"))
 
 
 def decimal(text: str) -> float:

@@ -20,7 +20,7 @@ def test_two_axes_turn_a_point_one_after_the_other() -> None:
     rng = np.random.default_rng(4)
     axes = [(u / np.linalg.norm(u), p) for u, p in rng.normal(size=(2, 2, 3))]
     theta = rng.uniform(-3, 3, (30, 2))
-    R, x = turned([SimpleNamespace(u=tuple(u), p=tuple(p)) for u, p in axes], theta)  # type: ignore[misc]
+    R, x = turned([SimpleNamespace(slides=False, u=tuple(u), p=tuple(p)) for u, p in axes], theta)  # type: ignore[misc]
     for k, angles in enumerate(theta):
         wanted = about(*axes[0], angles[0]) * about(*axes[1], angles[1])
         np.testing.assert_allclose(R[k], wanted.rotation, atol=1e-14)

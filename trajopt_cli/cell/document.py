@@ -26,9 +26,11 @@ from pydantic import (
 from trajopt_cli.cell.model import TOOL_RADIUS
 from trajopt_cli.limits import AXIS_LIMITS, TcpCaps
 from trajopt_cli.quantity import (
+    ACCELERATION,
     ANGLE,
     LENGTH,
     RATIO,
+    SPEED,
     TIME,
     TURN_ACCELERATION,
     TURN_RATE,
@@ -224,29 +226,55 @@ def _drives(**limits: float | None) -> None:
             raise complain(f"{name} {value:g} is less than any drive has, at least {_SLOWEST:g}; check the value")
 
 
+_SLIDES = {"velocity": SPEED, "acceleration": ACCELERATION, "start": LENGTH}
+_TURNS = {"velocity": TURN_RATE, "acceleration": TURN_ACCELERATION, "start": ANGLE}
+
+
 class PositionerSection(_Section):
-    """One axis of a positioner: the external axis that drives it, the frame about whose z it turns (in the world, or on
-    the axis before it), range and start [rad], velocity [rad/s], acceleration [rad/s2] and where they come from."""
+    """One axis of a positioner: the external axis that drives it, the frame (in the world, or on the axis before it)
+    about whose z it turns, by range and start [rad], velocity [rad/s] and acceleration [rad/s2], or along whose z it
+    slides, by stroke and start [m], velocity [m/s], acceleration [m/s2]; and where they come from."""
 
     eax: Literal["a", "b", "c", "d", "e", "f"]
     frame: FrameSection = FrameSection()
-    range: Annotated[tuple[float, float], BeforeValidator(numbers(ANGLE, 2))]
-    velocity: Annotated[float, BeforeValidator(positive(TURN_RATE))]
-    acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION))]
-    start: Angle = 0.0
+    range: Annotated[tuple[float, float], BeforeValidator(numbers(ANGLE, 2))] | None = None
+    stroke: Annotated[tuple[float, float], BeforeValidator(numbers(LENGTH, 2))] | None = None
+    velocity: Annotated[float, BeforeValidator(positive(TURN_RATE | SPEED))]
+    acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION | ACCELERATION))]
+    start: Annotated[float, BeforeValidator(number(ANGLE | LENGTH))] = 0.0
     source: SourceText
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_one_kind(cls, given: Any) -> Any:
+        """Units fit what the axis does."""
+        for name, units in (_SLIDES if isinstance(given, dict) and "stroke" in given else _TURNS).items():
+            if isinstance(given, dict) and isinstance(given.get(name), str):
+                try:
+                    number(units)(given[name])
+                except ValueError as error:
+                    raise complain(f"{name} {error}") from error
+        return given
 
     @model_validator(mode="after")
     def _ordered(self) -> PositionerSection:
-        low, high = self.range
+        if (self.range is None) == (self.stroke is None):
+            raise complain("needs one of range, of an axis that turns, and stroke, of one that slides")
+        turns, (low, high) = self.stroke is None, self.reach
+        name, unit, most = ("range", "rad", MOST_TURNED) if turns else ("stroke", "m", LONGEST_RAIL)
         _drives(velocity=self.velocity, acceleration=self.acceleration)
         if not low < high:
-            raise complain(f"range goes from {low:g} to {high:g}; the lower end comes first")
-        if max(-low, high) > MOST_TURNED:
-            raise complain(f"range goes from {low:g} to {high:g} rad, at most {MOST_TURNED:g} rad; check the value")
+            raise complain(f"{name} goes from {low:g} to {high:g}; the lower end comes first")
+        if max(-low, high) > most:
+            raise complain(f"{name} goes from {low:g} to {high:g} {unit}, at most {most:g} {unit}; check the value")
         if not low <= self.start <= high:
-            raise complain(f"start {self.start:g} rad is not in the range {low:g}..{high:g} rad")
+            raise complain(f"start {self.start:g} {unit} is not in the {name} {low:g}..{high:g} {unit}")
         return self
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Range or stroke."""
+        return self.range or self.stroke or (0.0, 0.0)
 
 
 def _one_or_more(value: Any) -> Any:

@@ -242,11 +242,12 @@ def _axes(sections: Iterable[PositionerSection]) -> tuple[PositionerAxis, ...]:
                 _EXTERNAL_AXES.index(section.eax),
                 (x, y, z),
                 (w, i, j, k),
-                section.range,
+                section.reach,
                 section.velocity,
                 section.acceleration,
                 section.start,
                 section.source,
+                section.stroke is not None,
             )
         )
     return tuple(out)

@@ -122,13 +122,14 @@ class _Turned:
         points, radius = outline(turned.solid.loaded)
         levers, far, last = np.zeros(len(units)), 0.0, np.zeros(3)
         for j in reversed(turned.units):
-            p, u = np.array(units[j].p), np.array(units[j].u)
+            p, u, way = np.array(units[j].p), np.array(units[j].u), abs(units[j].angle)
             if j == turned.units[-1]:  # it has the body as it stands
                 lever = float(np.linalg.norm(np.cross(points - p, u), axis=1).max()) + radius
                 far = float(np.linalg.norm(points - p, axis=1).max()) + radius
             else:  # a ball about the axis behind it has
                 lever = far = far + float(np.linalg.norm(last - p))
-            levers[j], last = lever * abs(units[j].angle), p
+            levers[j], last = way * (1.0 if units[j].slides else lever), p
+            far += way if units[j].slides else 0.0
         return cls(turned.solid.name, turned.solid.loaded, frame, turned.units, levers)
 
 
@@ -157,10 +158,7 @@ class _Scene:
         X = links(self.robot, q[:, :n])
         if not self._turned:
             return X
-        each = [
-            Turn(np.array(unit.p), np.array(unit.u), unit.angle).pose(s)
-            for unit, s in zip(self.units, q[:, n:].T, strict=True)
-        ]
+        each = [Turn.of(unit).pose(s) for unit, s in zip(self.units, q[:, n:].T, strict=True)]
         own = [reduce(np.matmul, [each[i] for i in numbers]) for numbers in self._turned]
         return np.concatenate([X, np.stack(own, axis=1)], axis=1)
 

@@ -23,7 +23,7 @@ from trajopt_cli.exporters.joint import between_rows, check_rate
 from trajopt_cli.exporters.recorded import Recorded
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.trajectory import TABLE, Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides, unit_of
 
 HIGHEST_RATE = 250.0  # Hz: EGM takes a message every 4 ms at most
 _JOINTS, _RAIL = 6, "rail"
@@ -109,9 +109,12 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     if rail is not None:
         beside[:, :, letters[-1]] = q[:, rail] / MM, qd[:, rail] / MM
     if tables is not None:
-        beside[:, :, [*turns]] = np.array(between_rows(tables, t)) / DEG
+        beside[:, :, [*turns]] = np.array(between_rows(tables, t)) / [unit_of(name)[0] for name in tables.names]
     places, speeds = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
-    return Stream(1 / rate, _JOINTS, places, speeds, turns, tuple(f"eax_{_LETTERS[i]}" for i in letters))
+    turning = tuple(
+        i for i, name in zip(turns, () if tables is None else tables.names, strict=True) if not slides(name)
+    )
+    return Stream(1 / rate, _JOINTS, places, speeds, turning, tuple(f"eax_{_LETTERS[i]}" for i in letters))
 
 
 def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:

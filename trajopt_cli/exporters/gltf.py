@@ -101,7 +101,10 @@ def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
     for i, table in enumerate(scene.tables):
         mount = file.node(f"{table.unit} {table.number + 1} mount", nodes[table.parent], table.X)
         turns = file.node(f"{table.unit} {table.number + 1}", mount, np.eye(4))
-        animate(turns, "rotation", _xyzw(rotation_about([0, 0, 1], turned[:, i])), "VEC4")
+        if table.slides:
+            animate(turns, "translation", turned[:, i, None] * np.array([0.0, 0.0, 1.0]), "VEC3")
+        else:
+            animate(turns, "rotation", _xyzw(rotation_about([0, 0, 1], turned[:, i])), "VEC4")
         nodes[len(scene.chain) + i] = file.node(
             f"{table.unit} {table.number + 1} carries", turns, inverse_pose(table.X)
         )

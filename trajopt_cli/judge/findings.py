@@ -13,6 +13,7 @@ import numpy as np
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source
+from trajopt_cli.units import slides
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,7 @@ class Columns:
 
 def axis_unit(name: str) -> str:
     """Unit of an axis' position."""
-    return "m" if name == "rail" else "rad"
+    return "m" if slides(name) else "rad"
 
 
 def digits(value: float, limit: float) -> tuple[str, str]:

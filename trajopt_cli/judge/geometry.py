@@ -48,10 +48,13 @@ def rotation_vectors(R: Array) -> Array:
 
 
 def turned(units: Sequence[UnitMove], theta: Array) -> tuple[Array, Array]:
-    """How positioners have moved a work object that they have turned by theta (n, m) [rad]: R (n, 3, 3) and x (n, 3),
-    so that a point p of it has come to R p + x. units: from the floor on."""
+    """How positioners have moved a work object that they have turned by theta (n, m) [rad, m of those that slide]: R
+    (n, 3, 3) and x (n, 3), so that a point p of it has come to R p + x. units: from the floor on."""
     R, x = np.tile(np.eye(3), (len(theta), 1, 1)), np.zeros((len(theta), 3))
     for unit, angle in zip(units, theta.T, strict=True):
+        if unit.slides:
+            x = x + angle[:, None] * (R @ np.array(unit.u))
+            continue
         K, p = pin.skew(np.array(unit.u)), np.array(unit.p)
         E = np.eye(3) + np.sin(angle)[:, None, None] * K + (1 - np.cos(angle))[:, None, None] * (K @ K)
         x = x + np.einsum("nij,nj->ni", R, p - E @ p)
@@ -74,10 +77,11 @@ def mounted(axis: PositionerAxis) -> Array:
 
 
 def table_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> Array:
-    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad]."""
+    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad or m]."""
     X = np.eye(4)
     for axis, angle in zip(axes, at, strict=True):
-        X = X @ mounted(axis) @ pin.SE3(pin.exp3(np.array([0.0, 0.0, angle])), np.zeros(3)).homogeneous
+        turn, way = (0.0, angle) if axis.slides else (angle, 0.0)
+        X = X @ mounted(axis) @ pin.SE3(pin.exp3(np.array([0.0, 0.0, turn])), np.array([0.0, 0.0, way])).homogeneous
     return X
 
 

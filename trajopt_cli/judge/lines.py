@@ -127,7 +127,8 @@ def _in_step(run: StopInterval, leg: int) -> Iterator[Finding]:
     off = frame.off(run.part[0] + here // run.step, run.fractions[here], doubt / path.extent)
     i, j = np.unravel_index(int(np.argmax(off)), off.shape)
     value = float(off[i, j])
-    yield finding(f"positioner along {path.kind}", frame.units[int(j)].column, value, JOINT_TARGET, "rad",
+    yield finding(f"positioner along {path.kind}", frame.units[int(j)].column, value, JOINT_TARGET,
+                  axis_unit(frame.units[int(j)].column),
                   value <= JOINT_TARGET, time=float(run.places.t[here[i]]), source=visit.point.source,
                   note=f" from its share of the way to {visit.point.name}, as it turns the work under it")  # fmt: skip
 

@@ -13,7 +13,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.judge.findings import finding
+from trajopt_cli.judge.findings import axis_unit, finding
 from trajopt_cli.judge.geometry import lengths, turned
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.samples import Along, Pieces, Rows, shortest
@@ -46,15 +46,15 @@ def check_columns(
         for unit in getattr(motion, "units", ()):
             if unit.column not in there and (name := carries.get((unit.unit, unit.eax))):
                 raise InputError(
-                    f"the file has no column {unit.column} [rad], by which {unit.unit} turns '{name}' during"
-                    f" {motion_name(motion)} ({motion.source}): add where it stands in every row"
+                    f"the file has no column {unit.column} [{axis_unit(unit.column)}], by which {unit.unit} moves"
+                    f" '{name}' during {motion_name(motion)} ({motion.source}): add where it stands in every row"
                 )
     for i, motion in enumerate(program.motions):
         for unit in turned_under(motion) if i not in dropped else ():
             if unit.column not in there:
                 raise InputError(
-                    f"the file has no column {unit.column} [rad], by which {unit.unit} turns the work object under"
-                    f" {motion_name(motion)} ({motion.source}): add where it stands in every row"
+                    f"the file has no column {unit.column} [{axis_unit(unit.column)}], by which {unit.unit} turns the"
+                    f" work object under {motion_name(motion)} ({motion.source}): add where it stands in every row"
                 )
 
 
@@ -109,7 +109,7 @@ class TurnedFrame(ToolKinematics):
 
     def _lever(self, p: Array) -> Array:
         """How far from all units' axes positions (n, 3) are, in all and at most [m]."""
-        return np.asarray(sum(lengths(p - np.array(unit.p)) for unit in self.units))
+        return np.asarray(sum(1.0 + 0 * p[:, 0] if u.slides else lengths(p - np.array(u.p)) for u in self.units))
 
     @cached_property
     def _small(self) -> tuple[Array, ...]:
@@ -135,6 +135,9 @@ class TurnedFrame(ToolKinematics):
             for i, unit in enumerate(self.units):  # an axis lies where those below it have brought it
                 R, x = turned(self.units[:i], self._theta[a:b, :i])
                 spin = rates[a:b, i, None] * (R @ np.array(unit.u))
+                if unit.slides:
+                    v = v - spin
+                    continue
                 v, w = v - np.cross(spin, p - (R @ np.array(unit.p) + x)), w - spin
             R = turned(self.units, self._theta[a:b])[0]
             linear, angular = (of[a:b] for of in self.world.doubt_V)
@@ -323,6 +326,7 @@ def _axis(
 ) -> Iterator[Finding]:
     """Findings about one axis in a phase that begins with it at start [rad]. hardest: its acceleration limit."""
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
+    unit = axis_unit(name)
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = rows.tables_step
     granted = _granted(rows, hardest, a, b)
@@ -331,19 +335,19 @@ def _axis(
     before = max(int(np.searchsorted(t, soonest - slack, side="right")), 1)  # rows that come before the turn
     off = (np.abs(q - start) - granted)[: len(q) if not units else before]
     i = int(np.argmax(off))
-    yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
+    yield finding(_POSITION, name, float(q[i]), start, unit, bool(off[i] <= JOINT_TARGET),
                   time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if not units:
         return
     after = min(int(np.searchsorted(t, t[-1] - behind + slack)), len(t) - 1)  # the first row that comes behind it
     off = (np.abs(q - units[-1].end) - granted)[after:]
     i = after + int(np.argmax(off))
-    yield finding(_POSITION, name, float(q[i]), units[-1].end, "rad", bool(off.max() <= JOINT_TARGET),
+    yield finding(_POSITION, name, float(q[i]), units[-1].end, unit, bool(off.max() <= JOINT_TARGET),
                   time=float(t[i]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
     most = float(granted.max()) + step / 2  # two printed places are compared
     i, wanted = _astray(q, start, units, most)
     if abs(float(q[i]) - wanted) - most > JOINT_TARGET:
-        yield finding(_POSITION, name, float(q[i]), wanted, "rad", False,
+        yield finding(_POSITION, name, float(q[i]), wanted, unit, False,
                       time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if b <= a:
         return
@@ -362,14 +366,14 @@ def _axis(
         bend = np.abs(rate - (v[1:] + v[:-1]) / 2) - doubt - step_v
         pull = (np.maximum(np.abs(np.diff(v)) - step_v, 0.0)) / (h + rows.doubt_t)
         pull, when = np.maximum(pull, np.maximum(bend, 0.0) / ((h + off_t) / 4)), t[:-1]
-    for check, values, times, limit, unit in (
-        ("speed", speed, t[:-1], velocity, "rad/s"),
-        ("acceleration", pull, when, acceleration, "rad/s2"),
+    for check, values, times, limit, sign in (
+        ("speed", speed, t[:-1], velocity, f"{unit}/s"),
+        ("acceleration", pull, when, acceleration, f"{unit}/s2"),
     ):
         if len(values):
             i = int(np.argmax(values))
             passed = bool(values[i] <= limit * (1 + JOINT))
-            yield finding(f"positioner {check}", name, float(values[i]), limit, unit, passed, time=float(times[i]),
+            yield finding(f"positioner {check}", name, float(values[i]), limit, sign, passed, time=float(times[i]),
                           source=source, words=check)  # fmt: skip
 
 

@@ -33,11 +33,12 @@ def since_start(plant: Machine, rides: Rides | None, at: Angles) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class _Axis:
-    """mount (4, 4): on the axis before it. column: of a file's tables, None where it stands at angle [rad]."""
+    """mount (4, 4): on the axis before it. column: of a file's tables, None where it stands at angle [rad or m]."""
 
     mount: Array
     column: int | None
     angle: float
+    slides: bool
 
 
 class Turntables:
@@ -53,7 +54,7 @@ class Turntables:
         for unit, count in keys:
             axes = plant.units[unit][:count]
             self._axes.append([
-                _Axis(mounted(axis), columns.get((unit, axis.eax)), at.get((unit, axis.eax), axis.start))
+                _Axis(mounted(axis), columns.get((unit, axis.eax)), at.get((unit, axis.eax), axis.start), axis.slides)
                 for axis in axes
             ])  # fmt: skip
             self._back.append(inverse_pose(table_frame(axes, [axis.start for axis in axes])))
@@ -74,7 +75,9 @@ class Turntables:
         points = local @ np.swapaxes(X[:, :3, :3], 1, 2) + X[:, None, :3, 3]
         out = np.zeros(len(theta))
         for axis, frame in zip(self._axes[number], carried, strict=True):
-            if axis.column is not None:
+            if axis.column is not None and axis.slides:
+                out += swing[:, axis.column]
+            elif axis.column is not None:
                 arm = points - frame[:, None, :3, 3]
                 across = lengths(np.cross(arm, frame[:, None, :3, 2]).reshape(-1, 3)).reshape(arm.shape[:2])
                 out += (across.max(axis=1) + radius) * swing[:, axis.column]
@@ -86,8 +89,11 @@ class Turntables:
         for axis in self._axes[number]:
             angle = np.full(len(theta), axis.angle) if axis.column is None else theta[:, axis.column]
             turn = np.tile(np.eye(4), (len(theta), 1, 1))
-            turn[:, 0, 0] = turn[:, 1, 1] = np.cos(angle)
-            turn[:, 1, 0] = np.sin(angle)
-            turn[:, 0, 1] = -turn[:, 1, 0]
+            if axis.slides:
+                turn[:, 2, 3] = angle
+            else:
+                turn[:, 0, 0] = turn[:, 1, 1] = np.cos(angle)
+                turn[:, 1, 0] = np.sin(angle)
+                turn[:, 0, 1] = -turn[:, 1, 0]
             out.append(X := X @ axis.mount @ turn)
         return out

@@ -60,7 +60,13 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
             for one in points
         ],
         "tables": [
-            {"parent": one.parent, "X": _flat(one.X), "back": _flat(inverse_pose(one.X))} for one in scene.tables
+            {
+                "parent": one.parent,
+                "X": _flat(one.X),
+                "back": _flat(inverse_pose(one.X)),
+                "kind": "prismatic" if one.slides else "revolute",
+            }
+            for one in scene.tables
         ],
         "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
         "base": _flat(scene.base),

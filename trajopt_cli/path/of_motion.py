@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Motion, MoveC, MoveL, PathMove, turned_under
@@ -42,4 +40,4 @@ def _path(motion: PathMove, X_0: Array, turns: tuple[Turn, ...]) -> Segment:
 
 def turns_of(motion: Motion) -> tuple[Turn, ...]:
     """How positioners turn the work object under a path; of other motions nothing."""
-    return tuple(Turn(np.array(unit.p), np.array(unit.u), unit.angle) for unit in turned_under(motion))
+    return tuple(map(Turn.of, turned_under(motion)))

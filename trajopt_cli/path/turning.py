@@ -8,12 +8,13 @@ exponentials, axes from the floor on).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, rotation_about
+from trajopt_cli.motion import UnitMove
 from trajopt_cli.path.segment import Segment
 from trajopt_cli.path.symbols import Flange, Layout, Symbols, rotated
 
@@ -23,17 +24,25 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A rotation about the axis through p (3,) [m] along the unit vector u (3,), by an angle [rad]."""
+    """A rotation about the axis through p (3,) [m] along the unit vector u (3,), by an angle [rad]; or a shift along
+    way (3,) [m] with none."""
 
     p: Array
     u: Array
     angle: float
+    way: Array = field(default_factory=lambda: np.zeros(3))
+
+    @classmethod
+    def of(cls, unit: UnitMove) -> Turn:
+        """What an axis does in a whole move."""
+        u = np.array(unit.u)
+        return cls(np.array(unit.p), u, 0.0, unit.angle * u) if unit.slides else cls(np.array(unit.p), u, unit.angle)
 
     def pose(self, s: Array) -> Array:
         """E (n, 4, 4) at s (n,)."""
         E = np.zeros((len(s), 4, 4))
         E[:, :3, :3] = rotation_about(self.u, s * self.angle)
-        E[:, :3, 3] = self.p - E[:, :3, :3] @ self.p
+        E[:, :3, 3] = self.p - E[:, :3, :3] @ self.p + s[:, None] * self.way
         E[:, 3, 3] = 1.0
         return E
 
@@ -106,6 +115,7 @@ class Turning(Segment):
         for i, turn in enumerate(self.turns):
             parts[f"p_{i}"] = X_BA[:3, :3] @ turn.p + X_BA[:3, 3]
             parts[f"u_{i}"], parts[f"angle_{i}"] = X_BA[:3, :3] @ turn.u, turn.angle
+            parts[f"way_{i}"] = X_BA[:3, :3] @ turn.way
         return self.symbols.layout.vector(parts)
 
     def pose(self, s: Array) -> Array:
@@ -131,9 +141,9 @@ class Turning(Segment):
             E, spin = turn.pose(s), turn.angle * turn.u
             X = E @ X
             v, w, a, b = ((E[:, :3, :3] @ x[..., None])[..., 0] for x in (v, w, a, b))  # seen from below the axis
-            carried = np.cross(spin, X[:, :3, 3] - turn.p)
+            carried = np.cross(spin, X[:, :3, 3] - turn.p)  # of a shift there is none
             a, b = a + 2 * np.cross(spin, v) + np.cross(spin, carried), b + np.cross(spin, w)
-            v, w = v + carried, w + spin
+            v, w = v + carried + turn.way, w + spin
         return np.hstack([v, w]), np.hstack([a, b])
 
 
@@ -147,7 +157,7 @@ class TurningSymbols(Symbols):
     @property
     def layout(self) -> Layout:
         """The path's own parameters; p, u, angle: of each turn, seen from the arm's base."""
-        turns = {f"{name}_{i}": shape for i in range(self.axes) for name, shape in (("p", (3,)), ("u", (3,)))}
+        turns = {f"{name}_{i}": (3,) for i in range(self.axes) for name in ("p", "u", "way")}
         angles: dict[str, tuple[int, ...]] = {f"angle_{i}": () for i in range(self.axes)}
         return Layout({"path": (self.path.size,), **turns, **angles})
 
@@ -157,7 +167,7 @@ class TurningSymbols(Symbols):
         position, rotation = self.path.flange(part["path"], s)
         for i in reversed(range(self.axes)):
             E, at = rotated(part[f"u_{i}"], part[f"angle_{i}"] * s), part[f"p_{i}"]
-            position, rotation = at + E @ (position - at), E @ rotation
+            position, rotation = at + E @ (position - at) + part[f"way_{i}"] * s, E @ rotation
         return Flange(position, rotation)
 
     def tangent_rate(self, p: ca.SX, s: ca.SX) -> ca.SX | float:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from math import degrees
 
 import numpy as np
 
@@ -38,7 +37,7 @@ from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.scenario import Lines
-from trajopt_cli.units import MM
+from trajopt_cli.units import MM, unit_of
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
 _SHOWN_IDS = 3
@@ -224,7 +223,8 @@ def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
             "plans support \\PathFrame, \\ObjectFrame and \\CirPointOri: set one of them before it",
         )
     for unit in motion.units:
-        axis = f"{unit.unit}'s eax_{'abcdef'[unit.eax]} from {degrees(unit.start):g} to {degrees(unit.end):g} deg"
+        size, sign = unit_of(unit.column)
+        axis = f"{unit.unit}'s eax_{'abcdef'[unit.eax]} from {unit.start / size:g} to {unit.end / size:g} {sign}"
         if motion.duration is not None and motion.duration < unit.least:
             yield (
                 "times of positioners",

@@ -142,10 +142,11 @@ class Plant:
 
 
 def carried_by(axes: Sequence[PositionerAxis], at: Sequence[float]) -> Array:
-    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad]."""
+    """The frame (4, 4) in the world that the last of a positioner's axes carries, the axes at [rad or m]."""
     X = np.eye(4)
     for axis, angle in zip(axes, at, strict=True):
-        X = X @ pose(rotation_from_wxyz(np.array(axis.q)) @ rotation_about([0, 0, 1], angle), axis.p)
+        X = X @ pose(rotation_from_wxyz(np.array(axis.q)), axis.p)
+        X = X @ (pose(np.eye(3), [0, 0, angle]) if axis.slides else pose(rotation_about([0, 0, 1], angle), np.zeros(3)))
     return X
 
 

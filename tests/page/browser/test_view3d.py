@@ -204,7 +204,7 @@ def test_what_positioners_carry_stands_where_a_product_of_turns_has_it(window: W
     window.open(arm_page, flat=True)
     first, second = PLACE, PLACE @ pose(rotation_about([0, 1, 0], 0.5), [0.2, 0, 0.1])
     axes = [
-        {"parent": parent, "X": X.ravel().tolist(), "back": np.linalg.inv(X).ravel().tolist()}
+        {"parent": parent, "X": X.ravel().tolist(), "back": np.linalg.inv(X).ravel().tolist(), "kind": "revolute"}
         for parent, X in ((-2, first), (3, second))
     ]
     script = (

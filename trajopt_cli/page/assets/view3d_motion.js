@@ -78,8 +78,8 @@ window.TrajoptView3DMotion = (() => {
       const axes = this.scene.tables;
       const turned = this.turned ? this.joints(time, this.turned, axes.length) : axes.map(() => 0);
       const out = [];
-      axes.forEach(({ parent, X, back }, i) => {
-        const own = times(times(X, joint("revolute", [0, 0, 1], turned[i])), back);
+      axes.forEach(({ parent, X, back, kind }, i) => {
+        const own = times(times(X, joint(kind, [0, 0, 1], turned[i])), back);
         out.push(parent < 0 ? own : times(out[parent - this.scene.chain.length], own));
       });
       return out;

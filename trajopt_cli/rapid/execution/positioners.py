@@ -1,12 +1,12 @@
 """Positioners: mechanical units that carry a work object, where they stand and how long they take to get there.
 
-Values of external axes are in degrees here, as RAPID states them.
+Values of external axes are in degrees or, where they slide, mm here, as RAPID states them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, degrees, radians, sin, sqrt
+from math import cos, radians, sin, sqrt
 
 from trajopt_cli.motion import ExternalAxes, Speed, UnitMove
 from trajopt_cli.rapid.data import frames
@@ -17,7 +17,7 @@ from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
-_SLOWEST = 1e-3  # rad/s, as in a cell file: less would take for ever
+_SLOWEST = 1e-3  # rad/s or m/s, as in a cell file: less would take for ever
 _STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 
 
@@ -27,20 +27,22 @@ def kept_axes(run: Context, extax: ExternalAxes) -> ExternalAxes:
 
 
 def user_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> frames.Frame:
-    """The user frame [mm] in the world that the last axis carries, the axes at [deg]."""
+    """The user frame [mm] in the world that the last axis carries, the axes at [deg or mm]."""
     return _links(axes, at)[-1]
 
 
 def _links(axes: Sequence[PositionerAxis], at: Sequence[float]) -> list[frames.Frame]:
-    """What each axis carries, a frame [mm] in the world whose z it turns about, the axes at [deg]."""
+    """What each axis carries, a frame [mm] in the world about whose z it turns, or along which it slides, the axes at
+    [deg or mm]."""
     out: list[frames.Frame] = []
     for axis, value in zip(axes, at, strict=True):
         x, y, z = axis.p
         found: frames.Frame = ((x / MM, y / MM, z / MM), axis.q)
         if out:
             found = frames.compose(out[-1], found)
-        half = radians(value) / 2
-        out.append(frames.compose(found, ((0.0, 0.0, 0.0), (cos(half), 0.0, 0.0, sin(half)))))
+        half = 0.0 if axis.slides else radians(value) / 2
+        step = 0.0, 0.0, value if axis.slides else 0.0
+        out.append(frames.compose(found, (step, (cos(half), 0.0, 0.0, sin(half)))))
     return out
 
 
@@ -59,20 +61,24 @@ def moved(
         before = run.units.positions(unit, run.position.extax)
         after = run.units.positions(unit, kept_axes(run, extax))
         for axis, start, end, (origin, q) in zip(axes, before, after, _links(axes, before), strict=True):
-            low, high = (degrees(value) for value in axis.range)
+            low, high = (value / axis.unit for value in axis.range)
+            sign, cap, word = ("mm", speed.v_leax, "leax") if axis.slides else ("deg", speed.v_reax, "reax")
             if not low - _STILL <= end <= high + _STILL:
-                where = f"{run.text(point)} asks for {unit}'s eax_{'abcdef'[axis.eax]} = {end:.6g} deg"
-                raise run.error(point, f"{where}, range {low:.6g}..{high:.6g} deg")
+                where = f"{run.text(point)} asks for {unit}'s eax_{'abcdef'[axis.eax]} = {end:.6g} {sign}"
+                raise run.error(point, f"{where}, {'stroke' if axis.slides else 'range'} {low:.6g}..{high:.6g} {sign}")
             if abs(end - start) > _STILL:
-                a, b, v = radians(start), radians(end), axis.velocity if timed else min(axis.velocity, speed.v_reax)
+                a, b, v = start * axis.unit, end * axis.unit, axis.velocity if timed else min(axis.velocity, cap)
                 if v < _SLOWEST:
-                    where = f"turns {unit}'s eax_{'abcdef'[axis.eax]} at {degrees(v):g} deg/s (v_reax of {speed.name})"
-                    raise run.error(point, f"{where}: give at least {degrees(_SLOWEST):.3g} deg/s")
+                    verb = "moves" if axis.slides else "turns"
+                    of = f"{v / axis.unit:g} {sign}/s (v_{word} of {speed.name})"
+                    where = f"{verb} {unit}'s eax_{'abcdef'[axis.eax]} at {of}"
+                    raise run.error(point, f"{where}: give at least {_SLOWEST / axis.unit:.3g} {sign}/s")
                 least = _trapezoid(abs(b - a), v, axis.acceleration)
                 p = origin[0] * MM, origin[1] * MM, origin[2] * MM
                 u = frames.rotate(q, (0.0, 0.0, 1.0))
                 shared = axis.eax in run.units.shared
-                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on, v, axis.acceleration, p, u, shared))
+                more = p, u, shared, axis.slides
+                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on, v, axis.acceleration, *more))
     return tuple(out)
 
 

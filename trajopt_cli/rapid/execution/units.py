@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from math import degrees
 
 from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.scenario import Scenario
@@ -40,7 +39,7 @@ class Units:
         default = {name for name, axes in self.axes.items() if not self.shared.intersection(axes)}
         self.active = set(default if given is None else given)
         self.parked = {
-            name: tuple(degrees(axis.start) for axis in axes)
+            name: tuple(axis.start / axis.unit for axis in axes)
             for name, axes in scenario.positioners.items()
             if name not in self.active
         }
@@ -77,7 +76,7 @@ class Units:
         elif on:
             extax = _with(extax, dict(zip(axes, self.parked.pop(unit), strict=True)))
         else:
-            starts = [degrees(axis.start) for axis in self._scenario.positioners[unit]]
+            starts = [axis.start / axis.unit for axis in self._scenario.positioners[unit]]
             at = [extax[eax] for eax in axes]
             self.parked[unit] = tuple(s if a is None else a for a, s in zip(at, starts, strict=True))
             extax = _with(extax, dict.fromkeys(axes))
@@ -94,13 +93,15 @@ class Units:
         return _with(extax, dict.fromkeys(self.inactive)) if self.inactive else extax
 
     def positions(self, unit: str, extax: ExternalAxes) -> tuple[float, ...]:
-        """Where a unit's axes stand [deg], external axes at extax; at their start where that says nothing, and where
-        they were left while the unit is not active."""
+        """Where a unit's axes stand [deg or mm], external axes at extax; at their start where that says nothing, and
+        where they were left while the unit is not active."""
         if (parked := self.parked.get(unit)) is not None:
             return parked
         axes = self._scenario.positioners[unit]
         given = [extax[axis.eax] for axis in axes]
-        return tuple(degrees(axis.start) if value is None else value for axis, value in zip(axes, given, strict=True))
+        return tuple(
+            axis.start / axis.unit if value is None else value for axis, value in zip(axes, given, strict=True)
+        )
 
     def moves_by_itself(self, unit: str) -> bool:
         """Whether a unit is a conveyor, a sensor or another robot, by its name or by what the program does with it."""
