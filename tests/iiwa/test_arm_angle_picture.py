@@ -36,7 +36,8 @@ def drawn() -> tuple[Figure, ArmMap, Array, list[ArmAngleSeries]]:
             ArmAngleSeries(name, angles, np.unwrap(inverse_branch(ROBOT, X_WF, angles, ArmAngle.FARIA, branch), axis=0))
         )
     with house_style():
-        return map_figure(T, chart, LIMITS, courses, "faria", (), "a way"), chart, X_WF, courses
+        ease = ROBOT.manipulability(chart.q)
+        return map_figure(T, chart, ease, LIMITS, courses, "faria", (), "a way"), chart, X_WF, courses
 
 
 def line(axes: Axes, gid: str) -> Array:

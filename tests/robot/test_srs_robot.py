@@ -191,8 +191,8 @@ def test_each_loader_names_the_arms_of_the_other():
     assert str(error.value) == "iiwa7 is a seven-axis arm, for 'trajopt iiwa'; programs run on arms of six axes"
     with pytest.raises(InputError) as error:
         load_srs("irb140")
-    assert str(error.value) == "irb140 is a six-axis arm, for programs; 'trajopt iiwa' is for iiwa7"
-    with pytest.raises(InputError, match=r"unknown robot 'iiwa'; did you mean 'iiwa7'\? 'trajopt robot list' shows"):
+    assert str(error.value) == "irb140 is a six-axis arm, for programs; 'trajopt iiwa' is for iiwa14, iiwa7"
+    with pytest.raises(InputError, match=r"unknown robot 'iiwa'; did you mean 'iiwa14'\? 'trajopt robot list' shows"):
         load_srs("iiwa")
 
 
@@ -268,3 +268,14 @@ def test_robot_list_and_show_name_the_arm_its_torques_and_its_sources(capsys):
     source = re.search(r"link_6 +2\.404 +0 +71\.02 +4\.95 +C \[(\d+)\]", out)
     assert source
     assert f"[{source[1]}] CAD model of lbr_fri_ros2_stack" in out
+
+
+def test_manipulability_is_the_product_of_singular_values_at_any_tool():
+    robot, rng = load_srs("iiwa7"), np.random.default_rng(6)
+    q = rng.uniform(-2, 2, (30, 7))
+    X_FT = np.eye(4)
+    X_FT[:3, 3] = [0.1, -0.2, 0.3]
+    for tool in (None, X_FT):
+        sigma = np.linalg.svd(robot.jacobian(q, tool), compute_uv=False)
+        np.testing.assert_allclose(robot.manipulability(q), sigma.prod(axis=1), rtol=1e-9)
+    assert robot.manipulability(np.zeros(7)) < 1e-9

@@ -106,6 +106,12 @@ class SrsRobot:
             J[..., rows, :] = np.moveaxis(np.tensordot(self.X_WB[:3, :3], block, axes=1), (0, 1), (-2, -1))
         return J
 
+    def manipulability(self, q: Array) -> Array:
+        """Yoshikawa's sqrt(det(J J^T)) (...) of joints q (..., 7), 0 where the arm is singular; in m^3, for J mixes m
+        and rad. It is the same at every TCP: a lever's matrix has the determinant 1."""
+        J = self.jacobian(q)
+        return np.asarray(np.sqrt(np.maximum(np.linalg.det(J @ np.swapaxes(J, -1, -2)), 0.0)))
+
     def axes_and_points(self, q: Array) -> tuple[Array, Array, Array]:
         """Flange rotation (3, 3, ...), unit joint axes (3, 7, ...), a point (3, 7, ...) on each [m], all in the base.
 

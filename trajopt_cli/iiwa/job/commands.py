@@ -65,7 +65,8 @@ def joints(results: Path, arm_angle: str, goal: str | None, plots: Path | None, 
     if isinstance(found, Unfollowable):
         return Refused("out of reach", [f"{opened.task.file}: {found.message}", *ahead])
     line, written = texts.arm_line(found), stops_nothing(found)
-    parts: list[TextTable | Sequence[str]] = [texts.joints_table(opened.robot.name, found.findings), [line]]
+    parts: list[TextTable | Sequence[str]] = [texts.joints_table(opened.robot.name, found.findings)]
+    parts += [[line, texts.ease_line(opened.robot, found)]]
     if found.plan is not None:
         parts += [texts.chosen_table(found.plan), texts.chosen_lines(found.plan)]
     parts.append([f"note: {note}" for note in found.notes])

@@ -55,7 +55,9 @@ def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
         courses.append(ArmAngleSeries("chosen" if plan is not None else "free", followed.arm_angle, q))
     places = [(t[one.last], one.goal) for one in opened.equilibrium.pieces if not one.dwell]
     title = f"{name}: arm angle" + (f" chosen for {plan.goal.value}" if plan is not None else "")
-    make = partial(map_figure, t, chart, limits, courses, followed.definition.value, places)
+    make = partial(
+        map_figure, t, chart, opened.robot.manipulability(chart.q), limits, courses, followed.definition.value, places
+    )
     return picture("arm_angle", title, make)
 
 

@@ -290,6 +290,9 @@ def simulation_csv(run: Simulated) -> str:
     elif run.q is not None:
         heads += [f"{name} [rad]" for name in names]
         columns += [run.q]
+    if run.q is not None:
+        heads += ["manipulability [m3]"]
+        columns += [run.opened.robot.manipulability(run.q)[:, None]]
     table = np.hstack(columns)
     row = ",".join(["%.10g"] * table.shape[1])  # finer than any model here is true
     return "\n".join([",".join(heads), *(row % tuple(values) for values in table.tolist())]) + "\n"

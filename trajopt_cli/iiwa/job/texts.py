@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from trajopt_cli.iiwa.task.joints import Followed
     from trajopt_cli.iiwa.task.model import Route
     from trajopt_cli.iiwa.task.segments import SegmentFacts
+    from trajopt_cli.robot.srs import SrsRobot
 
 _LINES = 40  # segments that are listed one by one
 _TURN = 1e-9  # rad: a smaller turn is rounding
@@ -116,6 +117,15 @@ def arm_line(followed: Followed) -> str:
         f"joint_{joint} {'< 0' if followed.configuration >> bit & 1 else '>= 0'}" for bit, joint in enumerate((2, 4, 6))
     )
     return f"arm angle {angle} ({followed.definition.value}), configuration {followed.configuration}: {signs}"
+
+
+def ease_line(robot: SrsRobot, followed: Followed) -> str:
+    """How far the arm is from singular postures."""
+    ease = robot.manipulability(followed.trajectory.q)
+    least = float(followed.trajectory.t[int(np.argmin(ease))])
+    return (
+        f"manipulability {ease.min():.3g} to {ease.max():.3g} m³, least at {least:.3f} s (0 where the arm is singular)"
+    )
 
 
 def chosen_table(plan: ArmPlan) -> TextTable:

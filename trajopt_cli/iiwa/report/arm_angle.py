@@ -29,6 +29,7 @@ _ZONES = dict(zip(FREE, ("#f2d5a0", "#b98a8a", "#d9c2e0", "#9cbf9c", "#e9a98c", 
 _MARGIN = LinearSegmentedColormap.from_list("margin", ["#4f7fae", "#b9d2e8", "#ffffff"])
 _NEAR = 10 * DEG  # of joint_2, joint_4 or joint_6 from zero
 _FLIP = 3 * DEG  # of joint_2: a spot this near to zero is marked
+_EASE = (0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.14)  # m3
 _AXIS = 20 * MM  # of the wrist centre from axis 1
 _STYLES: tuple[dict[str, Any], ...] = (
     {"color": BLACK, "linestyle": (0, (5, 2)), "linewidth": 2.2},
@@ -48,6 +49,7 @@ class ArmAngleSeries:
 def map_figure(
     t: Array,
     chart: ArmMap,
+    ease: Array,
     limits: JointLimits,
     courses: Sequence[ArmAngleSeries],
     definition: str,
@@ -56,7 +58,8 @@ def map_figure(
 ) -> Figure:
     """The map over times t (n,) [s], one or two courses on it, and their distance from limits and speed below.
 
-    places: (time [s], name) of what the path passes.
+    ease (K + 1, m): manipulability of the map's joints, drawn as lines. places: (time [s], name) of what the path
+    passes.
     """
     time = times(t, "arm angle map")
     for one in courses:
@@ -71,6 +74,9 @@ def map_figure(
     delta = (chart.delta[0] + chart.cell * shown) / DEG
     handles = _zones(plan, q, columns, _edges(delta), limits, figure)
     handles += _singular(plan, q, at, delta, chart)
+    lines = plan.contour(at, delta, ease[:, shown % len(chart.delta)].T, _EASE, colors=BLACK, linewidths=0.7, alpha=0.6)
+    plan.clabel(lines, fmt="%g", fontsize=SMALL)
+    handles.append(Line2D([], [], color=BLACK, linewidth=0.7, alpha=0.6, label="manipulability [m³]"))
     for one, style in zip(courses, _STYLES, strict=False):
         angles = one.arm_angle / DEG
         if style["linestyle"] == "-":  # a seam, so that it shows on every colour

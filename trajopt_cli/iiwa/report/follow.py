@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -149,46 +150,51 @@ _MICRO = 1e-6
 def stability_figure(
     k: Array,
     d: Array,
-    verdicts: NDArray[np.int8],
-    m: float,
+    maps: Mapping[float, NDArray[np.int8]],
     h: float,
+    m_points: float,
     points: Sequence[tuple[str, float, float]],
     title: str,
 ) -> Figure:
-    """Map of verdicts (a, b) over stiffness k (a,) and damping d (b,) where both are positive, the two limits, and
-    chosen points (name, k, d); one with k = 0 is at the left edge.
+    """Maps of verdicts (a, b) over stiffness k (a,) and damping d (b,) where both are positive, by inertia [kg], with
+    their two limits; and chosen points (name, k, d) of the inertia m_points, one with k = 0 at the left edge.
 
     verdicts: 0 unstable, 1 marginal, 2 stable.
     """
     a, b = k > 0, d > 0
-    x, y, shown = k[a], d[b], verdicts[np.ix_(a, b)]
-    figure = new_figure(7.6, title, f"forward Euler, m = {number_of(m)} kg, h = {number_of(h * 1e3)} ms")
-    axes = figure.subplots()
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    x, y = k[a], d[b]
+    figure = new_figure(9.6, title, f"forward Euler, h = {number_of(h * 1e3)} ms")
+    grid = figure.subplots(-(-len(maps) // 2), min(2, len(maps)), sharex=True, sharey=True, squeeze=False)
     colors = ListedColormap([color for color, _ in _VERDICTS])
-    axes.pcolormesh(x, y, shown.T, cmap=colors, vmin=-0.5, vmax=2.5, shading="nearest", rasterized=True, gid="verdicts")
-    axes.set_xlim(x[0], x[-1])
-    axes.set_ylim(y[0], y[-1])
-    handles: list[Line2D | Patch] = [
-        Patch(color=color, linewidth=0, label=name) for i, (color, name) in enumerate(_VERDICTS) if (shown == i).any()
-    ]
     fine = np.geomspace(x[0], x[-1], 400)
-    limits: tuple[tuple[Array, str, LineStyle], ...] = (
-        (h * fine, "h·k = d", "-"),
-        (2 * m / h + h * fine / 2, "h·d/m = 2 + h²·k/(2m)", (0, (7, 2.5))),
-    )
-    for values, name, line in limits:
-        axes.plot(fine, values, color=BLACK, linestyle=line, linewidth=2.0, gid=name, zorder=3)
-        handles.append(Line2D([], [], color=BLACK, linestyle=line, linewidth=2.0, label=f"limit {name}"))
-    for name, at, height in points:
-        place = (max(at, x[0]), height)
-        axes.plot(*place, "o", color=BLACK, markerfacecolor="white", gid=name, zorder=5, clip_on=False)
-        right = place[0] > np.sqrt(x[0] * x[-1])
-        style = {"ha": "right" if right else "left", "va": "center", "size": SMALL, "zorder": 5}
-        axes.annotate(name, place, (-8 if right else 8, 0), textcoords="offset points", **style)  # type: ignore[arg-type]
-    axes.set_xlabel("stiffness k [N/m]")
-    axes.set_ylabel("damping d [N s/m]")
+    lines: tuple[tuple[str, LineStyle], ...] = (("h·k = d", "-"), ("h·d/m = 2 + h²·k/(2m)", (0, (7, 2.5))))
+    for axes, (m, verdicts) in zip(grid.flat, maps.items(), strict=False):
+        shown = verdicts[np.ix_(a, b)]
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        style: dict[str, Any] = {"cmap": colors, "vmin": -0.5, "vmax": 2.5, "shading": "nearest", "rasterized": True}
+        axes.pcolormesh(x, y, shown.T, gid=f"verdicts {number_of(m)}", **style)
+        axes.set_xlim(x[0], x[-1])
+        axes.set_ylim(y[0], y[-1])
+        axes.set_title(f"m = {number_of(m)} kg", size=SMALL)
+        for (name, line), values in zip(lines, (h * fine, 2 * m / h + h * fine / 2), strict=True):
+            axes.plot(fine, values, color=BLACK, linestyle=line, linewidth=2.0, gid=f"{name}, {number_of(m)}", zorder=3)
+        for name, at, height in points if m == m_points else ():
+            place = (max(at, x[0]), height)
+            axes.plot(*place, "o", color=BLACK, markerfacecolor="white", gid=name, zorder=5, clip_on=False)
+            right = place[0] > np.sqrt(x[0] * x[-1])
+            style = {"ha": "right" if right else "left", "va": "center", "size": SMALL, "zorder": 5}
+            axes.annotate(name, place, (-8 if right else 8, 0), textcoords="offset points", **style)
+    for axes in grid[-1]:
+        axes.set_xlabel("stiffness k [N/m]")
+    for axes in grid[:, 0]:
+        axes.set_ylabel("damping d [N s/m]")
+    handles: list[Line2D | Patch] = [
+        Patch(color=color, linewidth=0, label=name)
+        for i, (color, name) in enumerate(_VERDICTS)
+        if any((verdicts[np.ix_(a, b)] == i).any() for verdicts in maps.values())
+    ]
+    handles += [Line2D([], [], color=BLACK, linestyle=s, linewidth=2.0, label=f"limit {n}") for n, s in lines]
     legend(figure, handles)
     return finish(figure)
 
