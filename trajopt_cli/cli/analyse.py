@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
 from trajopt_cli.cli.process import reading
+from trajopt_cli.errors import InputError
 
 
 def analyse(
@@ -11,6 +17,15 @@ def analyse(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
+    axis: Annotated[
+        Literal["x", "y", "z", "rail"] | None,
+        typer.Option(
+            "--axis", help="Draw its moves in the plane of position and speed; needs --plots.", show_default=False
+        ),
+    ] = None,
+    plots: Annotated[
+        Path | None, typer.Option("--plots", metavar="FOLDER", help="Where the picture goes.", show_default=False)
+    ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
@@ -28,9 +43,19 @@ def analyse(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.report.stepwise import analyse
 
+    if (axis is None) != (plots is None):
+        raise InputError("--axis and --plots go together: which axis to draw, and where to")
     with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     analysis = analyse(job.program, job.plant)
+    if axis is not None and plots is not None:
+        from trajopt_cli.report.phase_plane import phase_pictures
+        from trajopt_cli.runs.transaction import write_files
+
+        pictures = phase_pictures(analysis, job.plant, axis, job.program_path.stem)
+        write_files(plots, pictures)
+        if not quiet:
+            typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
     if as_json:
         print_json(analysis_record(job.program, analysis))
         return
