@@ -87,13 +87,14 @@ class Body:
 @dataclass(frozen=True, eq=False)
 class Scene:
     """A robot in its cell. base (4, 4): where the chain begins in the world. bodies: that are there all the time.
-    tables: the positioners' axes that carry bodies."""
+    tables: the positioners' axes that carry bodies. colour: of the robot's paint, "#rrggbb", None where nobody says."""
 
     base: Array
     chain: tuple[Joint, ...]
     bodies: tuple[Body, ...]
     axes: tuple[str, ...]
     tables: tuple[TableAxis, ...] = ()
+    colour: str | None = None
 
     @property
     def flange(self) -> int:
@@ -221,7 +222,7 @@ def scene_of_robot(
             bodies.append(Body(beam, WORLD, RAIL))
         bodies.append(Body(plate, frames[robot.link_names[0]], CARRIAGE))
     base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
-    return Scene(base, chain, tuple(bodies), tuple(robot.axis_names))
+    return Scene(base, chain, tuple(bodies), tuple(robot.axis_names), colour=robot.colour)
 
 
 def chain_of(robot: RobotModel | SrsRobot) -> tuple[Joint, ...]:

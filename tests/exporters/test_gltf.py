@@ -135,6 +135,22 @@ def test_surfaces_are_the_shapes_and_face_outwards() -> None:
     assert [parent[name] for name in plant.robot.bodies] == [*plant.robot.bodies]
 
 
+def test_the_arm_has_its_makers_paint_and_the_tool_another() -> None:
+    """sRGB's curve by its two ends and by 18 % grey, which is #767676 or one step beside it."""
+    for colour, wanted in (("#ffffff", [1, 1, 1]), ("#000000", [0, 0, 0]), ("#767676", [0.181] * 3)):
+        plant = plant_with_rail()
+        grip = Solid(Capsule("grip", np.zeros(3), np.ones(3) / 9, 0.02))
+        plant = replace(plant, robot=replace(plant.robot, colour=colour), attached=(grip,))
+        file = Read(gltf(sweep(plant), plant, "a plan")).file
+        material = {
+            node.name: file.meshes[node.mesh].primitives[0].material for node in file.nodes if node.mesh is not None
+        }
+        paint = {name: file.materials[one].pbrMetallicRoughness.baseColorFactor for name, one in material.items()}
+        np.testing.assert_allclose(paint["link_3"], [*wanted, 1], atol=2e-3)
+        assert paint["grip"] != paint["link_3"]
+        assert paint["rail"] == paint["carriage"]
+
+
 def test_the_same_motion_gives_the_same_bytes_and_another_robots_is_refused() -> None:
     plant = plant_with_rail()
     assert gltf(sweep(plant), plant, "a plan") == gltf(sweep(plant), plant, "a plan")

@@ -63,6 +63,7 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
     links = dict(zip(robot.link_names, link_poses(robot, q).swapaxes(0, 1), strict=True))
     bodies = [body for body in scene["bodies"] if body["role"] == "link"]
     assert {body["name"] for body in bodies} == set(robot.bodies)
+    assert scene["colour"] == robot.colour
     flange = robot.pin_model.frames[robot.pin_model.getFrameId("tool0")].placement.homogeneous
     poses = scene_of_robot(robot).poses(q)
     for i, row in enumerate(q):

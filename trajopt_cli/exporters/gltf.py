@@ -18,14 +18,13 @@ from numpy.typing import NDArray
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.scene import BASE, OBSTACLE, WORLD, scene_of_plant, turned_since
+from trajopt_cli.scene import BASE, CARRIAGE, LINK, OBSTACLE, RAIL, TOOL_ROLE, WORLD, scene_of_plant, turned_since
 from trajopt_cli.shapes import Box, Capsule, Mesh
 from trajopt_cli.trajectory import Trajectory
 
 _FLOAT, _UINT, _VERTICES, _INDICES = 5126, 5125, 34962, 34963  # as OpenGL numbers them
 _AROUND, _UP = 16, 4  # edges of a capsule, and of a quarter of its ends
-_ARM, _OBSTACLE = 0, 1  # materials
-_COLOURS = {"arm": [0.85, 0.45, 0.15, 1.0], "obstacle": [0.5, 0.55, 0.6, 1.0]}
+_COLOURS = {LINK: "#edb36c", TOOL_ROLE: "#6b747d", OBSTACLE: "#bcc4cb", RAIL: "#a2aab2", CARRIAGE: "#a2aab2"}
 _BOX = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
                  [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
 
@@ -64,7 +63,7 @@ class _File:
 
     def shape(self, shape: Box | Capsule | Mesh, parent: int, material: int) -> None:
         """A node with a shape's surface."""
-        vertices, triangles = _surface(shape)
+        vertices, triangles = surface(shape)
         places = self.numbers(vertices, "VEC3", _VERTICES)
         indices = self.numbers(triangles.ravel(), "SCALAR", _INDICES)
         self.meshes.append(
@@ -109,14 +108,14 @@ def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
             f"{table.unit} {table.number + 1} carries", turns, inverse_pose(table.X)
         )
     for body in scene.bodies:
-        file.shape(body.shape, nodes[body.frame], _OBSTACLE if body.role == OBSTACLE else _ARM)
-    return _glb(file, {"name": title, "samplers": samplers, "channels": channels})
+        file.shape(body.shape, nodes[body.frame], [*_COLOURS].index(body.role))
+    return _glb(file, scene.colour or _COLOURS[LINK], {"name": title, "samplers": samplers, "channels": channels})
 
 
-def _glb(file: _File, animation: dict[str, Any]) -> bytes:
+def _glb(file: _File, paint: str, animation: dict[str, Any]) -> bytes:
     materials = [
-        {"name": name, "pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0.0}}
-        for name, colour in _COLOURS.items()
+        {"name": role, "pbrMetallicRoughness": {"baseColorFactor": _linear(colour), "metallicFactor": 0.0}}
+        for role, colour in (_COLOURS | {LINK: paint}).items()
     ]
     document = {
         "asset": {"version": "2.0", "generator": "trajopt"},
@@ -136,6 +135,12 @@ def _glb(file: _File, animation: dict[str, Any]) -> bytes:
     return pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
+def _linear(colour: str) -> list[float]:
+    """A colour "#rrggbb" as glTF has it: sRGB without its curve (IEC 61966-2-1), and opaque."""
+    shares = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    return [round(v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4, 4) for v in shares] + [1.0]
+
+
 def _xyzw(R: Array) -> Array:
     """Quaternions (n, 4) as glTF orders them, of rotations (n, 3, 3) in turn: each on the side of the one before it."""
     q = np.roll(wxyz_from_rotation(R), -1, axis=-1)
@@ -144,7 +149,7 @@ def _xyzw(R: Array) -> Array:
     return q
 
 
-def _surface(shape: Box | Capsule | Mesh) -> tuple[Array, NDArray[np.int64]]:
+def surface(shape: Box | Capsule | Mesh) -> tuple[Array, NDArray[np.int64]]:
     """Vertices and triangles, counter-clockwise from outside, in the frame of the shape's X."""
     match shape:
         case Mesh():

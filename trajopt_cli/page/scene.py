@@ -71,6 +71,7 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
         "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
         "base": _flat(scene.base),
         "axes": list(scene.axes),
+        **({"colour": scene.colour} if scene.colour else {}),
         "cycles": [_cycle(scene, one, most) for one in cycles],
     }
 

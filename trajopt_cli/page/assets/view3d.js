@@ -190,6 +190,10 @@
       const read = (name) => rgb(style.getPropertyValue(name));
       this.ink = Object.fromEntries(COLORS.map((name) => [name, read(`--v3d-${name}`)]));
       for (const name of ["before", "after", "paper"]) this.ink[name] = read(`--${name}`);
+      if (this.scene.colour) {
+        this.ink.link = rgb(this.scene.colour);
+        this.ink["link-2"] = this.ink.link.map((v) => 0.92 * v);
+      }
     }
 
     // Lines of the floor, fading outward, in pieces so that none passes behind the eye.
@@ -443,9 +447,8 @@
       this.shadow(links, view, projection);
       gl.depthMask(true);
       for (const one of this.statics) if (one.role !== "obstacle") solid(one, one.X || IDENTITY, ink.rail);
-      let turn = 0;
       for (const [one, X] of links) {
-        const color = one.role === "link" ? ink[turn++ % 2 ? "link-2" : "link"] : ink[{ tool: "tool", part: "obstacle", obstacle: "obstacle" }[one.role] || "rail"];
+        const color = one.role === "link" ? ink[one.link & 1 ? "link-2" : "link"] : ink[{ tool: "tool", part: "obstacle", obstacle: "obstacle" }[one.role] || "rail"];
         solid(one, X, color);
       }
       const rod = this.rodTo(motion.tool(this.time));
