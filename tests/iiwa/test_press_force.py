@@ -167,7 +167,8 @@ def test_a_recorded_force_is_replayed(tmp_path: Path) -> None:
     listed, _ = ran(tmp_path, HEAD + still + "pushes: [{from: 0.1, to: 0.3, force: [4, -2, 6, 0.1, 0, 0]}]\n")
     log = "t [ms];Fy;Fx [N];Fz;Mx [Nm];My;Mz\n" + "".join(f"{t};-2;4;6;0.1;0;0\n" for t in range(100, 300))
     (tmp_path / "log.csv").write_text(log)
-    replayed, _ = ran(tmp_path, HEAD + still + "pushes: log.csv\n")
+    replayed, _ = ran(tmp_path, HEAD + still + "pushes: log.csv\n", "--plots", str(tmp_path / "plots"))
+    assert (tmp_path / "plots/pushed.svg").is_file()
     assert np.abs(listed["x_m"] - listed["x_m"][0]).max() > 1e-3
     for name in ("x_m", "y_m", "z_m", "alpha_rad"):
         np.testing.assert_allclose(replayed[name], listed[name], atol=1e-9)
@@ -195,3 +196,20 @@ def test_a_guided_run_becomes_a_path(tmp_path: Path) -> None:
     (tmp_path / "again/task.yaml").write_text(HEAD + "poses: simulation.csv\n")
     assert run(["iiwa", "segments", str(tmp_path / "again/task.yaml"), "--output", str(tmp_path / "path"), "-q"]) == 0
     assert run(["verify", str(tmp_path / "path"), "-q"]) == 0
+
+
+def test_the_edge_that_ships_is_pressed_and_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The walk of the manual: each omission is told, and what mends it brings the force within 5 %."""
+    programs = Path(__file__).parents[2] / "programs"
+    text = (programs / "iiwa_edge.yaml").read_text()
+    (tmp_path / "iiwa_edge.csv").write_bytes((programs / "iiwa_edge.csv").read_bytes())
+    _, section = ran(tmp_path, text.replace(", settle: 0.5 s, lead: true", ""), "--engine", "spring")
+    assert moving(section)[0]["most_N"] > 30
+    assert run(["iiwa", "segments", str(tmp_path / "task.yaml"), "--output", str(tmp_path / "told")]) == 0
+    assert "settle" in capsys.readouterr().out
+    _, section = ran(tmp_path, text.split("# What the pad")[0])
+    assert section.get("forces") is None
+    _, section = ran(tmp_path, text, "--engine", "spring")
+    assert moving(section)[0]["largest_error"] <= 0.05
+    assert run(["verify", str(tmp_path / "out"), "-q"]) == 0
+    assert run(["export", "poses", str(tmp_path / "out"), "--for", "lbr", "-q"]) == 0

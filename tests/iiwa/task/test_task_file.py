@@ -84,7 +84,7 @@ def test_changes_come_in_order_and_keep_what_they_do_not_name() -> None:
     assert task.changes[0].zeroing.zeroed == (True, False, False, False, True, False)
 
 
-@pytest.mark.parametrize("name", ["iiwa_cube", "iiwa_eight", "iiwa_polish", "iiwa_wall"])
+@pytest.mark.parametrize("name", ["iiwa_cube", "iiwa_edge", "iiwa_eight", "iiwa_polish", "iiwa_wall"])
 def test_the_files_that_ship_are_read(name: str) -> None:
     assert len(load_task(PROGRAMS / f"{name}.yaml").route.waypoints) >= 2
 

@@ -12,7 +12,7 @@ from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
 from trajopt_cli.iiwa.report.follow import feed_figure, following_figure
-from trajopt_cli.iiwa.report.forces import contact_figure
+from trajopt_cli.iiwa.report.forces import contact_figure, steps_figure
 from trajopt_cli.iiwa.report.runs import Following, picture
 from trajopt_cli.iiwa.task.arm_map import ArmTask, arm_map, stages
 from trajopt_cli.iiwa.task.joints import Followed
@@ -22,9 +22,12 @@ _MAP = 480, 360  # stages and arm angles that a page can show
 
 
 def simulation_pictures(run: Simulated) -> dict[str, bytes]:
-    """A run over time, and the contact where there was one: file name -> contents."""
+    """A run over time, pushes and the contact where there were any: file name -> contents."""
     title, shown = Path(run.opened.task.file).stem, _following(run, "controller")
     pictures = picture("following", title, partial(following_figure, shown))
+    if (pushed := shown.force) is not None and run.opened.task.pushes:
+        which = [i for i in range(6) if np.any(pushed[:, i])]
+        pictures |= picture("pushed", title, partial(steps_figure, [("", shown)], which))
     if run.loop is not None and run.touch is not None:
         # an edge may push hardest, but what the tool leans on pushes longest
         normal = int(np.argmax(np.abs(run.loop.contact_true[:, :3]).sum(axis=0)))

@@ -24,6 +24,7 @@ from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.legs import SAME
 from trajopt_cli.iiwa.task.model import Force, Profile, Task
 from trajopt_cli.iiwa.world.contact import FRICTION_RISE, BallOnBoxes
+from trajopt_cli.units import MM
 
 _JUMP = 1e-3  # m from row to row: no way to press harder, but a blow
 _UPRIGHT = 0.1  # of the tool's axis that has to stand across the path for it to have a normal there
@@ -152,14 +153,43 @@ def pressed(opened: Opened, path: Equilibrium) -> Opened:
     if np.any(np.abs(push[:, K == 0]) > SAME):
         raise InputError("force: K is 0 along it; give a stiffness, or 'force: {by: wrench}'", file=task.file)
     offset += push / np.where(K == 0, 1.0, K)
-    jump = np.linalg.norm(np.diff(offset, axis=0), axis=1)
+    jump = np.linalg.norm(np.diff(F, axis=0) / np.where(K == 0, np.inf, K), axis=1)
     if jump.max() > _JUMP:
         at, size = path.h * int(np.argmax(jump)), 1e3 * float(jump.max())
         message = f"force: the equilibrium would jump by {size:.3g} mm at {at:.3f} s, where its direction or its value"
         raise InputError(f"{message} changes without a way; name an axis, or give the pose a dwell", file=task.file)
     moved = opened.equilibrium.pose.copy()
-    moved[:, :3] += offset
+    moved[1:, :3] += offset[1:]  # it begins where the tool is
     return replace(opened, equilibrium=replace(opened.equilibrium, pose=moved), plan=path)
+
+
+def force_notes(opened: Opened) -> tuple[str, ...]:
+    """What a user should know of the forces in a sequence, one line each."""
+    path = opened.plan
+    found = None if path is None else pressing(opened.task, path, opened.X_start[:3, :3])
+    if path is None or found is None:
+        return ()
+    off = float(np.linalg.norm((opened.equilibrium.pose - path.pose)[:, :3], axis=1).max())
+    on = np.flatnonzero(found.wish > 0)
+    K = float(np.max(np.abs(found.u[on] * opened.task.compliance.K[:3])))
+    lines = [
+        f"force: up to {found.wish.max():g} N from {on[0] * path.h:.3f} to {on[-1] * path.h:.3f} s; equilibrium.csv is"
+        f" up to {off / MM:.3g} mm off plan.csv; a surface 1 mm off its place changes the force by {K * MM:.3g} N"
+    ]
+    before = 0.0
+    for piece in path.pieces:
+        after = float(found.wish[piece.last])
+        if after > 0 and before == 0 and not piece.dwell:
+            lines.append(
+                f"the force comes while the tool moves to pose {piece.goal}, which it hits; to touch first and then"
+                " press give that pose a 'dwell' (a path in a file: 'force: {settle: 0.5 s}')"
+            )
+        before = after
+    if before > 0:
+        lines.append(
+            f"the sequence ends pressing, at pose {path.pieces[-1].goal}; a pose above, without a force, lifts off"
+        )
+    return tuple(lines)
 
 
 def force_along(found: Pressing, path: Equilibrium, tool: Array, contact: Array) -> Array:

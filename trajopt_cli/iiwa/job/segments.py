@@ -16,7 +16,7 @@ from trajopt_cli.iiwa.job.folder import (
     start_distance,
     write_task_run,
 )
-from trajopt_cli.iiwa.job.force import pressed
+from trajopt_cli.iiwa.job.force import force_notes, pressed
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.equilibrium import counted
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
@@ -92,7 +92,7 @@ def make_segments(
             raise InputError(str(error), file=str(task_path), kind=error.kind) from error
         opened = replace(opened, equilibrium=equilibrium)
     opened = pressed(opened, equilibrium)
-    notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
+    notes = (*read.notes, *equilibrium.notes, *_start_notes(opened), *force_notes(opened))
     if len(equilibrium.pose) > _MANY:
         tell(f"writing {len(equilibrium.pose)} rows")
     inputs = _inputs(read, task_path, program)

@@ -222,7 +222,9 @@ def lag_lines(run: Simulated) -> list[str]:
 def contact_lines(run: Simulated) -> list[str]:
     """What the tool ran into."""
     if run.loop is None:
-        return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
+        unseen = " to press on" if run.pressing is not None else ""
+        advice = ": 'contact: {tip: 0.02, obstacles: {plate: {box: ..., stiffness: 20 N/mm}}}'" if unseen else ""
+        return [] if run.contact else [f"contact not simulated: the task names no obstacles{unseen}{advice}"]
     fallback = " (MuJoCo is not installed)" if run.fallback else ""
     lines = [f"world: {run.loop.world}{fallback}, the whole loop because of {', '.join(run.why)}", *motor_lines(run)]
     if run.contact is None:
@@ -384,8 +386,8 @@ def ahead_line(opened: Opened) -> str:
         most = float(np.max(np.linalg.norm((opened.equilibrium.pose - opened.plan.pose)[:, :3], axis=1)))
         away = f", here up to {most / MM:.3g} mm from plan.csv"
     return (
-        f"these are no joints of the arm: a scheduled equilibrium runs ahead of it{away}; trajopt iiwa simulate checks"
-        " the arm's own"
+        f"these are no joints of the arm: an equilibrium that presses or is scheduled lies off it{away}; trajopt iiwa"
+        " simulate checks the arm's own"
     )
 
 

@@ -201,6 +201,7 @@ def read_order(
     start = None if X_FT is None else X_FT.inside(arm_frame(arm.mechanism, start_joints))
     unchecked = list(_foreign(task))
     stops: list[Stop] | None = None
+    pressed = isinstance(task.at("force"), dict)
     relative, driven = task.choice("angles", "relative", "absolute") == "relative", False
     if source and not from_csv:
         unchecked.append(
@@ -215,7 +216,8 @@ def read_order(
         assert start is not None
         if from_csv:
             rows = read_poses(lines, source, start.q if relative else np.array([1.0, 0.0, 0.0, 0.0]))
-            stops = [Stop(str(i + 1), pose, 0.0, Source(source, i + 2, 1)) for i, pose in enumerate(rows)]
+            settle = task.number("force.settle", task.at("force.settle", 0.0), SECOND) if pressed else 0.0
+            stops = [Stop(str(i + 1), p, 0.0 if i else settle, Source(source, i + 2, 1)) for i, p in enumerate(rows)]
         else:
             stops = _stops(task, start, relative)
     caps = {key: _cap(task, key, stops) for key in _CAPS}

@@ -194,10 +194,12 @@ class ForceSection(Section):
 
 class TaskForceSection(ForceSection):
     """The same of all poses that say nothing else; by: a shifted equilibrium, or a wrench that the controller takes;
-    lead: the equilibrium runs ahead of the path so that the tool does not lag."""
+    lead: the equilibrium runs ahead of the path so that the tool does not lag; settle: the dwell at the first pose of a
+    path in a file, where the force comes."""
 
     by: Literal["offset", "wrench"] = "offset"
     lead: StrictBool = False
+    settle: Annotated[float, _from_zero(TIME)] = 0.0
 
 
 def _force(value: Any) -> Any:

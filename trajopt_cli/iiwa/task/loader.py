@@ -228,9 +228,12 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     if document.force is not None and document.poses is None:
         force = _force(None, document.force, f"{file}:{line_of('force', lines)}")
         if isinstance(waypoints, PathPoints):
-            waypoints = replace(waypoints, force=force)
+            dwells = {0: document.force.settle} if document.force.settle else {}
+            waypoints = replace(waypoints, force=force, dwells=dwells | dict(waypoints.dwells))
         else:
             waypoints = tuple(replace(one, force=force) for one in waypoints)
+    elif document.force is not None and document.force.settle:
+        raise at.wrong("force.settle", "force.settle: is a path's in a file; give the first pressed pose a 'dwell'")
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
     if document.approach == "line":
