@@ -211,7 +211,7 @@ def experiments(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Force steps, orientation, hand guiding, zeroing, stability, following, collision, loop time and dosing.
+    """Force steps, orientation, hand guiding, zeroing, stability, following, collision and loop time.
 
     \b
     Example:

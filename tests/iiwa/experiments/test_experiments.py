@@ -77,7 +77,6 @@ def hit(bench: Bench, tmp_path_factory: pytest.TempPathFactory) -> Experiment:
 def whole(bench: Bench, hit: Experiment) -> Iterator[Mapping[str, Experiment]]:
     """Every experiment, what is slow in a shorter form."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(moving, "BOUND", 0.1)  # fed in seconds, not in minutes
         patch.setattr(pushed, "_PERIODS", 100)
         yield {name: hit if name == "collision" else make(bench) for name, make in EXPERIMENTS.items()}
 
@@ -290,18 +289,6 @@ def test_beside_the_obstacle_nothing_is_touched(bench: Bench, tmp_path: Path) ->
     assert (record["crossings"], record["largest_normal_force_N"], record["largest_excursion_in_z_m"]) == (0, 0.0, 0.0)
 
 
-def test_a_feed_schedule_keeps_its_bound_where_the_rest_does_not(whole: Mapping[str, Experiment]) -> None:
-    found = whole["dosing"].numbers
-    undosed, fed, scheduled = column(found, "largest_lag_m")
-    assert scheduled <= 0.1 * (1 + 1e-9)
-    assert undosed > 0.1
-    assert fed < undosed
-    assert column(found, "duration_s")[2] >= found["lower_bound_s"]
-    assert found["steady_lag_m"] == pytest.approx(500 * 0.4 / 1000)
-    deviations = [run.deviation.max() for run in runs_of(whole["dosing"], "dosing")]
-    assert deviations == pytest.approx([undosed, fed, scheduled], rel=1e-9)
-
-
 def test_the_record_is_plain_and_the_same_again(
     bench: Bench, whole: Mapping[str, Experiment], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -341,7 +328,7 @@ def test_every_picture_is_drawn_and_written(whole: Mapping[str, Experiment], tmp
     names = {name for one in whole.values() for name in one.figures}
     assert names == {
         "force_stiffness", "force_damping", "orientation", "all_axes", "guiding", "zeroing", "stability",
-        "speed_deviation", "stiffness_deviation", "damping_deviation", "collision", "loop_time", "dosing",
+        "speed_deviation", "stiffness_deviation", "damping_deviation", "collision", "loop_time",
     }  # fmt: skip
     for name in ("orientation", "guiding", "collision"):
         drawn = whole[name].draw()

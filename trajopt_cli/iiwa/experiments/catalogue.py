@@ -147,12 +147,11 @@ EXPERIMENTS: dict[str, Callable[[Bench], Experiment]] = {
     **{one.__name__: one for one in (*_STEPS, pushed.force_error, pushed.guiding, pushed.zeroing, pushed.stability)},
     **{one.__name__: one for one in (moving.speed, moving.stiffness, moving.damping)},
     "collision": moving.collision,
-    "dosing": moving.feed_scheduling,
     "loop_time": pushed.loop_time,
 }
 _ALONE = "loop_time"
 # The longest first, so that neither of two processes waits long for the other.
-_ORDER = ("dosing", "collision", "force_damping", "force_stiffness")
+_ORDER = ("collision", "force_damping", "force_stiffness")
 
 Tell = Callable[[str], None]
 _Answer = tuple[dict[str, Any], dict[str, Any], dict[str, bytes]]  # record, what a clock measured, pictures

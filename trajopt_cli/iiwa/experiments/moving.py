@@ -1,5 +1,4 @@
-"""Sections 6.2.1 to 6.2.4 and the wish of chapter 7: how far the controller stays behind a moving equilibrium, what an
-obstacle does to it, and the schedule that keeps the lag within a bound.
+"""Sections 6.2.1 to 6.2.4: how far the controller stays behind a moving equilibrium, and what an obstacle does to it.
 
 The thesis follows "a cube of 20 cm side"; the order of its edges is not published, nor the speed of two tables. What
 matches its speed table is one space diagonal of that cube, run with v along each axis.
@@ -8,7 +7,6 @@ matches its speed table is one space diagonal of that cube, run with v along eac
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 from math import sqrt
 from pathlib import Path
@@ -17,26 +15,21 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead, dose_path
-from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, dose, resting_time
-from trajopt_cli.iiwa.controller.lag import deviation, held, settling, worst_lag
+from trajopt_cli.iiwa.controller.lag import deviation, held
 from trajopt_cli.iiwa.controller.regulator import response
-from trajopt_cli.iiwa.controller.stability import stability
 from trajopt_cli.iiwa.experiments import published
 from trajopt_cli.iiwa.experiments.setup import Bench, Experiment, H, compliance, program
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, run_controller
-from trajopt_cli.iiwa.report.follow import family_figure, feed_figure
+from trajopt_cli.iiwa.report.follow import family_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
 from trajopt_cli.iiwa.report.runs import Following
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.joints import Followed, follow
 from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import (
     AngleMeaning,
     Compliance,
     Feed,
-    Integration,
     Profile,
     RotationLaw,
     Route,
@@ -54,10 +47,6 @@ K, K_TURN, D, D_TURN = 1000.0, 30.0, 500.0, 20.0
 """Stiffness [N/m, Nm/rad] and damping [N s/m, N m s/rad] where a table does not vary them."""
 NORMAL = 2
 """The axis of the obstacle's surface: z."""
-BOUND = 5e-3
-"""Lag [m] that the feed schedule keeps to."""
-SPEED = 0.4
-"""v_max [m/s] of the cube's edges where they are fed by a schedule."""
 
 _ALONG = ((0, 0, 0), (1, 1, 1))
 # Every edge of the cube once, from corner to corner with three edges walked twice; the order is ours.
@@ -136,69 +125,6 @@ def collision(bench: Bench, path: Path | None = None) -> Experiment:
     return Experiment("6.2.4", "collision with an obstacle", notes, {"task": file.name, "runs": rows}, figures)
 
 
-def feed_scheduling(bench: Bench) -> Experiment:
-    """The wish of chapter 7, on programs/iiwa_cube.yaml with the thesis' profile at SPEED: as programmed, fed with the
-    equilibrium's speed, and scheduled to lag by BOUND at most."""
-    file = program("iiwa_cube.yaml")
-    task = load_task(file)
-    law, integration = task.compliance, task.integration
-    caps = tuple(replace(one, v_max=SPEED) for one in task.route.speeds)
-    path = interpolate(replace(task.route, profile=Profile.THESIS, speeds=caps))
-    robot, h = load_srs(task.robot, task.X_WB), path.h
-    limits = robot.profile(task.limits)
-    joints = follow(path, robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, False)
-    if not isinstance(joints, Followed):
-        raise RuntimeError(f"{file.name} cannot be followed: {joints.message}")
-    timed_path = dose_path(path, joints.trajectory.q, limits.velocity)
-    allowed = Allowed(BOUND, lead=Lead(BOUND, stretch=True))
-    made = dose(timed_path, law, h, allowed, integration=integration)
-    if isinstance(made, CannotDose):
-        raise RuntimeError(f"{file.name} cannot be fed: {made.message}")
-    steady = float(law.D[0] / law.K[0])  # s, of lag by speed on a line along x
-    rest, ramped = resting_time(timed_path.moves, stability(law, h, integration), h), interpolate(task.route)
-    runs, lags, rows = [], [], []
-    for name, feed, pose, plan, pieces in (
-        ("as programmed", Feed.POSITION, path.pose, path.pose, path.pieces),
-        ("with the equilibrium's speed", Feed.VELOCITY, path.pose, path.pose, path.pieces),
-        ("dosed", Feed.POSITION, made.pose, made.plan, made.pieces),
-        ("with ramps and speed", Feed.VELOCITY, ramped.pose, ramped.pose, ramped.pieces),
-    ):
-        run = _following(name, pose, h, law, rest, feed, integration, plan)
-        lag = worst_lag(run.x, plan, h, pieces)
-        runs.append(run)
-        lags.append(lag.maximum)
-        rows.append(
-            {
-                "feeding": name,
-                "duration_s": (len(pose) - 1) * h,
-                "arrived_s": settling(run.x, plan[-1], ARRIVED, ARRIVED_TURN, h),
-                "largest_lag_m": lag.maximum,
-                "largest_lag_at_s": lag.time,
-                "mean_lag_m": lag.mean,
-            }
-        )
-    return Experiment(
-        *("7", f"the cube at {SPEED:g} m/s, lag of at most {1e3 * BOUND:g} mm"),
-        (
-            f"on a line the lag is D v/K: {1e3 * BOUND:g} mm allow {BOUND / steady:g} m/s with"
-            f" K = {law.K[0]:g} N/m and D = {law.D[0]:g} N s/m; no schedule that pushes no harder is faster, more"
-            " stiffness or less damping allows more speed, and so does pushing harder (trajopt iiwa dose --max-lead)",
-            "fed with the equilibrium's speed only the inertia M lags, at starts and corners:"
-            f" {1e3 * lags[1]:.1f} mm at once at full speed, {1e3 * lags[3]:.1f} mm with the profile of"
-            f" {file.name} ({task.route.profile.value})",
-        ),
-        {
-            "task": file.name,
-            "bound_m": BOUND,
-            "rows": rows[:3],
-            "lower_bound_s": made.least,
-            "steady_lag_m": steady * SPEED,
-            "lag_with_ramps_and_speed_m": lags[3],
-        },
-        {"dosing": partial(feed_figure, runs[:3], BOUND)},
-    )
-
-
 def _cube(
     section: str,
     title: str,
@@ -245,7 +171,7 @@ def _cube(
             " path can fit both",
         )
     runs = [
-        _following(f"{value:g}", (along if drawn == "diagonal" else around).pose, H, law, _SETTLE)
+        _following(f"{value:g}", (along if drawn == "diagonal" else around).pose, law)
         for value, (along, around, law) in ((value, at(value)) for value, _ in table)
     ]
     numbers = {
@@ -270,20 +196,9 @@ def _path(corners: Sequence[tuple[int, int, int]], v: float) -> Equilibrium:
     return interpolate(Route(waypoints, caps, H, Profile.THESIS, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE))
 
 
-def _following(
-    label: str,
-    pose: Array,
-    h: float,
-    law: Compliance,
-    after: float,
-    feed: Feed = Feed.POSITION,
-    integration: Integration = Integration.EULER,
-    plan: Array | None = None,
-) -> Following:
-    """plan: where the arm should be, from whose first pose it starts, None for pose."""
-    x_e, target = held(pose, after, h), held(pose if plan is None else plan, after, h)
-    x = response(x_e, h, law, feed=feed, integration=integration, x_0=target[0]).x
-    return Following(label, np.arange(len(x_e), dtype=np.float64) * h, target, x)
+def _following(label: str, pose: Array, law: Compliance) -> Following:
+    x_e = held(pose, _SETTLE, H)
+    return Following(label, np.arange(len(x_e), dtype=np.float64) * H, x_e, response(x_e, H, law).x)
 
 
 def _touching(run: Simulated, shown: Following) -> dict[str, Any]:

@@ -51,8 +51,6 @@ ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
 QUATERNION_HEAD = "t [s],x [m],y [m],z [m],qw [1],qx [1],qy [1],qz [1]"
 
 _TIME_DIGITS = 15
-_UNEVEN = 1e-6  # of a period by which a row's time may be off: rounding to 9 decimals at 1 ms
-_UNIT = 1e-6  # by which a quaternion's norm may differ from 1
 
 
 def write_angles_csv(equilibrium: Equilibrium) -> str:
@@ -75,14 +73,9 @@ def write_quaternion_csv(t: Array, p: Array, R: Array) -> str:
 def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
     """Period h [s] and poses (n, 6) [m, rad] of a text as write_angles_csv gives it. file is for messages.
 
-    Raises InputError with file, line and column for another header, a row of another length, anything that is not a
-    finite number, fewer than two rows, times that do not begin at 0 or do not grow by one constant period.
+    Raises InputError with file, line and column for another header, a row of another length, and what is no number.
     """
     table = _read(text, file, ANGLES_HEAD)
-    if table[0, 0] != 0:
-        raise InputError(
-            f"the first time is {table[0, 0]:.17g} s; a sequence begins at 0 s", file=file, line=2, column=1
-        )
     return float(table[1, 0]), table[:, 1:]
 
 
@@ -90,17 +83,9 @@ def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
 def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
     """Times (n,) [s], positions (n, 3) [m] and orientations (n, 3, 3) of a text as write_quaternion_csv gives it.
 
-    Raises InputError as read_angles_csv does (times may begin anywhere), and for a quaternion that is not of norm 1.
+    Raises InputError as read_angles_csv does.
     """
     table = _read(text, file, QUATERNION_HEAD)
-    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
-        norms = np.linalg.norm(table[:, 4:], axis=1)
-    wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
-    if wrong.size:
-        row = int(wrong[0])
-        raise InputError(
-            f"the quaternion's norm is {norms[row]:.9g}; it must be 1 within 1e-6", file=file, line=row + 2
-        )
     return table[:, 0], table[:, 1:4], rotation_from_wxyz(table[:, 4:])
 
 
@@ -117,38 +102,8 @@ def _time(t: float) -> str:
 
 
 def _read(text: str, file: str, head: str) -> Array:
-    lines = text.split("\n")
-    while lines and not lines[-1].strip():
-        lines.pop()
-    if not lines:
-        raise InputError(f"the file is empty; its first line must be the header {head}", file=file)
-    _check_head(lines[0].rstrip("\r"), head, file)
-    if len(lines) < 3:
-        raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
-    table = read_numbers(lines[1:], head.count(",") + 1, file)
-    _check_times(table[:, 0], file)
-    return table
-
-
-def _check_head(line: str, head: str, file: str) -> None:
-    column = 1
-    names, wanted = line.split(","), head.split(",")
-    for name, wish in zip(names, wanted, strict=False):
-        if name != wish:
-            raise InputError(f"the column is '{name}', wanted '{wish}' of {head}", file=file, line=1, column=column)
-        column += len(name) + 1
-    if len(names) != len(wanted):
-        raise InputError(f"the header has {len(names)} columns, wanted {len(wanted)}: {head}", file=file, line=1)
-
-
-def _check_times(t: Array, file: str) -> None:
-    h = t[1] - t[0]
-    if h <= 0:
-        raise InputError(f"time {t[1]:.17g} s follows {t[0]:.17g} s; times must increase", file=file, line=3, column=1)
-    wrong = np.flatnonzero(np.abs(np.diff(t) - h) > _UNEVEN * h)
-    if wrong.size:
-        row = int(wrong[0]) + 1
-        message = (
-            f"time {t[row]:.17g} s follows {t[row - 1]:.17g} s; the period is {h:.9g} s from the first two rows on"
-        )
-        raise InputError(message, file=file, line=row + 2, column=1)
+    """The table under a header; more is not asked of files that their folder holds against hashes."""
+    first, *rows = text.rstrip("\n").split("\n")
+    if first != head or len(rows) < 2:
+        raise InputError(f"wanted the header {head} and two rows at least; make the folder again", file=file, line=1)
+    return read_numbers(rows, head.count(",") + 1, file)
