@@ -356,6 +356,7 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
     "geometry": ("Array",),
     "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
     "motion": ("Source",),
+    "native.loops": ("loops",),
     "robot.catalogue": ("find_robot",),
     "runs": ("SUMMARY",),
     "runs.folder": ("TASK", "ResultsFolder", "read_bytes", "read_run"),

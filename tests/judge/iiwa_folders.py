@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -18,6 +19,24 @@ from trajopt_cli.iiwa.job.segments import make_segments
 from trajopt_cli.iiwa.task.model import AngleMeaning
 
 H = 1e-3
+PLATE = """
+tool: {position: [0, 0, 0.1]}
+v_max: 0.1
+omega_max: 1
+a_max: 1
+epsilon_max: 5
+poses:
+  - {name: start, at: start}
+  - {name: on it, by: [0, 0, -0.03, 0, 0, 0], dwell: 0.4}
+  - {name: along, by: [0.04, 0, 0, 0, 0.05, 0]}
+  - {name: off, by: [0, 0, 0.03, 0, 0, 0]}
+"""
+CONTACT = """
+contact:
+  tip: 0.02
+  obstacles:
+    plate: {box: {size: [0.3, 0.3, 0.02], position: [0.5, 0, 0.1533]}, stiffness: 20 N/mm, damping: 40, friction: 0.2}
+"""
 HOME = 'start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}\n'
 CONTROLLER = "K: [1000, 1000, 1000, 30, 30, 30]\nD: [500, 500, 500, 20, 20, 20]\nM: [25, 25, 25, 3, 3, 3]\n"
 POSES = """
@@ -104,9 +123,14 @@ class Sequence:
 
 def tell_rows(folder: Path, count: int) -> None:
     """summary.json as if the sequence had been made with so many rows."""
-    summary, run = (json.loads((folder / name).read_text()) for name in ("summary.json", "run.json"))
+    summary = json.loads((folder / "summary.json").read_text())
     summary["sequence"]["rows"] = count
-    text = json.dumps(summary)
+    tell_summary(folder, summary)
+
+
+def tell_summary(folder: Path, summary: dict[str, Any]) -> None:
+    """Another summary.json, as if the folder had been made with it."""
+    text, run = json.dumps(summary), json.loads((folder / "run.json").read_text())
     (folder / "summary.json").write_text(text)
     run["files"]["summary.json"] = hashlib.sha256(text.encode()).hexdigest()
     (folder / "run.json").write_text(json.dumps(run))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from iiwa_folders import H, Sequence, bump, edit_sequence, edit_table
+from iiwa_folders import H, Sequence, Table, bump, edit_sequence, edit_table, make_folder, tell_summary
 from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
@@ -355,8 +355,6 @@ def the_elbow_leaves_what_is_told(folder: Path) -> None:
 
 
 def own_arm_angles(folder: Path) -> Array:
-    from iiwa_folders import Table
-
     from trajopt_cli.robot.srs_inverse import arm_angle
 
     rows = Table.read(folder / "joints.csv").rows
@@ -379,3 +377,217 @@ def fed_another_position(rows: Array) -> None:
 @table("simulation.csv", "simulated", "orientation fed")
 def fed_another_turn(rows: Array) -> None:
     rows[100, 4] += 2 * OVER * tolerances.SIMULATED
+
+
+SHIFT = 1e-6  # m, rad: seen in a simulation
+FORCE = slice(14, 20)  # believed; a world's columns of joints, true forces and depth come behind
+TRUE, DEPTH = slice(34, 40), 40
+
+
+@table("simulation.csv", "simulated", "law", "deviation", "joints", besides=("believed force",))
+def a_position_shifted(rows: Array) -> None:
+    rows[:, 8] += SHIFT
+
+
+@table("simulation.csv", "simulated", "law", "joints")
+def an_angle_shifted(rows: Array) -> None:
+    rows[:, 12] += SHIFT
+
+
+@table("simulation.csv", "simulated", "law", "deviation", "joints")
+def an_answer_a_row_late(rows: Array) -> None:
+    rows[1:, 7:13] = rows[:-1, 7:13].copy()
+
+
+@table("simulation.csv", "simulated", "law", "deviation", "joints")
+def an_answer_mirrored(rows: Array) -> None:
+    rows[:, 8] *= -1
+
+
+@table("simulation.csv", "simulated", "law", "believed force")
+def a_force_made_up(rows: Array) -> None:
+    rows[100:200, 14] += 0.5
+
+
+@table("simulation.csv", "simulated", "duration")
+def the_end_left_out(rows: Array) -> Array:
+    return rows[:-5]
+
+
+@table("simulation.csv", "simulated", "joints")
+def a_joint_of_a_simulation_shifted(rows: Array) -> None:
+    rows[:, 20] += SHIFT
+
+
+def other_run(folder: Path, change: Callable[[str], str], keep: slice) -> None:
+    """The answer, and what stands behind it, of a run with another task; what was fed stays."""
+    from trajopt_cli.iiwa.job.pages import simulation_page
+    from trajopt_cli.iiwa.job.simulation import simulate
+
+    other = make_folder(folder.parent / "other", change(next(folder.glob("input/*.yaml")).read_text()), joints=False)
+    simulate(other, simulation_page, settle=0.1)
+    rows = Table.read(other / "simulation.csv").rows
+
+    def replaced(own: Array) -> None:
+        own[:, keep] = rows[: len(own), keep][:, : own.shape[1]]
+
+    edit_table(folder, "simulation.csv", replaced)
+
+
+@spoiled("simulated", "law")
+def rows_of_another_damping(folder: Path) -> None:
+    other_run(folder, lambda text: text.replace("D: [500", "D: [510"), slice(7, None))
+
+
+@spoiled("simulated", "law")
+def rows_of_a_run_fed_with_speed(folder: Path) -> None:
+    from trajopt_cli.iiwa.job.pages import simulation_page
+    from trajopt_cli.iiwa.job.simulation import simulate
+    from trajopt_cli.iiwa.task.model import Feed
+
+    before = {name: (folder / name).read_bytes() for name in ("summary.json", "run.json", "report.html")}
+    simulate(folder, simulation_page, feed=Feed.VELOCITY, settle=0.1)
+    for name, content in before.items():
+        (folder / name).write_bytes(content)
+
+
+@table("simulation.csv", "touching", "law", "true force", "believed force")
+def forces_scaled(rows: Array) -> None:
+    rows[:, FORCE] *= 1.05
+    rows[:, TRUE] *= 1.05
+
+
+@table("simulation.csv", "touching", "true force")
+def true_forces_scaled(rows: Array) -> None:
+    rows[:, TRUE] *= 1.05
+
+
+@table("simulation.csv", "touching", "law", "true force", "believed force", "depth")
+def nothing_touched(rows: Array) -> None:
+    rows[:, FORCE] = rows[:, TRUE] = 0.0
+    rows[:, DEPTH] = 0.0
+
+
+@table("simulation.csv", "touching", "depth")
+def half_as_deep(rows: Array) -> None:
+    rows[:, DEPTH] /= 2
+
+
+@table("simulation.csv", "touching", "joints")
+def a_command_shifted(rows: Array) -> None:
+    rows[:, 22] += SHIFT
+
+
+@table("simulation.csv", "touching", "law", "deviation", "joints", "true force", "believed force", "depth")
+def an_arm_that_is_not_held(rows: Array) -> None:
+    touches = rows[:, DEPTH] > 0
+    rows[touches, 9] -= 1e-3
+
+
+# -------------------------------------------------------------------------------------------------------------- dosing
+
+
+def fed(name: str, base: str, *checks: str, besides: tuple[str, ...] = ()) -> Callable[..., None]:
+    """Register an edit of what a dosed folder feeds, given the positions (n, 3) of its plan."""
+
+    def add(edit: Callable[[Sequence, Array], None]) -> None:
+        def spoil(folder: Path) -> None:
+            plan = Table.read(folder / "plan.csv").rows
+            edit_sequence(folder, lambda rows, _: edit(rows, plan[:, 1:4]))
+
+        spoil.__name__ = name
+        spoiled(base, *checks, besides=("lag", "push", "arrival", "arm speed", *besides))(spoil)
+
+    return add
+
+
+@fed("shifted_by_20_mm", "dosed", "lag")
+def _shifted(rows: Sequence, plan: Array) -> None:
+    rows.p += [0.0, 0.02, 0.0]
+
+
+@fed("the_plan_itself", "dosed", "lag")
+def _planned(rows: Sequence, plan: Array) -> None:
+    rows.p[:] = plan
+
+
+@fed("a_tenth_more_ahead", "dosed", "push")
+def _ahead(rows: Sequence, plan: Array) -> None:
+    rows.p[:] = plan + 1.1 * (rows.p - plan)
+
+
+@fed("one_row_far_ahead", "dosed", "push")
+def _jumping(rows: Sequence, plan: Array) -> None:
+    rows.p[len(plan) // 2] += [0.0, 0.0, 0.08]
+
+
+@fed("fed_20_rows_late", "dosed", "lag")
+def _late(rows: Sequence, plan: Array) -> None:
+    rows.p[20:] = rows.p[:-20].copy()
+
+
+@fed("ahead_the_wrong_way", "dosed", "lag")
+def _backwards(rows: Sequence, plan: Array) -> None:
+    rows.p[:] = 2 * plan - rows.p
+
+
+@fed("turned_too_late", "dosed", "turn lag", besides=("turn lag",))
+def _turned_late(rows: Sequence, plan: Array) -> None:
+    rows.angles[150:] = rows.angles[:-150].copy()
+
+
+@fed("never_quite_there", "dosed", "arrival")
+def _short(rows: Sequence, plan: Array) -> None:
+    rows.p[-1] += [1.2e-3, 0.0, 0.0]
+
+
+@spoiled("dosed", "lag", besides=("push", "arrival", "turn lag"))
+def rows_as_programmed(folder: Path) -> None:
+    """All files those of the folder that was dosed, but for what dosing says."""
+    before = folder.parent / "before"
+    make_folder(before, next(folder.glob("input/*.yaml")).read_text(), joints=False)
+    take_over(folder, before, ("equilibrium", "equilibrium_quaternion"), ("plan", "plan_quaternion"))
+
+
+def take_over(folder: Path, other: Path, *names: tuple[str, str]) -> None:
+    """Files of another folder under both names, and what summary.json says of its sequence."""
+    for pair in names:
+        for name in pair:
+            source = name if (other / f"{name}.csv").is_file() else name.replace("plan", "equilibrium")
+            (folder / f"{name}.csv").write_bytes((other / f"{source}.csv").read_bytes())
+    said, theirs = (json.loads((one / "summary.json").read_text()) for one in (folder, other))
+    said["sequence"] = theirs["sequence"]
+    tell_summary(folder, said)
+
+
+@fed("pressed_5_mm_deeper", "pressing", "pressing", besides=("force", "lag off what it touches"))
+def _deeper(rows: Sequence, plan: Array) -> None:
+    rows.p[:, 2] -= 5e-3 * (plan[:, 2] < plan[:, 2].max() - 0.025)
+
+
+@fed("lifted_by_5_mm", "pressing", "pressing", besides=("force", "lag off what it touches"))
+def _lifted(rows: Sequence, plan: Array) -> None:
+    rows.p[:, 2] += 5e-3 * (plan[:, 2] < plan[:, 2].max() - 0.025)
+
+
+@fed("beside_the_plan_in_the_air", "pressing", "lag", "lag off what it touches", besides=("force", "pressing"))
+def _aside(rows: Sequence, plan: Array) -> None:
+    rows.p[: np.argmax(plan[:, 2] < plan[0, 2] - 0.015), 1] += 0.02
+
+
+@fed("a_blow", "pressing", "force", "arm speed", besides=("pressing", "lag off what it touches"))
+def _blow(rows: Sequence, plan: Array) -> None:
+    row = int(np.argmin(plan[:, 2])) + 300
+    rows.p[row : row + 120, 2] -= 0.03
+
+
+@spoiled("pressing", "force", besides=("pressing", "arrival"))
+def scheduled_as_if_nothing_were_there(folder: Path) -> None:
+    from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
+    from trajopt_cli.iiwa.job.feed_scheduling import schedule_feed
+    from trajopt_cli.iiwa.job.pages import feed_page
+
+    text = next(folder.glob("input/*.yaml")).read_text()
+    free = make_folder(folder.parent / "free", text[: text.index("contact:")], joints=False)
+    schedule_feed(free, folder.parent / "dosed", Allowed(2e-3, lead=Lead(60.0)), feed_page)
+    take_over(folder, folder.parent / "dosed", ("equilibrium", "equilibrium_quaternion"), ("plan", "plan_quaternion"))

@@ -10,7 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.judge.chain import Followed, _Part, _within, check_chain, follow
+from trajopt_cli.iiwa.judge.chain import Followed, _turn_tolerance, check_chain, follow
+from trajopt_cli.iiwa.judge.follow_loops import _within
 from trajopt_cli.iiwa.judge.path import StraightPiece
 from trajopt_cli.iiwa.judge.samples import Poses
 from trajopt_cli.motion import Source
@@ -136,7 +137,7 @@ def test_the_part_of_a_line_within_a_ball() -> None:
     for _ in range(200):
         begin, way, p = rng.uniform(-1, 1, (3, 3))
         radius = rng.uniform(0, 2)
-        a, b, nearest = _within(begin.tolist(), p.tolist(), way.tolist(), radius)
+        a, b, nearest = _within.py_func(*(begin - p).tolist(), *way.tolist(), radius)
         # the nearest place is square to the line; the ends are on the ball
         foot = begin + nearest * way
         assert abs((foot - p) @ way) < 1e-12
@@ -147,7 +148,7 @@ def test_the_part_of_a_line_within_a_ball() -> None:
             np.testing.assert_allclose(np.linalg.norm(ends, axis=1), radius, rtol=1e-12)
     zero = [0.0, 0.0, 0.0]
     for p, inside in (([0.0, 0.6, 0.8], True), ([0.0, 0.6, 0.8001], False)):
-        a, b, nearest = _within(zero, p, zero, 1.0)
+        a, b, nearest = _within.py_func(*(-x for x in p), *zero, 1.0)
         assert (a, b, nearest) == ((-math.inf, math.inf, 0.0) if inside else (math.inf, -math.inf, 0.0))
 
 
@@ -157,14 +158,14 @@ def test_the_tolerance_of_a_large_turn() -> None:
     one = replace(chain_of("slerp")[0], q=IDENTITY)
     sizes = {0.099: 1.0, 0.101: 0.0505 / math.sin(0.0505), 2.0: 1 / math.sin(1.0), math.pi: math.pi / 2, 5.0: 2.5}
     for size, factor in sizes.items():
-        assert _Part.of(replace(one, turn=size * turn), 0.01).turn_tolerance == pytest.approx(0.01 * factor, rel=1e-14)
-        assert _Part.of(replace(one, turn=size * turn, slerp=False), 0.01).turn_tolerance == 0.01
+        assert _turn_tolerance(replace(one, turn=size * turn), 0.01) == pytest.approx(0.01 * factor, rel=1e-14)
+        assert _turn_tolerance(replace(one, turn=size * turn, slerp=False), 0.01) == 0.01
     rng = np.random.default_rng(5)
     for a, b in rng.normal(scale=1.0, size=(300, 2, 3)):
         a *= min(1.0, 3.1 / np.linalg.norm(a))
         other = (Rotation.from_rotvec(a) * Rotation.from_rotvec(1e-4 * b)).as_rotvec()
         apart, angle = np.linalg.norm(other - a), 1e-4 * np.linalg.norm(b)
-        most = _Part.of(replace(one, turn=a), 1.0).turn_tolerance if np.linalg.norm(a) > 0.1 else 1.001
+        most = _turn_tolerance(replace(one, turn=a), 1.0) if np.linalg.norm(a) > 0.1 else 1.001
         if np.linalg.norm(other) <= math.pi and apart < 1:
             assert apart <= angle * most * 1.001
 

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from iiwa_folders import (
+    CONTACT,
+    PLATE,
     Sequence,
     bump,
     copied,
@@ -47,7 +49,8 @@ CHECKS = {
     "period", "rows", "position", "angles", "angle jump", "joint position", "joint speed", "joint acceleration", "jump",
     "speed column", "first row", "last row", "tool position", "tool orientation", "position between rows",
     "orientation between rows", "configuration", "arm angle", "arm angle range", "start joints",
-    "position fed", "orientation fed", "deviation",
+    "position fed", "orientation fed", "deviation", "law", "joints", "true force", "believed force", "depth",
+    "duration", "lag", "turn lag", "push", "arrival", "force", "pressing", "arm speed", "lag off what it touches",
 }  # fmt: skip
 
 
@@ -68,17 +71,32 @@ def bases(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
         if name not in made:
             if name == "free":
                 made[name] = make_folder(place / name, task_text(poses=FAR), free=True)
+            elif name in ("touching", "pressing"):
+                made[name] = make_folder(place / name, task_text(poses=PLATE) + CONTACT, joints=False)
             else:
                 joints = name in ("joints", "simulated")
-                made[name] = make_folder(place / name, task_text("trapezoid" if joints else name), joints=joints)
-            if name == "simulated":
-                simulate(made[name], simulation_page, settle=0.1)
+                made[name] = make_folder(
+                    place / name, task_text("trapezoid" if joints or name == "dosed" else name), joints=joints
+                )
+            if name in ("simulated", "touching"):
+                simulate(made[name], simulation_page, engine="spring" if name == "touching" else None, settle=0.1)
+            if name in ("dosed", "pressing"):
+                lead, turn = (Lead(30.0), 0.02) if name == "dosed" else (Lead(60.0), None)
+                before, made[name] = made[name], place / f"{name}-done"
+                done = schedule_feed(before, made[name], Allowed(2e-3, turn, lead), feed_page)
+                assert isinstance(done, ScheduledJob), done
         return made[name]
 
     return base
 
 
-@pytest.mark.parametrize("name", ["joints", "trapezoid", "thesis", "s-curve", "free", "simulated"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("joints", "trapezoid", "thesis", "s-curve", "free", "simulated"),
+        *("touching", "dosed", "pressing"),
+    ],
+)
 def test_what_is_spoiled_here_was_legal(name: str, bases: Callable[[str], Path]) -> None:
     judged = verify_folder(bases(name))
     assert messages(judged) == []

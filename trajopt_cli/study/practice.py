@@ -22,6 +22,7 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned
+from trajopt_cli.units import MM
 
 _STOP = Zone("fine", True)
 _FLANGE = Tool("tool0", np.eye(4))
@@ -36,8 +37,6 @@ def practice(case: Case) -> Answer:
     """
     if not case.plant.robot.has_rail:
         return NotApplicable("the robot rides no rail")
-    if case.plant.layout.r > 1:
-        return NotApplicable("the robot rides several rails")
     program = case.program
     if not case.gives_rail:
         best = case.solve(program, Target.STREAM, FIXED_RAIL)
@@ -69,8 +68,7 @@ def with_detours(program: Program, plant: Plant) -> Program:
     folded = bool(np.abs(plant.start[layout.arm] - home).max() <= _SAME)
     for motion in program.motions:
         if isinstance(motion, Move):
-            asked = plant.rail_value(motion.extax)
-            given = None if asked is None else float(asked[0])
+            given = plant.rail_value(motion.extax)
             moves = given is not None and abs(given - rail) > _SAME
             ends_folded = isinstance(motion, MoveAbsJ) and bool(np.abs(motion.q - home).max() <= _SAME)
             if moves and not isinstance(motion, PathMove):
@@ -103,4 +101,8 @@ def _ride(before: Move, plant: Plant, rail: float) -> MoveExtJ:
 
 
 def _extax(extax: ExternalAxes, plant: Plant, rail: float) -> ExternalAxes:
-    return plant.with_rail(extax, np.array([rail]))
+    assert plant.rail_eax is not None
+    values = list(extax)
+    values[plant.rail_eax] = rail / MM
+    a, b, c, d, e, f = values
+    return (a, b, c, d, e, f)

@@ -195,7 +195,8 @@ def simulate(
     answer = run_controller(opened, contact, engine, feed, integration, settle, place)
     if isinstance(answer, Simulated):
         files = {SIMULATION: simulation_csv(answer).encode(), REPORT: page(answer)}
-        add_to_folder(answer.opened, files, {"simulation": simulation_record(answer)})
+        record = simulation_record(answer) | {"contact_file": None if contact_file is None else contact_file.name}
+        add_to_folder(answer.opened, files, {"simulation": record})
     return answer
 
 

@@ -16,7 +16,7 @@ from trajopt_cli.iiwa.judge.chain import Followed, check_chain, follow
 from trajopt_cli.iiwa.judge.path import StraightPiece, legs, rotation_of
 from trajopt_cli.iiwa.judge.samples import Poses, worst
 from trajopt_cli.iiwa.judge.task_order import Order, Stop, periods
-from trajopt_cli.iiwa.judge.tolerances import ARM_CAP, BACKWARD, CAP, EXACT, PATH, RAMP, SLACK
+from trajopt_cli.iiwa.judge.tolerances import ARM_CAP, BACKWARD, CAP, EXACT, PATH, RAMP, ROUNDING, SLACK
 from trajopt_cli.judge.findings import finding
 
 _WINDOW = 2048  # rows that are looked at first
@@ -138,17 +138,19 @@ def _reached(order: Order, found: list[Visit], rows: Poses, exact: bool) -> Iter
     missing = 0 if complete else len(order.stops) - order.stops.index(last.stop)
     yield finding("poses missing", "sequence", missing, 0, "poses", missing == 0, words="goes without")
     if exact:
-        yield _end("first pose", found[0], _t(rows, 0), "begins beside the pose by")
+        yield _end("first pose", found[0], rows, 0, "begins beside the pose by")
     if complete:
         after = len(rows.t) - 1 - last.left
         yield finding("rows behind the end", last.stop.name, after, 0, "rows", after == 0, words="is followed by")
         if exact:
-            yield _end("last pose", last, _t(rows, -1), "ends beside by")
+            yield _end("last pose", last, rows, -1, "ends beside by")
 
 
-def _end(check: str, visit: Visit, time: float, words: str) -> Finding:
-    passed, source = visit.off <= EXACT, visit.stop.place
-    return finding(check, visit.stop.name, visit.off, EXACT, "m, rad", passed, time=time, source=source, words=words)
+def _end(check: str, visit: Visit, rows: Poses, row: int, words: str) -> Finding:
+    doubt = float((rows.off_p + rows.off_q)[row])
+    most = EXACT + (doubt if doubt > 2 * ROUNDING else 0.0)
+    more: dict[str, Any] = {"time": _t(rows, row), "source": visit.stop.place, "words": words}
+    return finding(check, visit.stop.name, visit.off, most, "m, rad", visit.off <= most, **more)
 
 
 def _dwells(order: Order, found: list[Visit], rows: Poses, retimed: bool) -> Iterator[Finding]:

@@ -7,9 +7,10 @@ reported as unchecked, never passed over.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
+from typing import Any
 
 import numpy as np
 
@@ -78,7 +79,7 @@ _CAPS = {
     "jerk": rate(METRE, 3),
     "angular_jerk": rate(RADIAN, 3),
 }
-# What a task says besides its way; the controller's business, which verify does not judge.
+# What a task says besides its way: the controller, which law.py reads.
 _CONTROLLER = (
     "K",
     "D",
@@ -190,14 +191,14 @@ def read_order(
     Raises InputError with file, line and key for what the judge cannot use.
     """
     task = Written(path, "task file")
-    arm = read_arm(str(task.at("robot", "iiwa7")), task.at("limits", "default"), _frame(task, "base"))
+    arm = read_arm(str(task.at("robot", "iiwa7")), task.at("limits", "default"), frame(task, "base"))
     start_joints = np.array(task.numbers("start.joints", task.at("start.joints"), RADIAN, len(arm.lower)))
     given = program or task.at("program") or task.at("poses")
     source = str(given) if isinstance(given, str) else ""
     if source and program is None:
         source = str(PurePath(path).parent / source)
     from_csv, placed = source.lower().endswith(".csv"), {"position", "wxyz", "rpy"} & set(task.section("tool"))
-    X_FT = None if source and not from_csv and not placed else _frame(task, "tool")
+    X_FT = None if source and not from_csv and not placed else frame(task, "tool")
     start = None if X_FT is None else X_FT.inside(arm_frame(arm.mechanism, start_joints))
     unchecked = list(_foreign(task))
     stops: list[Stop] | None = None
@@ -343,8 +344,9 @@ def _foreign(task: Written) -> list[str]:
     ]
 
 
-def _frame(task: Written, key: str) -> FramePose:
-    section = task.section(key)
+def frame(task: Written, key: str, given: Mapping[str, Any] | None = None) -> FramePose:
+    """The frame in a section, given unless it is the one at the key."""
+    section = task.section(key) if given is None else given
     p = np.array(task.numbers(f"{key}.position", section.get("position", [0, 0, 0]), METRE, 3))
     if "wxyz" in section:
         q = np.array(task.numbers(f"{key}.wxyz", section["wxyz"], PLAIN, 4))

@@ -5,6 +5,8 @@ Printed digits and rows farther apart than the controller's period come on top; 
 
 from __future__ import annotations
 
+import math
+
 EXACT = 1e-12
 """Distance [m, rad] of what has to be the same number: first and last pose, the two files of a sequence, rows of a
 dwell. Numbers of size 1 are printed in 17 digits, and a sum over poses or a turn of axes rounds in the fifteenth."""
@@ -31,8 +33,25 @@ ROUNDING = 4e-15
 """How far rounding leaves a coordinate off, m (times its size above 1 m) or rad (over cos beta for three angles); what
 a difference makes of it is granted."""
 
-SIMULATED = 1e-9
-"""How far the columns of a simulation may be off, m or rad: they are printed in ten decimals."""
+SIMULATED = 1e-8
+"""How far the columns of a simulation may be off, m or rad: they are printed in ten digits, and so are the forces that
+move it: 1e-8 N of 100 N for a time constant are 1e-11 m."""
+
+SIMULATED_JOINTS = 1e-7
+"""The same of where its joints put the tool, m plus rad: seven of them in ten digits, 1 m from the tool."""
+
+FELT, FELT_SHARE = 0.01, 2e-3
+"""How far forces may be off, N or Nm, and as a share: speeds are differences of printed rows, and friction knows 2000 N
+a m/s; from row to row joints turn evenly, the tool not quite."""
+
+PROMISED = 1e-6
+"""Relative excess over a lag or a push that dosing promises: sums over all rows round elsewhere."""
+
+ARRIVED = 1e-3, math.radians(0.1)
+"""Distance [m] and turn [rad] from its end at which an arm counts as arrived, as the manual has it."""
+
+PUSH_KEPT = 0.2
+"""Share by which dosing may change the push on what is touched, as the manual has it."""
 
 PERIOD = 1e-9
 """What a row's time may be off its place on the grid, s: an hour in periods of 1 ms, printed in 15 digits, is right to

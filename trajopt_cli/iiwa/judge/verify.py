@@ -13,8 +13,10 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
+from trajopt_cli.iiwa.judge.answer import FORCES, check_dosing, check_simulation, touches_known
 from trajopt_cli.iiwa.judge.joints import check_between, check_follows, check_limits, check_posture
-from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, read_table, unit, worst
+from trajopt_cli.iiwa.judge.law import Controller, read_controller
+from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, printed, read_table, unit, worst
 from trajopt_cli.iiwa.judge.sequence import check_sequence
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
 from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
@@ -74,10 +76,20 @@ def verify_folder(folder: Path) -> Judged:
     if zero is None:
         unchecked.append(f"{folder / _FED[0]}: its angles, because they count from the program's tool")
     reports = {}
+    law = _controller(order, said)
+    u = _equilibrium(run, fed, order, said)
     if way is _LED:
         unchecked.append(f"{folder / _FED[0]}: its way and speeds, because it leads the arm along {_LED[0]}")
+        kept: Iterator[Finding] = iter(())
+        if "dosing" in sections and order.start is not None and not law.beyond:
+            kept = check_dosing(order, law, u, fed, path, sections)
+            if len(law.shapes) and law.unfelt:
+                unchecked.append(f"{folder / _FED[0]}: forces, because of {' and '.join(law.unfelt)}")
+        elif "dosing" in sections:
+            why = " and ".join(law.beyond) or "the program's tool"
+            unchecked.append(f"{folder / _FED[0]}: lag and push, because of {why}")
         reports = {
-            _FED[0]: _report(_angle_file(run, _FED[0], fed, zero)),
+            _FED[0]: _report([*_angle_file(run, _FED[0], fed, zero), *kept]),
             _FED[1]: _report(_rows(fed, said.get("rows"), order)),
         }
     reports[way[0]] = _report(_angle_file(run, way[0], path, zero))
@@ -88,7 +100,9 @@ def verify_folder(folder: Path) -> Judged:
             unchecked.append(f"{folder / JOINTS_FILE}: the tool's poses, because the tool is the program's")
         reports[JOINTS_FILE] = _report(_joint_file(run, order, fed, sections))
     if SIMULATION_FILE in run.contents:
-        found, lines = _simulation_file(run, order, fed, path)
+        ran = _section(sections, "simulation", folder)
+        law = _controller(order, said, ran.get("integration"))
+        found, lines = _simulation_file(run, order, fed, path, (law, u, ran))
         reports[SIMULATION_FILE] = _report(found)
         unchecked += lines
     return Judged(reports, tuple(unchecked))
@@ -134,8 +148,9 @@ def _quaternion_file(run: ResultsFolder[_Record], name: str) -> Poses:
     table = _table(run, name, (*_PLACE, *_QUATERNION))
     t = table["t [s]"]
     q = unit(columns(table, _QUATERNION), str(run.folder / name))
-    rounding = np.full(len(t), ROUNDING)
-    return Poses(t, columns(table, _PLACE), q, rounding, rounding, float("nan"))
+    p, share = columns(table, _PLACE), printed(run.text(name))
+    rounding = np.maximum(share * np.linalg.norm(p, axis=1), ROUNDING)
+    return Poses(t, p, q, rounding, np.full(len(t), max(2 * share, ROUNDING)), float("nan"))
 
 
 def _report(findings: list[Finding] | Iterator[Finding]) -> Report:
@@ -174,10 +189,15 @@ def _angle_file(run: ResultsFolder[_Record], name: str, wanted: Poses, zero: Arr
     yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
     if not same:
         return
-    offs = [("period", np.abs(t - wanted.t), PERIOD, "s"), ("position", np.abs(p - wanted.p).max(axis=1), EXACT, "m")]
+    share = printed(run.text(name))
+    off_p, off_q = share + float(wanted.off_p.max()), 4 * share + float(wanted.off_q.max())
+    if not share and off_p <= ROUNDING:
+        off_p = off_q = 0.0
+    off = np.abs(p - wanted.p).max(axis=1)
+    offs = [("period", np.abs(t - wanted.t), PERIOD, "s"), ("position", off, EXACT + off_p, "m")]
     if zero is not None:
         q = turns.product(turns.from_angles(angles), np.broadcast_to(zero, wanted.q.shape))
-        offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT, "rad"))
+        offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT + off_q, "rad"))
     for check, off, limit, kind in offs:
         yield _row(check, off, limit, kind, t, f"has another {check} than in quaternions, by")
     # a quarter turn is no step of any sequence; near the lock two angles swing for one small turn
@@ -217,32 +237,64 @@ def _begins_at_start(order: Order, tool: Poses) -> bool:
     return bool(np.linalg.norm(tool.p[0] - order.start.p) <= START and turned <= START)
 
 
+def _controller(order: Order, said: dict[str, Any], integration: str | None = None) -> Controller:
+    """The task's controller, its changes at the rows at which the sequence arrives at their poses."""
+    pieces = said.get("pieces", [])
+    rows = {piece["to"]: piece["last"] for piece in pieces if not piece["dwell"]}
+    rows |= {piece["from"]: 0 for piece in pieces[:1]}
+    return read_controller(order.file, order.h, rows, integration)
+
+
+def _equilibrium(run: ResultsFolder[_Record], fed: Poses, order: Order, said: dict[str, Any]) -> Array:
+    """What the controller is fed (n, 6): position and angles from the start."""
+    if order.start is None or said.get("angles") == "relative":
+        table = _table(run, _FED[0], (*_PLACE, *_ANGLES))
+        angles = columns(table, _ANGLES)[: len(fed.p)]
+        return np.column_stack([fed.p, np.pad(angles, ((0, len(fed.p) - len(angles)), (0, 0)), mode="edge")])
+    q = turns.product(fed.q, np.broadcast_to(turns.conjugate(order.start.q), fed.q.shape))
+    return np.column_stack([fed.p, np.unwrap(turns.to_angles(q), axis=0)])
+
+
 def _simulation_file(
-    run: ResultsFolder[_Record], order: Order, wanted: Poses, path: Poses
+    run: ResultsFolder[_Record],
+    order: Order,
+    wanted: Poses,
+    path: Poses,
+    of_law: tuple[Controller, Array, dict[str, Any]],
 ) -> tuple[list[Finding], list[str]]:
     """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say,
-    from what it was fed, or from the path that this leads it along."""
+    from what it was fed, or from the path that this leads it along; the rest as check_simulation has it."""
+    law, u, said = of_law
     equilibrium = [f"{head.split(' ')[0]}_e [{head.split('[')[1]}" for head in (*_PLACE, *_ANGLES)]
-    heads = (*equilibrium, *_PLACE, "deviation [m]")
+    heads = (*equilibrium, *_PLACE, *_ANGLES, "deviation [m]", *(f"believed {name}" for name in FORCES))
     table = _table(run, SIMULATION_FILE, heads)
     t, p_e = table["t [s]"], columns(table, tuple(equilibrium[:3]))
     file = str(run.folder / SIMULATION_FILE)
-    unchecked = [f"{file}: what the controller does; only what it was fed, and its deviation"]
+    unchecked = []
     offs = [("period", np.abs(t - np.arange(len(t)) * order.h), PERIOD, "s", "is off its place in time by")]
-    if order.reframed:
-        unchecked.append(f"{file}: what was fed, because the task changes frames during the run")
+    if order.reframed or order.start is None:
+        why = "the task changes frames during the run" if order.reframed else "the tool is the program's"
+        unchecked.append(f"{file}: what was fed, and what the controller does, because {why}")
     else:
         k = np.minimum(np.arange(len(t)), len(wanted.t) - 1)
         off = np.linalg.norm(p_e - wanted.p[k], axis=1)
         offs.append(("position fed", off, SIMULATED, "m", "was fed another position, by"))
-        if order.start is not None:
-            angles = columns(table, tuple(equilibrium[3:]))
-            q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (len(t), 4)))
-            offs.append(
-                ("orientation fed", turns.angle_between(q, wanted.q[k]), SIMULATED, "rad", "was fed another turn, by")
-            )
+        angles = columns(table, tuple(equilibrium[3:]))
+        q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (len(t), 4)))
+        off = turns.angle_between(q, wanted.q[k])
+        offs.append(("orientation fed", off, SIMULATED, "rad", "was fed another turn, by"))
     led = _LED[0] in run.contents and not order.reframed
     from_p = path.p[np.minimum(np.arange(len(t)), len(path.t) - 1)] if led else p_e
     deviation = np.linalg.norm(columns(table, _PLACE) - from_p, axis=1)
     offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
-    return [_row(check, off, limit, unit, t, words) for check, off, limit, unit, words in offs], unchecked
+    found = [_row(check, off, limit, unit, t, words) for check, off, limit, unit, words in offs]
+    if order.start is not None and not order.reframed:
+        found += check_simulation(order, law, table, u, wanted, said, (_PLACE, _ANGLES))
+        unchecked += [f"{file}: where the controller goes, because of {one}" for one in law.beyond]
+        unknown = [*law.unfelt, *([] if touches_known(said) else ["a contact that is not the task's"])]
+        if said.get("world") not in (None, "spring wall", "ideal arm"):
+            unknown.append(f"its world, {said['world']}")
+        unchecked += [f"{file}: forces and depths, because of {one}" for one in unknown]
+        rest = [head for head in table if head.startswith("manipulability")]
+        unchecked += [f"{file}: {', '.join(rest)}"] if rest else []
+    return found, unchecked
