@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from collections.abc import Collection, Iterator, Mapping
 from fnmatch import fnmatch
@@ -368,9 +369,11 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
     "judge.tolerances": ("COMPUTED",),
     "yaml_file": ("line_of", "parse", "read_text"),
 }
-# All that this judge and the job it judges have in common: plain data, and readers with what they stand on.
+# All that this judge and the job it judges have in common: plain data, readers with what they stand on, and what links
+# loops that were compiled before, each its own.
 COMPLIANT_SHARED = {
     "errors", "findings", "geometry", "joint_csv", "limits", "motion", "print_resolution", "warnings", "quantity",
+    "native.loops", "native.machine", "native.store", "native.writing",
     "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "sheet", "trajectory",
     "file_kinds", "scenario", "units", "validation", "yaml_file",
 }  # fmt: skip
@@ -503,12 +506,15 @@ def compliant_violations(modules: Mapping[str, str]) -> list[str]:
         for line, name, what in inner_imports(module, modules[module], modules):
             if name != COMPLIANT and name not in judge and what not in allowed.get(name, ()):
                 found.append(f"{module}:{line}: this judge may not import {what or 'anything'} from {name}")
+        for name in re.findall(r'"trajopt_cli\.([\w.]+)"', modules[module]):
+            if name not in judge:
+                found.append(f"{module}: this judge may not link {name}")
     everything = reached(judge, modules)
     for module in sorted(everything):
         if (module.split(".")[0] == "iiwa" and module not in judge) or module.startswith("robot.srs"):
             found.append(f"this judge reaches {module}")
         for line, name in imports(modules[module], f"trajopt_cli.{module}"):
-            if name.split(".")[0] in ("importlib", "runpy") and "metadata" not in name:
+            if name.split(".")[0] in ("importlib", "runpy") and "metadata" not in name and module != "native.loops":
                 found.append(f"{module}:{line}: {name} is out of this judge's reach")
     both = everything & reached(rooms(modules, "iiwa") - of_compliant_job(modules), modules)
     return found + [f"judge and job both reach {m}" for m in sorted(both - COMPLIANT_SHARED)]
@@ -539,6 +545,7 @@ def test_the_judge_of_the_compliant_job_shares_data_and_readers_with_it_and_noth
             "def f():\n    import trajopt_cli.robot.srs_inverse",
             "this judge reaches robot.srs_inv",
         ),
+        ("iiwa.judge.law", 'LOOPS = "trajopt_cli.robot.inverse_loops"', "this judge may not link robot.inverse_loops"),
         (
             "iiwa.judge.samples",
             "from trajopt_cli.geometry import rotation_from_wxyz",
