@@ -146,13 +146,14 @@ def test_what_is_wrong_is_told_by_line(task: str, line: int) -> None:
 @pytest.mark.parametrize(
     "task",
     [
+        HEAD + LANES.replace("0], force: 20 N}", "0], force: 10 N}", 1) + "passing: {tolerance: 0.1 mm}\n",
         HEAD.replace("1500, 800", "1500, 0") + LANES,
         HEAD + LANES + "force: {along: normal}\n" + "changes: [{at: 1, K: [500, 500, 500, 60, 60, 60]}]\n",
         HEAD + LANES.replace("[0, 0.04, 0,", "[0, 0, -0.04,") + "force: {along: normal}\n",
         HEAD.replace("s-curve", "trapezoid") + LANES + "force: {lead: true}\n",
         HEAD + LANES.replace("dwell: 0.5, force: 20 N", "dwell: 0.005, force: 20 N"),
     ],
-    ids=["no stiffness", "another stiffness", "no normal", "jumps ahead", "a blow"],
+    ids=["passed", "no stiffness", "another stiffness", "no normal", "jumps ahead", "a blow"],
 )
 def test_what_cannot_be_pressed_is_refused(tmp_path: Path, task: str, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "task.yaml").write_text(task)

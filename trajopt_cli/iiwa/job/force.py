@@ -22,7 +22,7 @@ from trajopt_cli.iiwa.controller.lag import nearest_rows
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.legs import SAME
-from trajopt_cli.iiwa.task.model import Force, Profile, Task
+from trajopt_cli.iiwa.task.model import Force, PathPoints, Profile, Task
 from trajopt_cli.iiwa.world.contact import FRICTION_RISE, BallOnBoxes
 from trajopt_cli.units import MM
 
@@ -89,8 +89,16 @@ def pressing(task: Task, path: Equilibrium, R_start: Array) -> Pressing | None:
 
 def _ends(task: Task) -> Iterator[tuple[Force | None, Force | None]]:
     """The forces at both ends of every piece of the sequence."""
-    stops = [task.route.waypoints[i] for i in task.route.stops]
-    before = None
+    waypoints, numbers, before = task.route.waypoints, task.route.stops, None
+    stops = [waypoints[i] for i in numbers]
+    for first, goal in pairwise(numbers) if not isinstance(waypoints, PathPoints) else ():
+        wanted = waypoints[goal].force
+        for one in waypoints[first + 1 : goal]:
+            if one.force is not None and (wanted is None or one.force.value != wanted.value):
+                message = (
+                    f"force: pose {one.name} is passed, and presses as pose {waypoints[goal].name} does; stop there"
+                )
+                raise InputError(f"{message}, or give both the same", file=one.place)
     if stops[0].dwell > 0:
         yield None, None
     for here, there in pairwise(stops):
@@ -105,16 +113,12 @@ def _ends(task: Task) -> Iterator[tuple[Force | None, Force | None]]:
 
 def _normals(p: Array, z: Array, place: str) -> Array:
     """Across the path p (n, 3), nearest to the tool's axes z (n, 3): unit vectors (n, 3)."""
-    steps = np.diff(p, axis=0, append=p[-1:])
-    moves = np.linalg.norm(steps, axis=1) > SAME
-    last = np.maximum.accumulate(np.where(moves, np.arange(len(p)), -1))
-    t = steps[np.where(last < 0, int(np.argmax(moves)), last)]
-    t /= np.linalg.norm(t, axis=1)[:, None]
+    t = np.gradient(p, axis=0)
+    t /= np.maximum(np.linalg.norm(t, axis=1), 1e-300)[:, None]
     across = z - np.sum(z * t, axis=1)[:, None] * t
     size = np.linalg.norm(across, axis=1)
     if size.min() < _UPRIGHT:
-        message = "force: the tool's axis lies along the path, which has no normal then; name an axis"
-        raise InputError(message, file=place)
+        raise InputError("force: the tool's axis lies along the path, so there is no normal; name an axis", file=place)
     return np.asarray(across / size[:, None])
 
 
@@ -131,10 +135,9 @@ def pressed(opened: Opened, path: Equilibrium) -> Opened:
     F, K = found.wrench[:, :3], task.compliance.K[:3]
     offset, push = np.zeros_like(F), np.zeros_like(F)
     if task.lead:
-        if task.route.profile is not Profile.S_CURVE:
-            raise InputError(
-                "force.lead: needs 'profile: s-curve', whose speeds and accelerations are steady", file=task.file
-            )
+        if task.route.profile is not Profile.S_CURVE or task.impedance is not None or task.follows:
+            message = "force.lead: is for the admittance controller fed positions, with 'profile: s-curve'"
+            raise InputError(f"{message}; take it out", file=task.file)
         v = np.diff(path.pose[:, :3], axis=0, append=path.pose[-1:, :3]) / path.h
         a = np.diff(v, axis=0, append=v[-1:]) / path.h
         push = task.compliance.D[:3] * v + task.compliance.M[:3] * a
