@@ -20,7 +20,7 @@ from trajopt_cli.iiwa.report.follow import (
     stability_figure,
 )
 from trajopt_cli.iiwa.report.forces import contact_figure, draw_paths, guided_figure, steps_figure, zeroing_figure
-from trajopt_cli.iiwa.report.runs import Following, checked, number_of, picture
+from trajopt_cli.iiwa.report.runs import Following, number_of, picture
 from trajopt_cli.iiwa.report.thinning import thinned
 from trajopt_cli.report import style
 
@@ -350,25 +350,8 @@ def test_the_same_input_gives_the_same_bytes(pictures: dict[str, Figure]) -> Non
     assert first["contact.png"].startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"x": np.zeros((4, 6))}, r"Following a: x has shape \(4, 6\), wanted \(3, 6\) of finite numbers"),
-        ({"x_e": np.full((3, 6), np.nan)}, r"x_e has shape \(3, 6\), wanted"),
-        ({"t": np.array([0.0, 0.2, 0.2])}, "t has 3 samples, wanted at least two that grow"),
-        ({"force": np.zeros(3)}, r"force has shape \(3,\)"),
-    ],
-)
-def test_runs_that_do_not_fit_are_refused(change: dict[str, np.ndarray], message: str) -> None:
-    fits = {"t": np.arange(3.0), "x_e": np.zeros((3, 6)), "x": np.zeros((3, 6))}
-    with pytest.raises(ValueError, match=message):
-        Following("a", **{**fits, **change})
-
-
 def test_what_cannot_be_drawn_is_refused() -> None:
     with pytest.raises(ValueError, match="has no force to draw"):
         steps_figure([("K", box("a", 0.5))], (0,), "Steps")
     with pytest.raises(ValueError, match="shorter"):
         family_figure([box(f"{i}", 0.1) for i in range(9)], "speed", "More than there are styles")
-    with pytest.raises(ValueError, match="read-only"):
-        checked(np.zeros(3), (3,), "view")[0] = 1.0

@@ -14,8 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.controller.lag import deviation, held
+from trajopt_cli.iiwa.controller.lag import held
 from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.experiments import published
 from trajopt_cli.iiwa.experiments.setup import Bench, Experiment, H, compliance, program
@@ -28,7 +27,6 @@ from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import (
     AngleMeaning,
-    Compliance,
     Feed,
     Profile,
     RotationLaw,
@@ -67,11 +65,6 @@ def diagonal(v: float) -> Equilibrium:
 def edges(v: float) -> Equilibrium:
     """A walk over all edges of the cube at v [m/s]."""
     return _path(_EDGES, v)
-
-
-def most_deviation(path: Equilibrium, law: Compliance) -> float:
-    """The largest deviation [m] of the controller from the path."""
-    return float(deviation(response(path.pose, H, law).x, path.pose).max())
 
 
 def speed(bench: Bench) -> Experiment:
@@ -139,26 +132,26 @@ def _cube(
     diagonal and v_edges [m/s]: where the thesis does not print the speed, of hundredths and twentieths those whose
     largest residual is the least; None where the table varies it."""
 
-    def at(value: float) -> tuple[Equilibrium, Equilibrium, Compliance]:
-        law = compliance(value if varied == "k" else K, K_TURN, value if varied == "d" else D, D_TURN)
-        return diagonal(v or value), edges(v_edges or value), law
-
     rows: list[dict[str, Any]] = []
+    runs: dict[str, list[Following]] = {"diagonal": [], "edges": []}
     for value, theirs in table:
-        along, around, law = at(value)
-        ours = most_deviation(along, law)
+        law = compliance(value if varied == "k" else K, K_TURN, value if varied == "d" else D, D_TURN)
+        for name, path in (("diagonal", diagonal(v or value)), ("edges", edges(v_edges or value))):
+            x_e = held(path.pose, _SETTLE, H)
+            t = np.arange(len(x_e), dtype=np.float64) * H
+            runs[name].append(Following(f"{value:g}", t, x_e, response(x_e, H, law).x))
+        ours, around = (float(one[-1].deviation.max()) for one in runs.values())
         rows.append(
             {
                 "value": value,
                 "thesis_deviation_m": theirs,
                 "deviation_on_diagonal_m": ours,
                 "relative_difference": ours / theirs - 1.0,
-                "deviation_on_edges_m": most_deviation(around, law),
+                "deviation_on_edges_m": around,
             }
         )
     most, most_edges = (
-        max(abs(row[f"deviation_on_{path}_m"] / row["thesis_deviation_m"] - 1.0) for row in rows)
-        for path in ("diagonal", "edges")
+        max(abs(row[f"deviation_on_{path}_m"] / row["thesis_deviation_m"] - 1.0) for row in rows) for path in runs
     )
     drawn = "diagonal" if most <= most_edges else "edges"
     if v is not None:
@@ -170,10 +163,6 @@ def _cube(
             "tables 6.11 and 6.12 give 0.147 m and 0.105 m for the same K = 1000, D = 500, M = 25: no one speed and"
             " path can fit both",
         )
-    runs = [
-        _following(f"{value:g}", (along if drawn == "diagonal" else around).pose, law)
-        for value, (along, around, law) in ((value, at(value)) for value, _ in table)
-    ]
     numbers = {
         "varied": varied,
         "unit": unit,
@@ -183,8 +172,8 @@ def _cube(
         "rows": rows,
         "largest_relative_difference": most,
     }
-    path = "one space diagonal of the cube" if drawn == "diagonal" else "the edges of the cube"
-    figure = partial(family_figure, runs, f"{_SYMBOLS[varied]} [{unit}], {path}")
+    path_drawn = "one space diagonal of the cube" if drawn == "diagonal" else "the edges of the cube"
+    figure = partial(family_figure, runs[drawn], f"{_SYMBOLS[varied]} [{unit}], {path_drawn}")
     return Experiment(section, title, notes, numbers, {f"{title}_deviation": figure})
 
 
@@ -194,11 +183,6 @@ def _path(corners: Sequence[tuple[int, int, int]], v: float) -> Equilibrium:
     )
     caps = tuple(SegmentSpeeds(v, 1.0) for _ in corners[1:])
     return interpolate(Route(waypoints, caps, H, Profile.THESIS, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE))
-
-
-def _following(label: str, pose: Array, law: Compliance) -> Following:
-    x_e = held(pose, _SETTLE, H)
-    return Following(label, np.arange(len(x_e), dtype=np.float64) * H, x_e, response(x_e, H, law).x)
 
 
 def _touching(run: Simulated, shown: Following) -> dict[str, Any]:
@@ -216,18 +200,21 @@ def _touching(run: Simulated, shown: Following) -> dict[str, Any]:
         X, half = obstacle.shape.X, obstacle.shape.size / 2
         local = (run.tool[on, :3] - X[:3, 3]) @ X[:3, :3]
         over |= np.all(np.abs(local[:, :NORMAL]) <= half[:NORMAL], axis=1)
+    most = {
+        "largest_excursion_in_z_m": away,
+        "controllers_excursion_in_z_m": controller,
+        "largest_normal_force_N": along,
+        "largest_force_across_z_N": across,
+        "largest_friction_on_top_N": across[over],
+        "largest_believed_normal_force_N": np.abs(loop.force_believed[on, NORMAL]),
+        "deepest_m": loop.depth,
+    }
     return {
         "world": loop.world,
         "first_touch_s": float(t[0]) if len(on) else None,
-        "largest_excursion_in_z_m": float(away.max(initial=0.0)),
         "largest_excursion_at_s": float(t[np.argmax(away)]) if len(on) else None,
-        "controllers_excursion_in_z_m": float(controller.max(initial=0.0)),
-        "largest_normal_force_N": float(along.max(initial=0.0)),
         "largest_normal_force_at_s": float(t[np.argmax(along)]) if len(on) else None,
-        "largest_force_across_z_N": float(across.max(initial=0.0)),
-        "largest_friction_on_top_N": float(across[over].max(initial=0.0)),
-        "largest_believed_normal_force_N": float(np.abs(loop.force_believed[on, NORMAL]).max(initial=0.0)),
-        "deepest_m": float(loop.depth.max(initial=0.0)),
+        **{name: float(values.max(initial=0.0)) for name, values in most.items()},
         "crossings": int(np.sum(np.diff(t) > _APART)) + (len(on) > 0),
         "stop": None if loop.stop is None else loop.stop.message,
     }

@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.runs import checked, curve, times
+from trajopt_cli.iiwa.report.runs import curve
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, margins
 from trajopt_cli.iiwa.task.joint_checks import ELBOW
 from trajopt_cli.iiwa.task.joint_rows import position_excess, speeds
@@ -61,15 +61,11 @@ def map_figure(
     ease (K + 1, m): manipulability of the map's joints, drawn as lines. places: (time [s], name) of what the path
     passes.
     """
-    time = times(t, "arm angle map")
-    for one in courses:
-        checked(one.arm_angle, time.shape, f"arm angle map: {one.name}")
-        checked(one.q, (len(time), len(limits.names)), f"arm angle map: joints of {one.name}")
     figure = new_figure(
         9.6, title, "white: far from every limit · coloured: a joint out of its range · joint_4 left out"
     )
     plan, margin, speed = figure.subplots(3, 1, sharex=True, height_ratios=[6, 1.5, 1.5])
-    at, columns, shown = time[chart.rows], _edges(time[chart.rows]), _shown(chart, courses)
+    at, columns, shown = t[chart.rows], _edges(t[chart.rows]), _shown(chart, courses)
     q = chart.q[:, shown % len(chart.delta)]
     delta = (chart.delta[0] + chart.cell * shown) / DEG
     handles = _zones(plan, q, columns, _edges(delta), limits, figure)
@@ -80,11 +76,11 @@ def map_figure(
     for one, style in zip(courses, _STYLES, strict=False):
         angles = one.arm_angle / DEG
         if style["linestyle"] == "-":  # a seam, so that it shows on every colour
-            curve(plan, time, angles, f"{one.name} seam", color="white", linewidth=4.6)
-        curve(plan, time, angles, one.name, **style)
-        curve(margin, time, margins(one.q, limits) / DEG, f"{one.name} distance", **{**style, "linewidth": 1.8})
-        used = 100 * (speeds(one.q, time[1] - time[0]) / limits.velocity)[:, FREE].max(axis=1)
-        curve(speed, time[1:], used, f"{one.name} speed", **{**style, "linewidth": 1.8})
+            curve(plan, t, angles, f"{one.name} seam", color="white", linewidth=4.6)
+        curve(plan, t, angles, one.name, **style)
+        curve(margin, t, margins(one.q, limits) / DEG, f"{one.name} distance", **{**style, "linewidth": 1.8})
+        used = 100 * (speeds(one.q, t[1] - t[0]) / limits.velocity)[:, FREE].max(axis=1)
+        curve(speed, t[1:], used, f"{one.name} speed", **{**style, "linewidth": 1.8})
         handles.append(Line2D([], [], **style, label=f"{one.name} arm angle"))
     plan.set_ylim(delta[0], delta[-1])
     plan.yaxis.set_major_locator(MultipleLocator(60))

@@ -11,7 +11,6 @@ from matplotlib.figure import Figure, FigureBase, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.runs import (
@@ -20,7 +19,6 @@ from trajopt_cli.iiwa.report.runs import (
     MOVES,
     POSE_UNITS,
     Following,
-    checked,
     component_handles,
     components,
     curve,
@@ -143,10 +141,9 @@ def guided_figure(run: Following, phases: Sequence[tuple[str, float, float]], ti
     return finish(figure)
 
 
-def zeroing_figure(run: Following, unzeroed: ArrayLike, axis_free: ArrayLike, title: str) -> Figure:
+def zeroing_figure(run: Following, unzeroed: Array, free: Array, title: str) -> Figure:
     """Forces (n, 6) before and after zeroing above, the path and the axis (3,) that is left free below."""
-    before, after = checked(unzeroed, run.x.shape, "zeroing: unzeroed"), _force(run)
-    free = checked(axis_free, (3,), "zeroing: axis_free")
+    before, after = unzeroed, _force(run)
     free = free / float(np.linalg.norm(free))
     path = run.flange[:, :3]
     along = (path - path[0]) @ free
@@ -168,10 +165,10 @@ def zeroing_figure(run: Following, unzeroed: ArrayLike, axis_free: ArrayLike, ti
     return finish(figure)
 
 
-def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> Figure:
+def contact_figure(run: Following, depth: Array, axis: int, title: str) -> Figure:
     """Planned, controller's and flange's coordinate along an axis, the force along it, and that across it if any; in
     contact where depth (n,) [m] is over 0. Needs a force."""
-    inside = checked(depth, run.t.shape, "contact: depth") > 0
+    inside = np.asarray(depth > 0)
     force, sign = _force(run), COORDINATES[axis]
     across = [i for i in range(3) if i != axis and float(np.abs(force[:, i]).max()) > _ACTS]
     deepest = f" · deepest {number_of(float(np.max(depth)) / MM)} mm" if inside.any() else " · no contact"

@@ -10,7 +10,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.thinning import thinned
@@ -40,8 +39,7 @@ class Following:
     """One run of the controller. x_e, x (n, 6): equilibrium and controller, positions [m] and angles [rad] over t [s].
 
     force (n, 6): on the tool [N, Nm], None where there is none to show. true (n, 6): the flange as it moved, None
-    where it is the controller's. The arrays are views, not copies. Raises ValueError for shapes that do not fit,
-    a time that does not grow, and values that are no numbers.
+    where it is the controller's.
     """
 
     label: str
@@ -50,13 +48,6 @@ class Following:
     x: Array
     force: Array | None = None
     true: Array | None = None
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "t", times(self.t, f"Following {self.label}"))
-        for name in ("x_e", "x", "force", "true"):
-            value = getattr(self, name)
-            if value is not None:
-                object.__setattr__(self, name, checked(value, (len(self.t), 6), f"Following {self.label}: {name}"))
 
     @property
     def flange(self) -> Array:
@@ -84,23 +75,6 @@ def picture(name: str, title: str, make: Draw) -> dict[str, bytes]:
     """What make draws under a title, as name.svg and name.png; the same input gives the same bytes."""
     with house_style():
         return files(name, make(title), title)
-
-
-def checked(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
-    """A read-only view of finite values of a shape; ValueError names what, the shape and the wish."""
-    view = np.asarray(values, dtype=np.float64).view()
-    if view.shape != shape or not np.isfinite(view).all():
-        raise ValueError(f"{what} has shape {view.shape}, wanted {shape} of finite numbers")
-    view.setflags(write=False)
-    return view
-
-
-def times(values: ArrayLike, what: str) -> Array:
-    """A read-only view of times (n,) [s]; ValueError unless there are two at least and they grow."""
-    t = checked(values, (len(np.atleast_1d(values)),), f"{what}: t")
-    if len(t) < 2 or not (np.diff(t) > 0).all():
-        raise ValueError(f"{what}: t has {len(t)} samples, wanted at least two that grow")
-    return t
 
 
 def curve(axes: Axes, t: Array, values: Array, gid: str, **style: Any) -> None:

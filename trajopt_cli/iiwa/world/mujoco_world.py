@@ -83,12 +83,7 @@ class MujocoWorld:
     robot's torque at most, and motors tells how near they came. Between motor and sensor joints lose the robot's
     damping times their speed and its friction, which the servo does not know; a joint's range is an end stop.
 
-    Energy: without motors, friction and damping what the arm has is kept. 1 s of a free fall from 0, 30, 0, -100, 0,
-    50, 0 degrees without end stops, in which 87 J become motion, by integrator and time step, with processor time:
-
-        implicitfast  0.25 ms   -0.53 J       20 ms      RK4  0.25 ms   3e-6 J     73 ms, about as here
-        implicitfast  0.05 ms   -0.11 J      120 ms      RK4  0.1 ms    2e-7 J    180 ms
-        implicit      0.05 ms   -0.05 J      220 ms
+    Energy: without motors, friction and damping what the arm has is kept (docs/measured.md, RK4 and others).
 
     Contact: MuJoCo's own, at its smallest impedance. There its force is the obstacle's stiffness times the depth plus
     the damping times the speed of approach, as in BallOnBoxes, beside a small inertia (see mjcf.SLIP_RATIO): MuJoCo's
