@@ -257,14 +257,14 @@ def candidates(job: Job, moves: Sequence[int], rng: np.random.Generator, most: i
     first = program.motions[moves[0]]
     if isinstance(first, MoveAbsJ):
         rail = plant.rail_value(first.extax)
-        q = np.r_[[] if plant.rail_eax is None else [rail], first.q]
+        q = np.r_[[] if rail is None else rail, first.q]
         return [(q, q)]
     assert isinstance(first, MoveJ)
     poses = [program.motions[i].X_WT @ np.linalg.inv(program.motions[i].tool.X_FT) for i in moves]  # type: ignore
     worlds = [World(plant, program, i) for i in moves]
-    low, high = (plant.limits.lower[0], plant.limits.upper[0]) if plant.rail_eax is not None else (0.0, 0.0)
+    low, high = (plant.limits.lower[0], plant.limits.upper[0]) if plant.rail_eaxes else (0.0, 0.0)
     out: list[tuple[Array, Array]] = []
-    for rail in [None] if plant.rail_eax is None else rng.uniform(low, high, 40):
+    for rail in [None] if not plant.rail_eaxes else rng.uniform(low, high, 40):
         for _, arm in plant.robot.solutions(poses[0], rail, plant.limits):
             q = q_0 = np.r_[[] if rail is None else [rail], arm]
             good = worlds[0].free(q)

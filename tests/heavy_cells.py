@@ -23,7 +23,7 @@ def heavy(binds: bool = True, times: float = 1.0, **more: object) -> Plant:
     base = robot.profile()
     assert base.torque is not None
     limits = replace(base, torque=base.torque * times, torque_binds=binds)
-    plant = Plant(robot, limits, TcpCaps(9.0, 200.0), START, None, False, False, frozenset())
+    plant = Plant(robot, limits, TcpCaps(9.0, 200.0), START, (), False, False, frozenset())
     return replace(plant, **more)
 
 
@@ -31,7 +31,7 @@ def heavy_on_rail(X_WR: Array) -> Plant:
     """The same arm on a rail whose force is limited, too, mounted anyhow."""
     robot = load_robot(str(ROBOTS / "heavy_rail.yaml"), X_WR)
     limits = replace(robot.profile(), torque_binds=True)
-    return Plant(robot, limits, TcpCaps(9.0, 200.0), np.r_[0.5, START], 0, False, False, frozenset())
+    return Plant(robot, limits, TcpCaps(9.0, 200.0), np.r_[0.5, START], (0,), False, False, frozenset())
 
 
 def first_axis_inertia(plant: Plant, q: Array, load: tuple[float, Array] | None = None) -> float:

@@ -35,13 +35,13 @@ def plant_with_rail(stroke: tuple[float, float] = STROKE, X_WR: Array | None = N
         np.r_[1.0, base.velocity[1:]],
         np.array([3.0, 15, 12.5, 20, 40, 40, 60]),
     )
-    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, False, False, frozenset())
+    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], (0,), False, False, frozenset())
     return replace(plant, **more)
 
 
 def plant_without_rail(**more: object) -> Plant:
     robot = load_robot("irb140")
-    plant = Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), HOME, None, False, False, frozenset())
+    plant = Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), HOME, (), False, False, frozenset())
     return replace(plant, **more)
 
 
@@ -87,7 +87,7 @@ def mounted(name: str, stroke: tuple[float, float] = STROKE) -> Axes:
     plant = plant_with_rail(stroke, X_WR)
     if name == "slanted":
         slant = np.array([0.3, 0.8, 0.5])
-        plant = replace(plant, robot=replace(plant.robot, rail_axis=slant / np.linalg.norm(slant)))
+        plant = replace(plant, robot=replace(plant.robot, rail_axes=slant[None] / np.linalg.norm(slant)))
     return Axes.of(plant)
 
 

@@ -109,7 +109,7 @@ def test_every_command_and_option_of_the_list_exists(line: str) -> None:
 def test_the_example_cell_file_loads() -> None:
     match = re.search(r"```yaml\n(.+?)```", DOCS["cell-file.md"], re.DOTALL)
     assert match
-    assert build_plant(parse_cell(match[1], "cell-file.yaml")).rail_eax == 0
+    assert build_plant(parse_cell(match[1], "cell-file.yaml")).rail_eaxes == (0,)
 
 
 def test_the_table_of_keys_is_the_documents() -> None:

@@ -117,6 +117,13 @@ def pose(R: ArrayLike, p: ArrayLike) -> Array:
     return X
 
 
+def moved_by(X: Array, p: Array) -> Array:
+    """Poses (..., 4, 4) shifted by p (..., 3) [m], broadcast."""
+    out = np.array(np.broadcast_to(X, (*np.broadcast_shapes(X.shape[:-2], p.shape[:-1]), 4, 4)))
+    out[..., :3, 3] += p
+    return out
+
+
 def inverse_pose(X: ArrayLike) -> Array:
     """X_BA of X_AB, (..., 4, 4)."""
     X = np.asarray(X, dtype=np.float64)

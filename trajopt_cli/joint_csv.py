@@ -179,7 +179,7 @@ def _heads(sheet: Sheet) -> tuple[Head, list[tuple[Head, str]]]:
         if head.name is not None and not (text.startswith("eax_") and head.unit in ("rad", "deg", "m", "mm")):
             if head.unit is None:
                 ways = " or ".join(
-                    f"'{head.name} [{one}]'" for one in (("m", "mm") if head.name == "rail" else ("rad", "deg"))
+                    f"'{head.name} [{one}]'" for one in (("m", "mm") if slides(head.name) else ("rad", "deg"))
                 )
                 raise sheet.wrong(f"column '{text}' names no unit; write {ways}, as its values are", head)
             text = f"{head.name} [{_SPELLED.get(head.unit, head.unit)}]"

@@ -107,10 +107,22 @@ class PositionerAxis:
 
 
 class RailUnit(NamedTuple):
-    """The rail as a mechanical unit: its logical axis (0 for eax_a), and its name, None where nobody says it."""
+    """The rail as a mechanical unit: its logical axis (0 for eax_a), and its name, None where nobody says it; more: the
+    other axes that carry the base."""
 
     eax: int
     unit: str | None = None
+    more: tuple[int, ...] = ()
+
+
+class Follower(NamedTuple):
+    """An external axis (0 for eax_a) that another one leads: it stands at ratio times that one's place and offset
+    [m]."""
+
+    eax: int
+    leader: int
+    ratio: float = 1.0
+    offset: float = 0.0
 
 
 class Settling(NamedTuple):

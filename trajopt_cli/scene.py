@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 
@@ -229,8 +229,8 @@ def chain_of(robot: RobotModel | SrsRobot) -> tuple[Joint, ...]:
     """The chain from the base to the flange."""
     out = []
     if isinstance(robot, RobotModel):
-        if robot.rail_axis is not None:
-            out.append(Joint(robot.axis_names[0], robot.axis_names[0], np.eye(4), "prismatic", robot.rail_axis))
+        for name, axis in zip(robot.axis_names, robot.rail_axes, strict=False):
+            out.append(Joint(name, name, np.eye(4), "prismatic", axis))
         out.append(Joint(robot.link_names[0], robot.link_names[0], robot.X_RB, "fixed", np.zeros(3)))
     for joint in robot.chain:
         less = robot.linkage if isinstance(robot, RobotModel) and joint is robot.chain[2] else 0.0
@@ -289,12 +289,11 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
 
 
 def rail_ends(plant: Plant) -> Array:
-    """Where the arm's base is with the rail at its ends (2, 3) [m] in the world; (0, 3) without a rail."""
-    axis, place = plant.robot.rail_axis_W, plant.layout.place
-    if axis is None:
+    """Where the arm's base is with the rails at their ends (2^r, 3) [m] in the world; (0, 3) without a rail."""
+    if not plant.robot.has_rail:
         return np.empty((0, 3))
-    ends = np.array([float(place(plant.limits.lower)), float(place(plant.limits.upper))])
-    return np.asarray(plant.robot.X_WB0[:3, 3] + ends[:, None] * axis)
+    strokes = zip(plant.limits.lower[plant.layout.rail], plant.limits.upper[plant.layout.rail], strict=True)
+    return np.asarray(plant.robot.X_WB0[:3, 3] + plant.robot.way(np.array([*product(*strokes)])))
 
 
 def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[Body]:
@@ -338,8 +337,7 @@ def _rail(robot: RobotModel, stroke: tuple[float, float]) -> tuple[Box, Box]:
 
     No robot file says how large they are: the beam is as long as the stroke and the plate, and stands under the base.
     """
-    assert robot.rail_axis_W is not None
-    along = robot.rail_axis_W
+    along = robot.rail_axes_W[0]
     up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
     if np.linalg.norm(up) < 0.1:  # the arm's base looks along the rail
         up = robot.X_WB0[:3, 0] - (robot.X_WB0[:3, 0] @ along) * along

@@ -14,8 +14,9 @@ def unit_of(axis: str) -> tuple[float, str]:
 
 
 def slides(axis: str) -> bool:
-    """Whether an axis, by name, is the rail or one of a positioner that slides: in m, all others in rad."""
-    return axis == "rail" or (axis.startswith("eax_") and axis.endswith("_slide"))
+    """Whether an axis, by name, is a rail ("rail", "rail_a" of several) or one of a positioner that slides: in m, all
+    others in rad."""
+    return axis == "rail" or axis.startswith("rail_") or (axis.startswith("eax_") and axis.endswith("_slide"))
 
 
 def decimal(text: str) -> float:

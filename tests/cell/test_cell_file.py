@@ -52,7 +52,7 @@ def test_hinge_cell_stands_with_its_base_on_the_rail_and_x_forward() -> None:
 def test_bench_cell_loads() -> None:
     cell = load_cell(REPOSITORY / "programs" / "bench_irb140.yaml")
     plant = build_plant(cell)
-    assert plant.rail_eax is None
+    assert plant.rail_eaxes == ()
     assert cell.scenario.signals == {"di_part_ready": 1.0}
     assert cell.scenario.waits == {"di_part_ready": pytest.approx(0.2)}
 
@@ -129,8 +129,8 @@ def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
         (ARM + "robt: x\n", "cell.yaml:3: robt:"),
         (RAIL.replace("eax: a", "eax: a, fixt: true"), "cell.yaml:3: rail.fixt:"),
         (RAIL.replace("stroke: [-0.2, 2.2]", "fixed: true"), "cell.yaml:3: rail.stroke:"),
-        (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [2.2, -0.2]"), "cell.yaml:3: rail:"),
-        (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [-200, 2200]"), "cell.yaml:3: rail:"),
+        (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [2.2, -0.2]"), "cell.yaml:3: rail.stroke:"),
+        (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [-200, 2200]"), "cell.yaml:3: rail.stroke:"),
         (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [0, 2 deg]"), "cell.yaml:3: rail.stroke:"),
         (RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [0]"), "cell.yaml:3:"),
         (RAIL.replace("eax: a", "eax: g"), "cell.yaml:3: rail.eax:"),

@@ -48,7 +48,7 @@ def plan_for(
     for i, motion in enumerate(program.motions):
         q_0 = q
         if i not in dropped:
-            rail = rails.get(i, q[0]) if plant.rail_eax is not None else None
+            rail = rails.get(i, q[0]) if plant.rail_eaxes else None
             head = [] if rail is None else [rail]
             if isinstance(motion, MoveAbsJ):
                 q = np.array([*head, *motion.q])

@@ -96,7 +96,7 @@ def test_passes_take_their_values_from_an_array(plant: Plant, bounds: str, index
     text = export.texts["m.mod"]
     assert "    LOCAL CONST num rail1{3}:=[250,260,270];\n" in text
     assert f"MoveJ RailAt(Offs(p1,0,i,0),rail1{{{index}}}\\conf:=[-1,0,-1,0]),v100" in text
-    assert [plant.rail_value(m.extax) for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [
+    assert [plant.rail_value(m.extax)[0] for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [
         0.25, 0.26, 0.27,
     ]  # fmt: skip
 

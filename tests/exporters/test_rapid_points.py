@@ -52,7 +52,7 @@ def plan_around(
     where = {numbering.at(i): rail for i, rail in (rails or {}).items()}
     for k, motion in enumerate(there.motions):
         if isinstance(motion, Move) and (given := plant.rail_value(motion.extax)) is not None:
-            where.setdefault(k, given)
+            where.setdefault(k, given[0])
     return folded(plan_for(there, plant, where), program, found)
 
 

@@ -30,7 +30,7 @@ def test_copies_of_points_would_be_noticed() -> None:
     exported, intents = export(program, PLANT, NO, random.Random(1), Loops.KEEP)
     new = read(taught(given), PLANT, NO)
     assert differences(new, read(taught(exported), PLANT, NO), PLANT, intents) == []
-    rail = intents[0].rail
+    rail = intents[0].rail[0]
     copied = given.replace("Offs(p,-40,0,0)", literal.format(rail).replace("500", "460"))
     assert differences(program, read(copied, PLANT, NO), PLANT, intents) == []
     (said,) = differences(new, read(taught(copied), PLANT, NO), PLANT, intents)

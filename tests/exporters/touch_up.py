@@ -152,13 +152,13 @@ def random_intents(program: Program, text: EditableText, rng: random.Random) -> 
                 wanted.setdefault(first.get(i, i), rng.choice([150.0, round(rng.uniform(0, 900), 3)])) if free else now
             )
             if free or given is not None:
-                out[i] = Intent(rail - offset, moves=rail != before)
+                out[i] = Intent((rail - offset,), moves=rail != before)
                 before = rail
         elif isinstance(motion, Wait) and i in text.changes.values:
             rail = wanted.setdefault(first.get(i, i), round(rng.uniform(0, 900), 3))
             move = program.motions[text.dwells[i]]
             assert isinstance(move, Move)
-            out[i] = Intent(rail - move.settings.eax_offset[0], moves=True)
+            out[i] = Intent((rail - move.settings.eax_offset[0],), moves=True)
             before = rail
     return out
 
@@ -204,7 +204,7 @@ def differences(program: Program, exported: Program, plant: Plant, intents: Mapp
         wish = intents.get(i)
         if wish is not None and isinstance(other, Move) and wish.rail is not None:
             rail = other.extax[0]
-            asked = wish.rail + other.settings.eax_offset[0]
+            asked = wish.rail[0] + other.settings.eax_offset[0]
             if rail is None and not wish.moves:
                 continue
             if rail is None or abs(rail - asked) > 1e-3:

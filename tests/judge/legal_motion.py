@@ -61,13 +61,13 @@ def plant_with_rail(rail_fixed: bool = False, free_speed: bool = False) -> Plant
         np.r_[1.0, base.velocity[1:]],
         np.array([3.0, 15, 12.5, 20, 40, 40, 60]),
     )
-    return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, rail_fixed, free_speed, frozenset())
+    return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], (0,), rail_fixed, free_speed, frozenset())
 
 
 @cache
 def plant_without_rail() -> Plant:
     robot = load_robot("irb140")
-    return Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), HOME, None, False, False, frozenset())
+    return Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), HOME, (), False, False, frozenset())
 
 
 def eax(rail: float | None) -> tuple[float | None, ...]:

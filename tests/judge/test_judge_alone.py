@@ -32,7 +32,8 @@ def rng() -> np.random.Generator:
 
 def data_of(plant: Plant) -> SimpleNamespace:
     """Everything of a plant that the judge may know, without a function on it."""
-    robot = SimpleNamespace(**{name: getattr(plant.robot, name) for name in ("urdf", "X_WR", "bodies", "linkage")})
+    names = ("urdf", "X_WR", "X_RB", "X_UB", "rail_axes", "axis_names", "bodies", "linkage")
+    robot = SimpleNamespace(**{name: getattr(plant.robot, name) for name in names})
     return SimpleNamespace(
         **{f.name: getattr(plant, f.name) for f in fields(plant)} | {"robot": robot, "self_pairs": plant.self_pairs}
     )

@@ -108,7 +108,7 @@ def test_a_wrong_rail_axis_is_told(axis: list[float], off: float) -> None:
     """off: m that the carriage is beside its place after one metre."""
     plant = plant_with_rail()
     missed = values(
-        planned(STATION, replace(plant, robot=replace(plant.robot, rail_axis=np.array(axis)))), "stop reached"
+        planned(STATION, replace(plant, robot=replace(plant.robot, rail_axes=np.array([axis])))), "stop reached"
     )
     assert set(missed) == {11, 12}
     assert all(0.9 < value / (off * RAIL) < 1.1 for value in missed.values()), missed

@@ -187,7 +187,7 @@ def test_least_speeds_and_accelerations_of_the_tool(tool: str, speeds: bool) -> 
     same(caps._tcp_speeds(frame, a, b, None), chords + at_rows)
     same(caps._tcp(frame, a, b), chords + at_rows)
     same(caps._turning(frame, a, b), angles + turning)
-    same(caps._rail_speeds(frame, a, b), rail + ride)
+    same(caps._rail_speeds(0, frame, a, b), rail + ride)
     same(caps.tcp_accelerations(frame, a, b, None), bends + pulls)
 
 

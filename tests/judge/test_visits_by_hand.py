@@ -54,9 +54,9 @@ def point(**more: object) -> ProgramPoint:
 
 STOPS = {
     "pose": point(),
-    "pose and rail": point(rail=float(PLANT.start[0])),
-    "joints": point(arm=PLANT.start[1:], rail=float(PLANT.start[0]) + 1e-5),
-    "rail alone": point(move=move_ext(11, 0.0), X_WF=None, rail=float(PLANT.start[0])),
+    "pose and rail": point(rail=(float(PLANT.start[0]),)),
+    "joints": point(arm=PLANT.start[1:], rail=(float(PLANT.start[0]) + 1e-5,)),
+    "rail alone": point(move=move_ext(11, 0.0), X_WF=None, rail=(float(PLANT.start[0]),)),
 }
 
 

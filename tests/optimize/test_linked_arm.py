@@ -42,7 +42,7 @@ def linked(folder: Path, rail: bool = False) -> Plant:
     chain.ranges[2] = (-1.1, 1.2)
     robot = (on_rail(chain, "floor") if rail else chain).load(folder)
     start = np.r_[[0.0] if rail else [], HOME]
-    plant = Plant(robot, robot.profile(), TcpCaps(99.0, 999.0), start, 0 if rail else None, False, True, frozenset())
+    plant = Plant(robot, robot.profile(), TcpCaps(99.0, 999.0), start, (0,) if rail else (), False, True, frozenset())
     V, A = np.full(len(start), 2.5), np.full(len(start), 12.0)
     return replace(plant, limits=replace(plant.limits, velocity=V, acceleration=A, jerk=None))
 

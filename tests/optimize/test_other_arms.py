@@ -62,7 +62,9 @@ def plant_of(chain: Chain, rail: str | None, home: Array) -> Plant:
         base.velocity,
         np.r_[[3.0] * r, 15, 12.5, 20, 40, 40, 60],
     )
-    return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[[0.0] * r, home], 0 if r else None, False, False, frozenset())
+    return Plant(
+        robot, limits, TcpCaps(2.5, 20.0), np.r_[[0.0] * r, home], (0,) if r else (), False, False, frozenset()
+    )
 
 
 def target(name: str, robot: RobotModel, q: Array, rail: float) -> str:

@@ -31,7 +31,7 @@ def plant() -> Plant:
     lower, upper = base.lower.copy(), base.upper.copy()
     lower[0], upper[0] = -0.1, 0.45
     limits = JointLimits(base.names, lower, upper, base.velocity, base.acceleration)
-    return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, False, False, frozenset())
+    return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], (0,), False, False, frozenset())
 
 
 def program():

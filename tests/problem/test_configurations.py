@@ -268,7 +268,7 @@ def test_random_lines_end_where_newtons_method_ends() -> None:
         turn = rotation_about(step[3:] / np.linalg.norm(step[3:]), float(np.linalg.norm(step[3:])))
         X_0 = robot.forward(q_0)
         X_1 = pose(turn @ X_0[:3, :3], X_0[:3, 3] + step[:3])
-        lines.append((line := Line(X_0 @ X_FT, X_1 @ X_FT), ArmPath(line, X_FT, (0.0, 0.0), q_0)))
+        lines.append((line := Line(X_0 @ X_FT, X_1 @ X_FT), ArmPath(line, X_FT, (np.zeros(0), np.zeros(0)), q_0)))
     compared = 0
     for (line, path), followed in zip(lines, follow(BENCH_PLANT, [path for _, path in lines]), strict=True):
         assert followed is not None

@@ -323,14 +323,16 @@ def test_the_cell_file_that_is_proposed_says_what_the_controller_says(
     assert (axis.eax, axis.p, axis.range) == (2, (2, 0, 0), (-3, 3))
 
 
-def test_a_rail_that_the_robots_files_cannot_have_is_left_in_comments(backup: Path) -> None:
+def test_a_rail_that_runs_elsewhere_than_the_robots_has_its_direction(backup: Path) -> None:
     moc = backup / "SYSPAR/MOC.cfg"
     moc.write_text(MOC.replace("-base_frame_orient_u0 0\\", "-base_frame_orient_u0 1\\").replace("_u3 1\n", "_u3 0\n"))
     assert run(["new", "b", "--from", "b/RAPID/TASK1"]) == 0
     cell = load_cell("b.yaml")
     assert cell.rail is not None
-    assert np.array_equal(cell.rail.X_WR, np.eye(4))
-    assert "OTHER WAY" in Path("b.yaml").read_text()
+    plant = build_plant(cell)
+    np.testing.assert_allclose(plant.robot.base(0.0), FRAME, atol=1e-6)
+    np.testing.assert_allclose(plant.robot.rail_axes_W, [[1, 0, 0]], atol=1e-6)
+    assert not told(backup, Path("b.yaml").read_text())
 
 
 def test_what_the_controller_does_not_say_of_its_track_is_asked_for(backup: Path) -> None:

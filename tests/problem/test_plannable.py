@@ -81,13 +81,14 @@ def test_other_external_axes_may_stand_but_not_move() -> None:
 
     assert passes(at(0, None), at(None, None), at(-0.0089, None))
     assert refused(at(0, None), at(None, 5), at(90, 5)) == [
-        "m.mod:3:5: MoveJ p moves eax_a from 0 to 90; describe eax_a as the cell's rail or under its positioners, else "
-        "hold it still"
+        "m.mod:3:5: MoveJ p moves eax_a from 0 to 90; describe eax_a in the cell file under rail, axes or positioners, "
+        "else hold it still"
     ]
     assert passes(at(None, 0), at(None, 900), at(None, 1000), cell=RAIL)
     assert passes(move_ext_j(extax=(None, 900, None, None, None, None)), cell=RAIL)
     assert refused(at(30, 0), at(45, 900), cell=RAIL) == [
-        "m.mod:2:5: MoveJ p moves eax_a from 30 to 45; the cell knows only its rail, eax_b: hold the other axes still"
+        "m.mod:2:5: MoveJ p moves eax_a from 30 to 45; describe eax_a in the cell file under axes (a linear one under "
+        "the base) or positioners, else hold it still; of those the cell knows eax_b"
     ]
 
 

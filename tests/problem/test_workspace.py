@@ -97,7 +97,7 @@ def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton
     ]
     robot = chain.load(tmp_path)
     limits, rng = robot.profile(), np.random.default_rng(3)
-    plant = Plant(robot, limits, robot.tcp, limits.lower, None, False, False, frozenset())
+    plant = Plant(robot, limits, robot.tcp, limits.lower, (), False, False, frozenset())
     outlines = [MplPath(outline) for outline in sections(plant)]
     q = rng.uniform(limits.lower, limits.upper, (150, 6))
     q = q[branch_margins(robot.arm, q)[1] > 0] if robot.linkage else q

@@ -114,7 +114,7 @@ def test_a_line_after_external_axes_alone_begins_where_they_took_the_tool() -> N
         line(440, 400, "fine", 0, 40),
     )
     (corner,) = fly_bys(program(*moves), kinematics()).values()
-    axis = build_plant(parse_cell(json.dumps(RAIL), "cell.yaml")).robot.rail_axis
+    axis = build_plant(parse_cell(json.dumps(RAIL), "cell.yaml")).robot.rail_axes[0]
     way = float(np.linalg.norm(np.array([0.14, 0, 0]) - 0.04 * np.asarray(axis)))
     assert ways(program(*moves), kinematics())[1:3] == [None, pytest.approx(way)]
     assert corner.radius == pytest.approx(min(0.05, way / 2))

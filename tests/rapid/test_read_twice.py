@@ -53,7 +53,7 @@ def asked(move: Move, plant: Plant | None) -> dict[str, Any]:
         out["X_WV"] = move.X_WV
     if plant is not None:
         rail = plant.rail_value(move.extax)
-        out["rail"] = nan if rail is None else rail
+        out["rail"] = nan if rail is None else rail[0]
     return out
 
 

@@ -64,7 +64,7 @@ def drawn(rail: bool) -> Drawn:
         lower[0], upper[0] = -0.2, 1.2
     limits = JointLimits(base.names, lower, upper, base.velocity, base.acceleration)
     start = np.r_[[0.0] if rail else [], HOME]
-    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), start, 0 if rail else None, False, False, frozenset())
+    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), start, (0,) if rail else (), False, False, frozenset())
     X = [pose(DOWN, [0.45, y, 0.35]) for y in ((0.1, 0.7) if rail else (-0.2, 0.2))]
     rails = (0.15, 0.5) if rail else (None, None)
     q = [start, *(_axes(plant, X_WT, d) for X_WT, d in zip(X, rails, strict=True)), start]

@@ -247,7 +247,7 @@ def test_every_point_of_the_line_is_reached_as_programmed(line: Program, plant: 
         if isinstance(motion, MoveL):
             assert previous is not None, "a line has no start"
             way = Line(previous, X_WT).pose(np.linspace(0, 1, 51))
-            q = inverse(robot, way, np.full(51, rail))[:, motion.conf.cfx]
+            q = inverse(robot, way, np.tile(rail, (51, 1)))[:, motion.conf.cfx]
             assert np.degrees(q[:, 4]).min() > 45.0  # far from the wrist's singularity
             assert (np.abs(np.cos(q[:, 2])) > np.sin(np.radians(45))).all()  # and from the stretched elbow
             assert ((q > plant.limits.lower[1:]) & (q < plant.limits.upper[1:])).all()

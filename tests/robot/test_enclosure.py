@@ -264,8 +264,7 @@ def test_the_rate_of_joint_1_is_greatest_where_the_wrist_centre_is_nearest(rail:
     """In an interval with that place inside, by its distance r and the rail's share across axis 1: share / r; in one
     beside it, by what is nearest there."""
     robot = on_rail(KNOWN["irb1200"](), rail).load(tmp_path)
-    assert robot.rail_axis_W is not None
-    e = robot.X_WO0[:3, :3].T @ robot.rail_axis_W
+    e = robot.X_WO0[:3, :3].T @ robot.rail_axes_W[0]
     share, nearest = float(np.hypot(e[0], e[1])), 0.4
     assert share > 0.5
     across = np.array([-e[1], e[0], 0]) / share

@@ -95,7 +95,7 @@ def test_it_has_no_expression_of_its_inverse(arm):
 def test_a_plan_is_legal_and_says_that_no_nonlinear_program_improved_it(tmp_path):
     robot = OFFSET_WRISTS["gofa"]().load(tmp_path)
     start = np.array([0, 0, 0, 0, np.pi / 6, 0])
-    plant = Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), start, None, False, False, frozenset())
+    plant = Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), start, (), False, False, frozenset())
     data = """CONST robtarget a:=[[500,300,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
               CONST robtarget b:=[[500,300,340],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
     program = rapid(r"ConfJ \Off; ConfL \Off; MoveJ a, v1000, fine, tool0; MoveL b, v200, fine, tool0;", None, data)

@@ -38,17 +38,16 @@ def test_the_rail_stands_within_what_the_arm_can_span(name: str) -> None:
 def test_at_both_ends_the_arm_would_be_stretched(name: str, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = on_rail((KNOWN | OFFSET_WRISTS)[name](), "oblique").load(tmp_path, random_pose(rng))
-    assert robot.rail_axis_W is not None
     shoulder = robot.X_WB0 @ np.array([0, 0, HEIGHT[name], 1.0])
     X = np.array([pose(random_pose(rng)[:3, :3], shoulder[:3] + rng.uniform(-1.4, 1.4, 3)) for _ in range(60)])
     ends = robot.rail_within(X)
-    at = shoulder[:3] + ends[..., None] * robot.rail_axis_W
+    at = shoulder[:3] + ends[..., None] * robot.rail_axes_W[0]
     away = np.linalg.norm(X[:, None, :3, 3] - at, axis=-1)
     reached = ends[:, 1] > ends[:, 0]
     np.testing.assert_allclose(away[reached], LONGEST[name], rtol=0, atol=1e-9)
     assert reached.sum() > 10
     assert np.all(away[~reached] >= LONGEST[name] - 1e-12)
-    square = np.sum((X[~reached, :3, 3] - at[~reached, 0]) * robot.rail_axis_W, axis=-1)
+    square = np.sum((X[~reached, :3, 3] - at[~reached, 0]) * robot.rail_axes_W[0], axis=-1)
     np.testing.assert_allclose(square, 0, rtol=0, atol=1e-12)
     fixed = (KNOWN | OFFSET_WRISTS)[name]().load(tmp_path, name="fixed")
     np.testing.assert_array_equal(fixed.rail_within(X), np.zeros((60, 2)))

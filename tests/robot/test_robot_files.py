@@ -52,7 +52,7 @@ def test_the_robots_ship_and_load():
     assert rail.axis_names == ("rail", *(f"joint_{i}" for i in range(1, 7)))
     assert rail.has_rail
     assert not load_robot("irb140").has_rail
-    np.testing.assert_array_equal(rail.rail_axis, [0, 1, 0])
+    np.testing.assert_array_equal(rail.rail_axes, [[0, 1, 0]])
     arm = load_robot("irb140").arm
     assert arm.lengths == {"a1": 0.07, "a2": 0.0, "b": 0.0, "c1": 0.352, "c2": 0.36, "c3": 0.38, "c4": 0.065}
     for one in (arm, rail.arm):  # exactly: expressions drop products with zeros and ones

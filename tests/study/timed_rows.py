@@ -58,7 +58,7 @@ def plant_with_rail(**more: object) -> Plant:
         base, lower=np.r_[-0.2, base.lower[1:]], upper=np.r_[0.9, base.upper[1:]],
         velocity=np.r_[1.0, base.velocity[1:]], acceleration=np.r_[3.0, base.acceleration[1:]],
     )  # fmt: skip
-    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, False, False, frozenset())
+    plant = Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], (0,), False, False, frozenset())
     return replace(plant, **more)  # type: ignore[arg-type]
 
 

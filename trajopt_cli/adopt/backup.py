@@ -87,18 +87,15 @@ def _rail(moc: Mechanics, arm: ConfiguredRobot, track: External, model: RobotMod
         yield "  # stroke: [?, ?]  # no ARM tells the range of this unit"
     else:
         yield f"  stroke: [{track.range.lower:.9g}, {track.range.upper:.9g}]  # {moc.place(track.range.line)}"
-    assert model.rail_axis is not None
     drives = arm.X[:3, :3].T @ travel(track)
-    own = model.X_RB[:3, :3].T @ model.rail_axis
+    own = model.X_RB[:3, :3].T @ model.rail_axes[0]
     said = f"[{shown(track.X[:3, 3], 6)}], it runs along [{shown(travel(track), 4)}] of the world"
     yield f"  # {track.name}'s own base frame is at {said}"
     if np.linalg.norm(drives - own) <= _ALONG:
         yield from ("  " + line for line in _frame("frame", arm.X @ inverse_pose(model.X_RB), arm, moc))
         return
-    yield f"  # OTHER WAY: seen from the arm's base the rail runs along [{shown(drives, 4)}], that of"
-    yield f"  # {model.name} along [{shown(own, 4)}], and no key of the cell file says so. Change the axis of joint"
-    yield "  # rail in a robot file of your own, then take the '#' away:"
-    yield from ("  # " + line for line in _frame("frame", arm.X @ inverse_pose(model.X_RB), arm, moc))
+    yield f"  direction: [{shown(drives, 9)}]  # seen from the arm's base; that of {model.name} is [{shown(own, 4)}]"
+    yield from ("  " + line for line in _frame("frame", arm.X @ inverse_pose(model.X_RB), arm, moc))
 
 
 def _frame(key: str, X: Array, arm: ConfiguredRobot, moc: Mechanics) -> Iterator[str]:

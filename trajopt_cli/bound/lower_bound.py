@@ -6,6 +6,7 @@ than the least time in which rail and these joints can cover the gap within thei
 nor than the tool on its way (tool_time) and through corners (corner_time). Points that are passed have no cells, so any
 configuration may pass them; but where on a rail a line ends beside a joint move, every motion goes through one pose at
 any velocity, and that has cells. Lines and arcs keep the signs, as a problem's stations do.
+With several rails there are no cells: each run has the bound of the tool, its corners and the places that are given.
 Everything else (wrist, ranges on the way, the tool's caps on joint moves beyond the chord) is left out, so the bound
 holds for every legal motion of the target; it is not called certified because its arithmetic is not outward rounded.
 """
@@ -25,6 +26,7 @@ from trajopt_cli.native.loops import loops
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Stopped, checkpoint
 from trajopt_cli.robot.enclosure import Enclosure, Range
+from trajopt_cli.timing.double_integrator import trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 
 _BOUND_SPEEDS = 4  # velocity ranges from -V to V at the first level, doubled per level.
@@ -87,12 +89,32 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float, cut: Callable[[]
     before; the bound is what was proved by then.
     """
     least = [tool_time(problem, *ends) for ends in problem.runs]
+    if axes.layout.r > 1:  # cells of several rails would be too many: each run by itself
+        runs = zip(problem.runs, least, strict=True)
+        return min(sum(_run_alone(axes, problem, *ends, floor) for ends, floor in runs), incumbent)
     proved = [min(sum(least), incumbent)]
     try:
         return _refined(axes, problem, incumbent, _chain(axes, problem, least), proved)
     except Stopped:
         cut()
         return max(proved)
+
+
+def _run_alone(axes: Axes, problem: Problem, first: int, last: int, floor: float) -> float:
+    """The least time from stop to stop [s]: of the tool, and of every axis whose place is given at both."""
+    run, ends = _run(axes, problem, first, last, floor), (first, last)
+    if run.fixed:
+        return floor
+    rest = all(problem.rests(k) for k in ends)
+    given = [problem.waypoints[k].q for k in ends]
+    if given[0] is not None and given[1] is not None:
+        way, columns = np.abs(given[1] - given[0])[_columns(axes)], slice(None)
+    else:
+        (low, high), (other_low, other_high) = (problem.waypoints[k].ranges(problem.layout) for k in ends)
+        way, columns = np.maximum(np.maximum(other_low - high, low - other_high), 0.0), slice(axes.layout.r)
+    V, A = run.V[columns], run.A[columns]
+    times = trapezoid_time(way, V, A) if rest else way / V
+    return float(max(floor, corner_time(axes, problem, first, last), np.max(times)))
 
 
 def _refined(axes: Axes, problem: Problem, incumbent: float, chain: _Chain, proved: list[float]) -> float:

@@ -51,6 +51,7 @@ from trajopt_cli.shapes import Cue
 FARTHEST = 1e4  # m from the world's origin; beyond, numbers lose what a robot moves by
 MOST_TURNED = 1e4  # rad of an axis of a positioner, 1600 turns
 THICKEST = 1.0  # m of a tool's radius
+MOST_AXES = 3  # linear ones under the base: a fourth goes nowhere that three do not
 LONGEST_RAIL = 100.0  # m of stroke; beyond, somebody wrote millimetres
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
@@ -191,28 +192,41 @@ class TrackSection(_Section):
     height: Annotated[float, BeforeValidator(positive(LENGTH))]
 
 
+def _direction(value: Any) -> Triple:
+    x, y, z = numbers(RATIO, 3)(value)
+    length = (x * x + y * y + z * z) ** 0.5
+    if length < 1e-6:
+        raise complain(f"[{x:g}, {y:g}, {z:g}] points nowhere; give a direction, [1, 0, 0]")
+    return x / length, y / length, z / length
+
+
+def _stroke(value: Any) -> tuple[float, float]:
+    low, high = numbers(LENGTH, 2)(value)
+    if not low < high:
+        raise complain(f"goes from {low:g} to {high:g}; the lower end comes first")
+    if high - low > LONGEST_RAIL:
+        raise complain(
+            f"is {high - low:g} m long, no rail is longer than {LONGEST_RAIL:g} m; if these are millimetres,"
+            f" write [{low / 1e3:g}, {high / 1e3:g}] or [{low:g} mm, {high:g} mm]"
+        )
+    return low, high
+
+
+Stroke = Annotated[tuple[float, float], BeforeValidator(Reader(_stroke, numbers(LENGTH, 2).takes, LENGTH))]
+Direction = Annotated[Triple, BeforeValidator(Reader(_direction, numbers(RATIO, 3).takes, RATIO))]
+
+
 class RailSection(_Section):
-    """The rail: the external axis that drives it, its travel [m], its zero in the world; fixed keeps its positions.
-    unit: what ActUnit and DeactUnit call it."""
+    """The rail: the external axis that drives it, its travel [m], its zero in the world, its direction in the frame of
+    the arm's base, None for the robot file's; fixed keeps its positions. unit: what ActUnit and DeactUnit call it."""
 
     eax: Literal["a", "b", "c", "d", "e", "f"]
-    stroke: Annotated[tuple[float, float], BeforeValidator(numbers(LENGTH, 2))]
+    stroke: Stroke
     frame: FrameSection = FrameSection()
+    direction: Direction | None = None
     fixed: StrictBool = False
     unit: StrictStr | None = None
     track: TrackSection | None = None
-
-    @model_validator(mode="after")
-    def _ordered(self) -> RailSection:
-        if not self.stroke[0] < self.stroke[1]:
-            raise complain(f"stroke goes from {self.stroke[0]:g} to {self.stroke[1]:g}; the lower end comes first")
-        if self.stroke[1] - self.stroke[0] > LONGEST_RAIL:
-            low, high = self.stroke
-            raise complain(
-                f"stroke is {high - low:g} m long, no rail is longer than {LONGEST_RAIL:g} m; if these are millimetres,"
-                f" write [{low / 1e3:g}, {high / 1e3:g}] or [{low:g} mm, {high:g} mm]"
-            )
-        return self
 
 
 _SLOWEST = 1e-3
@@ -224,6 +238,36 @@ def _drives(**limits: float | None) -> None:
     for name, value in limits.items():
         if value is not None and value < _SLOWEST:
             raise complain(f"{name} {value:g} is less than any drive has, at least {_SLOWEST:g}; check the value")
+
+
+class AxisSection(_Section):
+    """A linear axis under the arm's base: its direction in the world, or the axis that it follows at ratio and offset
+    [m]; stroke [m], limits [m/s, m/s2, m/s3] and where these come from."""
+
+    axis: Direction | None = None
+    follows: StrictStr | None = None
+    ratio: Annotated[float, BeforeValidator(number(RATIO))] = 1.0
+    offset: Length = 0.0
+    stroke: Stroke | None = None
+    velocity: Annotated[float, BeforeValidator(positive(units_of("m/s")))] | None = None
+    acceleration: Annotated[float, BeforeValidator(positive(units_of("m/s2")))] | None = None
+    jerk: Annotated[float, BeforeValidator(positive(units_of("m/s3")))] | None = None
+    source: SourceText | None = None
+
+    @model_validator(mode="after")
+    def _one_kind(self) -> AxisSection:
+        if (self.axis is None) == (self.follows is None):
+            raise complain("needs either axis, its direction ([1, 0, 0]), or follows, the axis that leads it (eax_a)")
+        if self.axis is not None and self.stroke is None:
+            raise complain("needs its travel in m, 'stroke: [0, 2]'")
+        if self.axis is not None and {"ratio", "offset"} & self.model_fields_set:
+            raise complain("has a ratio or an offset and follows no axis; remove it or say which, 'follows: eax_a'")
+        if self.ratio == 0:
+            raise complain("ratio 0 lets it stand; give how far it goes for a metre of the axis that leads it")
+        _drives(velocity=self.velocity, acceleration=self.acceleration)
+        if self.source is None and (self.velocity or self.acceleration or self.jerk):
+            raise complain("says a limit: add its source, where the number comes from")
+        return self
 
 
 _SLIDES = {"velocity": SPEED, "acceleration": ACCELERATION, "start": LENGTH}
@@ -387,11 +431,16 @@ def _settle(value: Any) -> Any:
     return value if isinstance(value, dict) else {"fine": _settling(value)}
 
 
+_EACH = _each(number(LENGTH), "number", "string")
+_START_RAIL = Reader(lambda value: _EACH(value if isinstance(value, list) else [value]), _EACH.takes, LENGTH)
+
+
 class StartSection(_Section):
-    """Where the cycle begins, at rest: arm joints [rad] in order, rail [m]. units: mechanical units that are active."""
+    """Where the cycle begins, at rest: arm joints [rad] in order, rail [m], of several axes a list in the order of
+    their letters. units: mechanical units that are active."""
 
     joints: Annotated[tuple[float, ...], BeforeValidator(numbers(ANGLE))]
-    rail: Length | None = None
+    rail: Annotated[tuple[float, ...], BeforeValidator(_START_RAIL)] | None = None
     units: tuple[StrictStr, ...] | None = None
 
 
@@ -644,6 +693,7 @@ class CellDocument(_Section):
     robot: StrictStr
     profile: StrictStr = "default"
     rail: RailSection | None = None
+    axes: dict[StrictStr, AxisSection] = Field(default_factory=dict)
     base: FrameSection | None = None
     positioners: dict[StrictStr, Positioner] = Field(default_factory=dict)
     limits: LimitsSection = Field(default_factory=lambda: LimitsSection.model_validate({}))

@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from trajopt_cli.cell.document import (
+    MOST_AXES,
     CellDocument,
     FenceSection,
     FreeRail,
@@ -18,7 +19,7 @@ from trajopt_cli.cell.document import (
     PositionerSection,
     SolidSection,
 )
-from trajopt_cli.cell.model import Cell, LimitOverride, Rail
+from trajopt_cli.cell.model import CarrierAxis, Cell, LimitOverride, Rail
 from trajopt_cli.cell.scene_files import Found, frame_pose, from_folder, from_list, from_urdf
 from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
@@ -27,6 +28,7 @@ from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import FreeTurn, Source
 from trajopt_cli.scenario import (
     ConstantSpeed,
+    Follower,
     FreeTool,
     Given,
     HoldRail,
@@ -44,6 +46,7 @@ from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
 _Value = TypeVar("_Value")
 _EXTERNAL_AXES = "abcdef"
+_RATES = ("velocity", "acceleration", "jerk")
 
 
 @of_kind(ErrorKind.CELL)
@@ -76,6 +79,7 @@ _WANTED = {
     "start": "say where the cycle begins: 'start: {joints: \"[0, 0, 0, 0, 30, 0] deg\"}'",
     "start.joints": "give the arm's joints at the start, '\"[0, 0, 0, 0, 30, 0] deg\"'",
     "source": "an override says where its number comes from",
+    "axes.stroke": "give its travel in m, 'stroke: [-0.2, 2.2]'",
     "rail.eax": "say which external axis drives the rail, 'eax: a'",
     "rail.stroke": "give the rail's travel in m, 'stroke: [-0.2, 2.2]'",
 }
@@ -172,9 +176,9 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
 
     waits = by("waits", document.waits, condition_key)
     for name, least in document.waits.items():
-        if isinstance(least, FreeRail) and (name.lower() != "rail" or document.rail is None):
+        if isinstance(least, FreeRail) and (name.lower() != "rail" or not (document.rail or document.axes)):
             message = "there is no rail; remove it or add a rail section"
-            if document.rail is not None:
+            if document.rail or document.axes:
                 message = f"says nothing of the rail here; 'waits: {{rail: {{free: [{name}]}}}}' lets it move"
             raise InputError(f"waits.{name}: {message}", file=file, line=line_of(f"waits.{name}", lines))
     freed = waits.get("rail")
@@ -204,7 +208,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         positioners=by("positioners", {name: _axes(axes) for name, axes in document.positioners.items()}),
         free_speed=document.free_speed,
         droppable=frozenset(name.lower() for name in document.optional),
-        rail=RailUnit(_EXTERNAL_AXES.index(document.rail.eax), document.rail.unit) if document.rail else None,
+        rail=_rail_unit(document),
         rail_at={
             condition_key(name): RailPlace(name, d, Source(file, line_of(f"rail_at.{name}", lines), 1))
             for name, d in document.rail_at.items()
@@ -253,6 +257,58 @@ def _axes(sections: Iterable[PositionerSection]) -> tuple[PositionerAxis, ...]:
     return tuple(out)
 
 
+def _rail_unit(document: CellDocument) -> RailUnit | None:
+    if document.rail is not None:
+        return RailUnit(_EXTERNAL_AXES.index(document.rail.eax), document.rail.unit)
+    letters = [_EXTERNAL_AXES.find(name[-1:]) for name, axis in sorted(document.axes.items()) if axis.axis]
+    return RailUnit(letters[0], None, tuple(letters[1:])) if letters else None
+
+
+def _carriers(document: CellDocument, cell: Cell) -> tuple[tuple[CarrierAxis, ...], tuple[Follower, ...]]:
+    """The linear axes under the base by their letters, within what those that follow them may do, and these."""
+    for name in document.axes:
+        if name not in [f"eax_{letter}" for letter in _EXTERNAL_AXES]:
+            raise cell.error(f"axes.{name}", "is no external axis; name it by its letter, eax_a to eax_f")
+    own = {name: one for name, one in sorted(document.axes.items()) if one.axis is not None}
+    if document.axes and not 0 < len(own) <= MOST_AXES:
+        raise cell.error("axes", f"{len(own)} of them have a direction (axis), wanted 1 to {MOST_AXES}")
+    ends = {name: one.stroke or (0.0, 0.0) for name, one in own.items()}
+    rates = {name: {kind: getattr(one, kind) for kind in _RATES} for name, one in own.items()}
+    followers = []
+    for name, one in document.axes.items():
+        if one.follows is None:
+            continue
+        if one.follows not in own:
+            raise cell.error(
+                f"axes.{name}.follows", f"'{one.follows}' has no axis of its own; {hint(one.follows, [*own])}"
+            )
+        followers.append(Follower(_letter(name), _letter(one.follows), one.ratio, one.offset))
+        if one.stroke is not None:
+            low, high = sorted((end - one.offset) / one.ratio for end in one.stroke)
+            low, high = max(low, ends[one.follows][0]), min(high, ends[one.follows][1])
+            if not low < high:
+                raise cell.error(f"axes.{name}.stroke", f"leaves {one.follows}, which it follows, no travel")
+            ends[one.follows] = low, high
+        for kind, least in rates[one.follows].items():
+            if (rate := getattr(one, kind)) is not None:
+                rates[one.follows][kind] = min(rate / abs(one.ratio), np.inf if least is None else least)
+    return tuple(
+        CarrierAxis(
+            "rail" if len(own) == 1 else f"rail_{name[-1]}",
+            _letter(name),
+            one.axis or (0.0, 0.0, 0.0),
+            ends[name],
+            **rates[name],
+            source=one.source or cell.file,
+        )
+        for name, one in own.items()
+    ), tuple(followers)
+
+
+def _letter(name: str) -> int:
+    return _EXTERNAL_AXES.index(name[-1])
+
+
 def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     rail = document.rail
     units = {name.lower(): len(axes) for name, axes in document.positioners.items()}
@@ -279,6 +335,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
             frame_pose(rail.frame),
             rail.fixed,
             (rail.track.width, rail.track.height) if rail.track else None,
+            rail.direction,
         )
         if rail
         else None,
@@ -287,7 +344,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         tcp=TcpCaps(**{name: value for name, value in tool.items() if value is not None}) if tool else None,
         tcp_source=tool_source,
         start_joints=document.start.joints,
-        start_rail=document.start.rail,
+        start_rail=document.start.rail or (),
         scenario=_scenario(document, file, lines),
         free_speed=document.free_speed,
         jerk_limits=document.jerk_limits,
@@ -305,19 +362,30 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         order=document.order,
         lines=lines,
     )
+    if document.axes and rail is not None:
+        raise cell.error("rail", "axes has all linear axes; make the rail one of them")
+    if document.axes:
+        axes, followers = _carriers(document, cell)
+        cell = replace(cell, axes=axes, followers=followers, start_rail=document.start.rail or (0.0,) * len(axes))
     _check_units(document, cell)
+    slides = cell.rail is not None or bool(cell.axes)
     if cell.rail is not None and document.base is not None:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
-    if cell.rail is not None and cell.start_rail is None:
+    if cell.rail is not None and len(cell.start_rail) != 1:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
+    if cell.axes and len(cell.start_rail) != len(cell.axes):
+        letters = ", ".join(_EXTERNAL_AXES[axis.eax] for axis in cell.axes)
+        raise cell.error("start.rail", f"needs {len(cell.axes)} positions in m, of axes {letters} in this order")
     for key in ("hold_rail", "rail_at"):
-        if cell.rail is None and key in document.model_fields_set:
+        if not slides and key in document.model_fields_set:
             raise cell.error(key, "there is no rail; remove it or add a rail section")
+    if len(cell.axes) > 1 and document.rail_at:
+        raise cell.error("rail_at", "says where one rail stands; with several axes give their positions in the targets")
     for name, d in document.rail_at.items():
         if cell.rail is not None and not cell.rail.stroke[0] <= d <= cell.rail.stroke[1]:
             low, high = cell.rail.stroke
             raise cell.error(f"rail_at.{name}", f"{d:g} m is not on the rail, whose stroke is {low:g}..{high:g} m")
-    if cell.rail is None and cell.start_rail is not None:
+    if not slides and cell.start_rail:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     if document.attached and "tool_radius" in document.model_fields_set and document.tool_radius > 0:
         raise cell.error("tool_radius", "the attached bodies stand for the tool; remove one of the two")
@@ -357,7 +425,7 @@ def _check_units(document: CellDocument, cell: Cell) -> None:
     rail = document.rail
     named = {name.lower(): [axis.eax for axis in axes] for name, axes in document.positioners.items()}
     for name, axes in document.positioners.items():
-        driven = {} if rail is None else {rail.eax: "the rail"}
+        driven = {name[-1]: f"axes.{name}" for name in document.axes} | ({} if rail is None else {rail.eax: "the rail"})
         for axis in axes:
             if axis.eax in driven:
                 message = f"eax {axis.eax} drives {driven[axis.eax]} already; give each axis its own"

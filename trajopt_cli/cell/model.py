@@ -13,7 +13,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import AXIS_LIMITS, JointLimits, TcpCaps
-from trajopt_cli.scenario import ESTIMATED_SETTLING, Lines, Scenario, Settling
+from trajopt_cli.scenario import ESTIMATED_SETTLING, Follower, Lines, Scenario, Settling
 from trajopt_cli.shapes import Grip, MeshFile, Solid
 from trajopt_cli.units import MM
 from trajopt_cli.validation import hint
@@ -33,7 +33,8 @@ class Rail:
     """eax: index of the external axis that drives it, 0 for eax_a. X_WR (4, 4): the rail's zero in the world.
 
     stroke: lowest and highest position [m]. fixed: robtargets keep the rail position their program gives. track: width
-    and height [m] of the beam under the base, None where it is no body.
+    and height [m] of the beam under the base, None where it is no body. direction (3,): in the arm's base frame, None
+    for the robot file's.
     """
 
     eax: int
@@ -41,9 +42,26 @@ class Rail:
     X_WR: Array
     fixed: bool = False
     track: tuple[float, float] | None = None
+    direction: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WR", readonly(self.X_WR))
+
+
+@dataclass(frozen=True)
+class CarrierAxis:
+    """A linear axis under the base. name: in limits and files, "rail_a", or "rail" where it is the only one. eax: index
+    of the external axis, 0 for eax_a. direction (3,): in the world. stroke [m]; velocity, acceleration, jerk: None
+    where the cell file gives none; source of these."""
+
+    name: str
+    eax: int
+    direction: tuple[float, float, float]
+    stroke: tuple[float, float]
+    velocity: float | None
+    acceleration: float | None
+    jerk: float | None
+    source: str
 
 
 @dataclass(frozen=True)
@@ -62,7 +80,8 @@ class Cell:
     """A cell file's content in SI.
 
     file: as the user gave it. robot: a name, or the path of its file. X_WB (4, 4): base in the world of a robot
-    without a rail. tcp: None where the robot's documented caps apply. start_joints [rad], start_rail [m]. droppable:
+    without a rail. tcp: None where the robot's documented caps apply. start_joints [rad], start_rail [m], one of each
+    axis. axes: linear ones under the base, instead of a rail; followers: external axes led by these. droppable:
     target names in lower case. lines: the line of each key by its dotted path, for messages. obstacles: in the world;
     attached: in the flange frame; meshes still in their files. may_touch: pairs of links or attached bodies that are
     not held against each other. clearance: the least distance wanted from obstacles [m]. tool_radius [m]: of the
@@ -81,7 +100,7 @@ class Cell:
     tcp: TcpCaps | None
     tcp_source: str | None
     start_joints: tuple[float, ...]
-    start_rail: float | None
+    start_rail: tuple[float, ...]
     scenario: Scenario
     free_speed: bool
     jerk_limits: bool
@@ -98,6 +117,8 @@ class Cell:
     torque_limits: bool = False
     settle: tuple[float | None, float | None] = (None, None)
     order: Mapping[str, tuple[Lines | str, ...]] = field(default_factory=dict)
+    axes: tuple[CarrierAxis, ...] = ()
+    followers: tuple[Follower, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WB", readonly(self.X_WB))
@@ -148,6 +169,10 @@ class Cell:
             place = f"rail.stroke of {self.file}"
             low, high = self.rail.stroke
             changes += [LimitOverride("rail", "lower", low, place), LimitOverride("rail", "upper", high, place)]
+        for carrier in self.axes:
+            ends = zip(("lower", "upper"), carrier.stroke, strict=True)
+            place = f"axes.eax_{'abcdef'[carrier.eax]}.stroke of {self.file}"
+            changes += [LimitOverride(carrier.name, end, value, place) for end, value in ends]
         for change in changes:
             if change.axis not in axis_names:
                 message = f"robot {self.robot} has no such axis; {hint(change.axis, axis_names)}"

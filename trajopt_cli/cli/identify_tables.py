@@ -10,7 +10,7 @@ from trajopt_cli.limits import JointLimits
 from trajopt_cli.measured.identify import Kind, Limit, Seen
 from trajopt_cli.measured.reached import Reached
 from trajopt_cli.table import TextTable, percent, tabulate
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 _UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
 
@@ -28,10 +28,10 @@ def identified_table(found: Sequence[Limit], reached: Sequence[Reached], limits:
     most = {(one.axis, one.kind): one for one in reached}
 
     def factor(one: Limit) -> float:
-        return MM if one.axis == "rail" else DEG
+        return MM if slides(one.axis) else DEG
 
     def unit(one: Limit) -> str:
-        return ("mm" if one.axis == "rail" else "deg") + _UNIT[one.kind]
+        return ("mm" if slides(one.axis) else "deg") + _UNIT[one.kind]
 
     def missing(one: Limit) -> str:
         if one.value is not None or one.most is None:

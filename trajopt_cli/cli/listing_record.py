@@ -9,6 +9,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import PathEvent, Program
 from trajopt_cli.rapid.listing import Listing, Row
 from trajopt_cli.units import MM
@@ -106,6 +107,12 @@ def row_record(row: Row) -> dict[str, Any]:
     }
 
 
+def _rails(d: Array) -> float | list[float]:
+    """Rail positions (r,) in mm: of one a number, of several a list."""
+    each = [_round(value / MM, _MM) for value in d.tolist()]
+    return each[0] if len(each) == 1 else each
+
+
 def _finding(one: ConfigurationFinding) -> dict[str, Any]:
     return {
         "index": one.index,
@@ -114,7 +121,7 @@ def _finding(one: ConfigurationFinding) -> dict[str, Any]:
         "misfit": one.misfit.value,
         "conf": [*one.programmed.numbers],
         "reachable": [[*conf.numbers] for conf in one.reachable],
-        "rail": None if one.rail is None else _round(one.rail / MM, _MM),
+        "rail": None if one.rail is None else _rails(one.rail),
         "message": one.message,
     }
 

@@ -193,7 +193,7 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
     from trajopt_cli.rapid.execution.rail_hold import held_unasked
 
-    if plant.rail_eax is not None and (held := held_unasked(flat)):
+    if plant.rail_eaxes and (held := held_unasked(flat)):
         yield held
     yield from planned_otherwise(flat)
     yield from unsure_nearest(flat, plant)

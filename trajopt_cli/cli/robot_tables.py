@@ -13,7 +13,7 @@ from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.table import TextTable
-from trajopt_cli.units import DEG, MM, unit_of
+from trajopt_cli.units import DEG, MM, slides, unit_of
 
 
 def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
@@ -97,7 +97,7 @@ def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[TextTable]:
         return
     rows = []
     for name, torque, rotor in zip(robot.axis_names, limits.torque, robot.rotor, strict=True):
-        units = ("N", "kg") if name == "rail" else ("Nm", "kg m²")
+        units = ("N", "kg") if slides(name) else ("Nm", "kg m²")
         given = (
             [f"±{torque:g}", units[0], notes.mark(limits.sources[f"{name}.torque"])]
             if np.isfinite(torque)
@@ -193,5 +193,5 @@ def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], note
             low, high = (values[i] for values in _range_of(limits, kind))
             value = f"{low:g}" if low == high else f"{low:g} to {high:g}"
             cells += [value, notes.mark(limits.sources[f"{axis}.{kind}"])]
-        rows.append((axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells))
+        rows.append((axis, f"m/s{power}" if slides(axis) else f"rad/s{power}", *cells))
     return TextTable(f"{kind}s by profile", ("axis", "unit", *columns), tuple(rows))

@@ -145,7 +145,7 @@ class _Scene:
         own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
         if robot.linkage:  # axis 2 shifts the upper arm against the base and turns it against the lower arm
             own[:, 1] = np.maximum(own[:, 1], own[:, 2])
-        self.levers = np.column_stack([rides, own]) if robot.has_rail else own
+        self.levers = np.column_stack([rides] * robot.layout.r + [own])
         if units:
             none = np.zeros(len(units))
             its = [pair.other.levers if isinstance(pair.other, _Turned) else none for pair in pairs]
@@ -408,7 +408,7 @@ def links(robot: RobotModel, q: Array) -> Array:
     m, arm = len(q), robot.chain_axes(q)[:, robot.layout.arm]
     X = np.zeros((m, _FLANGE + 1, 4, 4))
     X[..., 3, 3] = 1.0
-    X[:, 0] = robot.base(robot.layout.place(q))
+    X[:, 0] = robot.base_at(q)
     R, p = X[:, 0, :3, :3], X[:, 0, :3, 3]
     for i, joint in enumerate(robot.chain):
         p = p + R @ joint.X[:3, 3]
@@ -477,6 +477,5 @@ def _gradients(
         rate = np.einsum("ki,ki->k", np.cross(axis, on_body - X[:, :3, 3]), normal)
         arm[:, j] = np.where((since <= j) & (j < frame), rate, 0.0)
     arm[:, 1] -= robot.linkage * arm[:, 2]
-    if robot.rail_axis_W is not None:
-        out[:, layout.rail] = np.where(since == WORLD, normal @ robot.rail_axis_W, 0.0)[:, None]
+    out[:, layout.rail] = np.where((since == WORLD)[:, None], normal @ robot.rail_axes_W.T, 0.0)
     return out

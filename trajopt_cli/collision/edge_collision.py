@@ -38,7 +38,7 @@ class EdgeCollision:
 
     def __init__(self, axes: Axes, around: CollisionScene, straight: Mapping[int, str]):
         self._axes, self.around, self._straight = axes, around, straight
-        self._ways: dict[tuple[int, float | None], Roadmap] = {}  # by scene, and by the rail's place where it is held
+        self._ways: dict[tuple[int, object], Roadmap] = {}  # by scene, and by the rails' place where they are held
         self._known: dict[int, list[Array]] = {}  # points of ways that were found, by scene
         self._joined: dict[tuple[int, int], dict[bytes, bool]] = {}  # by way and its end: from where it is clear
         self._plans: dict[int, int] = {}  # how often a way was looked for, by motion
@@ -144,7 +144,7 @@ class EdgeCollision:
         """What finds ways from q_0; the rail stays there where the leg holds it."""
         axes, held = self._axes, None
         if not leg.rail_moves:
-            rail, held = axes.layout.rail, float(axes.layout.place(q_0))
+            rail, held = axes.layout.rail, tuple(q_0[axes.layout.rail].tolist())
             lower, upper = axes.lower.copy(), axes.upper.copy()
             lower[rail] = upper[rail] = held
             axes = replace(axes, lower=lower, upper=upper)
@@ -185,25 +185,25 @@ class EdgeCollision:
         known.update(zip(new, found.tolist(), strict=True))
         free = np.array([known[name] for name in names], dtype=bool)
         if not leg.rail_moves:  # the rail stands on all of the way
-            place = self._axes.layout.place
-            free &= np.all(np.abs(place(q)[:, None] - place(points)) <= _HELD, axis=1)
+            rail = self._axes.layout.rail
+            free &= np.all(np.abs(q[:, None, rail] - points[:, rail]) <= _HELD, axis=(1, 2))
         return free
 
     def _lines_free(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
         """Whether (m,) lines, arcs and waits between axes (m, n) are clear, the rail in proportion to the way."""
         leg, axes, m = problem.legs[k], self._axes, len(q_0)
         segment = problem.segment(k)
-        rails = np.stack([axes.layout.place(q_0), axes.layout.place(q_1)])
+        rails = np.stack([q_0[:, axes.layout.rail], q_1[:, axes.layout.rail]])
         far = max(segment.length, 0.3 * segment.angle, float(np.abs(np.diff(rails, axis=0)).max(initial=0.0)))
         shares = np.linspace(0, 1, 2 + int(far / 0.01))
         X = segment.pose(shares) @ inverse_pose(leg.X_FT)
-        d = rails[0][:, None] + shares * (rails[1] - rails[0])[:, None]
+        d = (rails[0][:, None] + shares[:, None] * (rails[1] - rails[0])[:, None]).reshape(m * len(shares), -1)
         known = cfx >= 0
         branch = np.where(known, cfx, 0)
-        arm = axes.branch(np.tile(X, (m, 1, 1)), d.ravel(), np.repeat(branch, len(shares)))
+        arm = axes.branch(np.tile(X, (m, 1, 1)), axes.layout.value(d), np.repeat(branch, len(shares)))
         starts = len(shares) * np.arange(m)
         arm = unwound(arm, starts, q_0[:, axes.layout.arm])
-        q = axes.layout.join(d.ravel(), arm)
+        q = axes.layout.merge(d, arm)
         reached = np.isfinite(arm).all(axis=1).reshape(m, -1).all(axis=1)
         out = ~known | reached
         some = np.flatnonzero(known & reached)

@@ -28,8 +28,7 @@ def faster_than_programmed(program: Program, plan: Plan, plant: Plant) -> frozen
         qd = trajectory.qd[rows]
         twist = plant.robot.differential(trajectory.q[rows], motion.tool.X_FT).velocity(qd)
         pairs = [(twist[:, :3], motion.speed.v_tcp), (twist[:, 3:], motion.speed.turning)]
-        if plant.rail_eax is not None:
-            pairs.append((qd[:, :1], motion.speed.v_leax))
+        pairs += [(qd[:, [i]], motion.speed.v_leax) for i in range(plant.layout.r)]
         if any(np.linalg.norm(values, axis=1).max(initial=0.0) > cap * (1 + _EXCESS) for values, cap in pairs):
             found.add(planned.index)
     return frozenset(found)

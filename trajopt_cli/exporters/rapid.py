@@ -27,7 +27,7 @@ from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.scenario import Scenario
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG
 
 _RAIL_STILL = 1e-9  # m
 
@@ -108,7 +108,7 @@ def intents_of(program: Program, plan: Plan, plant: Plant, faster: frozenset[int
             points = there.motions[part.index - len(planned.via) : part.index]
             out[planned.index] = Intent(
                 _rail(program, motion, plant, part),
-                abs(float(plant.layout.place(part.q_1 - part.q_0))) > _RAIL_STILL,
+                float(np.abs((part.q_1 - part.q_0)[plant.layout.rail]).max(initial=0.0)) > _RAIL_STILL,
                 np.asarray(part.q_1[plant.layout.arm]) if isinstance(motion, PoseMove) else None,
                 monitored or is_nearest(plant, part, motion),
                 fast=planned.index in faster,
@@ -122,10 +122,11 @@ def intents_of(program: Program, plan: Plan, plant: Plant, faster: frozenset[int
     return out
 
 
-def _rail(program: Program, move: Move, plant: Plant, planned: PlannedMotion) -> float | None:
-    """Where a target must say that the rail is [mm]."""
-    if plant.rail_eax is None or move.hold is Hold.UNIT:
+def _rail(program: Program, move: Move, plant: Plant, planned: PlannedMotion) -> tuple[float, ...] | None:
+    """Where a target must say that the rails are, and what follows them [mm]."""
+    if not plant.rail_eaxes or move.hold is Hold.UNIT:
         return None
     span = move.written.statement
     taken = offsets(move, program.files[span.file].text[span.start : span.end])
-    return float(plant.layout.place(planned.q_1)) / MM - taken[plant.rail_eax]
+    there = plant.with_rail(move.extax, planned.q_1[plant.layout.rail])
+    return tuple((there[eax] or 0.0) - taken[eax] for eax in plant.driven_eaxes)

@@ -26,7 +26,7 @@ from trajopt_cli.motion import (
 from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import Plan, PlannedMotion
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.plant import Plant, shown_rail
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits
@@ -112,12 +112,12 @@ def same_motion(motion: Motion, other: Motion) -> bool:
 
 def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
     """Whether the rail is elsewhere at the end of a motion, as far as the text tells."""
-    return abs(float(plant.layout.place(planned.q_1 - planned.q_0))) > _RAIL
+    return bool(np.any(np.abs((planned.q_1 - planned.q_0)[plant.layout.rail]) > _RAIL))
 
 
-def _same_rail(one: float, other: float) -> bool:
+def _same_rail(one: Array | float, other: Array | float) -> bool:
     """Whether two rail positions [m] are one as far as the text tells, and a num, which on a long rail is um."""
-    return abs(one - other) <= _RAIL + 2 * _NUM * abs(one)
+    return bool(np.all(np.abs(one - other) <= _RAIL + 2 * _NUM * np.abs(one)))
 
 
 def _near(one: Array, other: Array) -> bool:
@@ -167,12 +167,12 @@ def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = F
 
 
 def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
-    if plant.rail_eax is not None:
-        wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
+    if plant.rail_eaxes:
+        wanted, given = planned.q_1[plant.layout.rail], plant.rail_value(read.extax)
         stays = given is None and not rail_moves(planned, plant)  # an open axis stays where it is
         if not stays and (given is None or not _same_rail(wanted, given)):
-            shown = "open" if given is None else f"{given / MM:.6f} mm"
-            yield f"the rail at {wanted / MM:.6f} mm, and the target says {shown}"
+            shown = "open" if given is None else shown_rail(given, ".6f")
+            yield f"the rail at {shown_rail(wanted, '.6f')}, and the target says {shown}"
     yield from _elsewhere(motion, read)
     if isinstance(motion, PoseMove) and isinstance(read, PoseMove):
         if confdata_counts(read):
@@ -198,7 +198,7 @@ def _check_dwell(
 ) -> list[InputError]:
     if not isinstance(read, MoveL) or before is None:
         return [_mismatch(wait, "a MoveL there that takes the rail along")]
-    wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
+    wanted, given = planned.q_1[plant.layout.rail], plant.rail_value(read.extax)
     if given is None or not _same_rail(wanted, given):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):

@@ -24,10 +24,10 @@ _TURNED = 5e-7  # rad: half of what the judge lets pass; written with six decima
 
 @dataclass(frozen=True)
 class Wish:
-    """What a target must say: the rail position in mm as text, and the confdata; None for what it may say as it does.
-    counts: the controller looks at its confdata."""
+    """What a target must say: the rails' positions in mm as texts, those of what follows them behind them, and the
+    confdata; None for what it may say as it does. counts: the controller looks at its confdata."""
 
-    rail: str | None
+    rail: tuple[str, ...] | None
     conf: ConfData | None
     counts: bool = False
 
@@ -58,7 +58,7 @@ def same_rail(one: float, other: float) -> bool:
 # ------------------------------------------------------------------------------------------------------- the literals
 
 
-def rewritten(text: str, wish: Wish, eax: int | None) -> str | None:
+def rewritten(text: str, wish: Wish, eaxes: Sequence[int]) -> str | None:
     """A target's literal with a wish in it; a number that says so already keeps its spelling. None where the numbers do
     not stand in it."""
     node = parse_expression(text, "")
@@ -76,23 +76,23 @@ def rewritten(text: str, wish: Wish, eax: int | None) -> str | None:
         elif len(numbers) == 4:
             pairs = zip(numbers, wish.conf.numbers, strict=True)
             changes += [(item, str(number)) for item, number in pairs if item.value != number]
-    if eax is not None and wish.rail is not None:
+    for eax, rail in zip(eaxes, wish.rail or (), strict=False):
         part = node.items[-1]
         item = part.items[eax] if isinstance(part, Aggregate) else part
         if not isinstance(item, Number):
             return None
-        if not same_rail(item.value, float(wish.rail)):
-            changes.append((item, wish.rail))
+        if not same_rail(item.value, float(rail)):
+            changes.append((item, rail))
     for item, new in sorted(changes, key=lambda change: -change[0].start):
         text = text[: item.start] + new + text[item.end :]
     return text
 
 
-def point_literal(point: JointMove, own: JointMove, text: str, eax: int | None) -> str:
+def point_literal(point: JointMove, own: JointMove, text: str, eaxes: Sequence[int]) -> str:
     """An additional point before a move as a literal; text: the move's statement, whose options are in force."""
     pairs = enumerate(zip(point.extax, offsets(own, text), strict=True))
     values = [
-        "9E9" if value is None else rail_text(value - offset) if i == eax else num(value - offset, 6)
+        "9E9" if value is None else rail_text(value - offset) if i in eaxes else num(value - offset, 6)
         for i, (value, offset) in pairs
     ]
     external = f"[{','.join(values)}]"

@@ -56,13 +56,14 @@ class RapidExport:
 class Intent:
     """What shall become of one motion, a move or a wait in which the rail moves.
 
-    rail: where it is at the end as the target says it [mm], EOffs taken out; None where the target says nothing of it.
+    rail: where it and what follows it is at the end as the target says it [mm], EOffs taken out; None where the target
+    says nothing of it.
     moves: it gets there meanwhile. arm (6,): the joints at the end [rad]; None: the configuration stays as written.
     nearest: no others are nearer. drop: the move is left out. fast: at vmax. points: additional joint moves before it.
     turn: how far the tool is turned about its axis there, from as the target says it [deg].
     """
 
-    rail: float | None = None
+    rail: tuple[float, ...] | None = None
     moves: bool = False
     arm: Array | None = None
     nearest: bool = True
@@ -116,7 +117,7 @@ class _Writer:
         self._wishes = {span: self._wishes_of(indices) for span, indices in moving.items() if not self._dropped(span)}
         self._choose_literals()
         for literal, wish in self._in_place.items():
-            new = rewritten(self._edits.text(literal), wish, self._plant.rail_eax)
+            new = rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes)
             assert new is not None  # or it would not have been chosen
             if new != self._edits.text(literal):
                 self._edits.replace(literal, new)
@@ -159,8 +160,8 @@ class _Writer:
                     wrong.append(group[0])
         self._refuse(wrong)
 
-    def _rail_and_turn(self, index: int) -> tuple[float | None, float]:
-        return self._intents[index].rail, self._intents[index].turn
+    def _rail_and_turn(self, index: int) -> tuple[tuple[float, ...] | None, tuple[float, ...]]:
+        return self._intents[index].rail, (self._intents[index].turn,)
 
     def _refuse(
         self,
@@ -211,14 +212,14 @@ class _Writer:
         return any(self._says_otherwise(i) for i in indices)
 
     def _says_otherwise(self, index: int) -> bool:
-        move, intent, eax = self._program.motions[index], self._intents[index], self._plant.rail_eax
+        move, intent = self._program.motions[index], self._intents[index]
         assert isinstance(move, Move)
         if index in self._unsure:
             return True
-        if intent.rail is not None and eax is not None:
+        taken = offsets(move, self._edits.text(move.written.statement)) if intent.rail else ()
+        for eax, rail in zip(self._plant.driven_eaxes, intent.rail or (), strict=False):
             said = move.extax[eax]
-            taken = offsets(move, self._edits.text(move.written.statement))[eax]
-            if intent.moves if said is None else not same_rail(said - taken, intent.rail):
+            if intent.moves if said is None else not same_rail(said - taken[eax], rail):
                 return True
         wish = self._wishes.get(move.written.statement, {}).get(index)
         return isinstance(move, PoseMove) and wish is not None and wish.conf not in (None, move.conf)
@@ -242,7 +243,7 @@ class _Writer:
             )
             if len(rails) == 1 and len(confs) < 2 and not (silent and changed):
                 wish = Wish(next(iter(rails)), next(iter(confs), None))
-                if rewritten(self._edits.text(literal), wish, self._plant.rail_eax) is not None:
+                if rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes) is not None:
                     self._in_place[literal] = wish
 
     def _literal(self, span: Span) -> Span | None:
@@ -315,7 +316,7 @@ class _Writer:
         lines = []
         for one in intent.points:
             around = tuple(name.encode(encoding, "replace").decode(encoding) for name in one.detour)
-            made = point(one, move, point_literal(one, move, text, self._plant.rail_eax), around)
+            made = point(one, move, point_literal(one, move, text, self._plant.driven_eaxes), around)
             lines += point_lines(made, move, text, text, intent.fast)
             if self._names.take(made.name):
                 self._declare(span, f"CONST {made.type} {made.name}:={made.literal};")
@@ -423,7 +424,11 @@ class _Writer:
             self._refuse([next(i for i in wishes if i not in given)])
         parts = []
         if given:
-            parts.append(self._value(span, "num", f"rail{_titled(base)}", given))
+            letters = self._letters if len(self._letters) > 1 else ("",)
+            each = [{i: one[n] for i, one in given.items()} for n in range(len(letters))]
+            names = [f"rail{letter}{_titled(base)}" for letter in letters]
+            values = (self._value(span, "num", name, one) for name, one in zip(names, each, strict=True))
+            parts.append(",".join(values))
         if says_conf:
             confs = {i: written_conf(wish.conf) for i, wish in wishes.items() if wish.conf is not None}
             if len(confs) < len(wishes):  # the others keep theirs, whichever that is
@@ -449,21 +454,25 @@ class _Writer:
     def _wrapper(self, span: Span, node: object) -> Call | None:
         """A target's call of a function that an export has written for this rail; None where it is none."""
         text = self._scopes.wrappers(span).get(node.name.lower(), "") if isinstance(node, Call) else ""
-        axis = None if self._plant.rail_eax is None else f"eax_{'abcdef'[self._plant.rail_eax]}:="
-        return node if isinstance(node, Call) and text and ("extax" not in text or (axis or "-") in text) else None
+        said = sorted(re.findall(r"eax_([a-f]):=", text))
+        return node if isinstance(node, Call) and text and said in ([], sorted(self._letters)) else None
+
+    @property
+    def _letters(self) -> tuple[str, ...]:
+        """Of the external axes that rails and what follows them have."""
+        return tuple("abcdef"[eax] for eax in self._plant.driven_eaxes)
 
     def _function(self, span: Span, kind: str, type_: str) -> str:
         """The name of the function in a statement's module, which is added where it is not there."""
         key = (*self._module(span), kind)
         if key not in self._functions:
-            axis = "" if self._plant.rail_eax is None else "abcdef"[self._plant.rail_eax]
             for text in self._scopes.wrappers(span).values():
                 known = text.split("(")[0].split()[-1]
-                if text.lower() == " ".join(_function(kind, known, type_, axis)).lower():
+                if text.lower() == " ".join(_function(kind, known, type_, self._letters)).lower():
                     self._functions[key] = known
             if key not in self._functions:
                 name = self._functions[key] = self._chosen.setdefault(kind, self._names.new(kind))
-                self._add(span, [f"! {_ABOUT[kind]}", *_function(kind, name, type_, axis)])
+                self._add(span, [f"! {_ABOUT[kind]}", *_function(kind, name, type_, self._letters)])
         return self._functions[key]
 
     def _module(self, span: Span) -> tuple[str, int]:
@@ -529,19 +538,21 @@ class _Writer:
             self._edits.insert(span.file, offset, f" {declaration}")
 
 
-def _shown(rail: float | None) -> str | None:
-    return None if rail is None else rail_text(rail)
+def _shown(rail: tuple[float, ...] | None) -> tuple[str, ...] | None:
+    return None if rail is None else tuple(map(rail_text, rail))
 
 
-def _function(kind: str, name: str, type_: str, axis: str) -> list[str]:
-    """The lines of a function that gives a target another rail position or configuration."""
-    rail = f"p.extax.eax_{axis}:=rail;"
+def _function(kind: str, name: str, type_: str, letters: Sequence[str]) -> list[str]:
+    """The lines of a function that gives a target other positions of external axes or another configuration."""
+    names = ["rail" if len(letters) == 1 else f"rail_{letter}" for letter in letters]
+    rails = [f"p.extax.eax_{letter}:={one};" for letter, one in zip(letters, names, strict=True)]
+    given = ",".join(f"num {one}" for one in names)
     if kind == "ConfAt":
         return [f"FUNC {type_} {name}({type_} p,confdata conf)", "p.robconf:=conf;", "RETURN p;", "ENDFUNC"]
     if kind == "RailAtJ":
-        return [f"FUNC {type_} {name}({type_} p,num rail)", rail, "RETURN p;", "ENDFUNC"]
+        return [f"FUNC {type_} {name}({type_} p,{given})", *rails, "RETURN p;", "ENDFUNC"]
     conf = "IF Present(conf) p.robconf:=conf;"
-    return [rf"FUNC {type_} {name}({type_} p,num rail\confdata conf)", rail, conf, "RETURN p;", "ENDFUNC"]
+    return [rf"FUNC {type_} {name}({type_} p,{given}\confdata conf)", *rails, conf, "RETURN p;", "ENDFUNC"]
 
 
 def base_name(target: str) -> str:

@@ -144,11 +144,11 @@ def hull_in_reach(axes: Axes, problem: Problem, first: int, last: int) -> tuple[
 def _reach_intervals(axes: Axes, problem: Problem, first: int, last: int) -> Array:
     """From which rail position to which (k, 2) [m] the arm could be long enough for each of the waypoints first..last,
     and for places on the lines between them."""
-    X_WF = [problem.waypoints[k].X_WF for k in range(first, last + 1)]
+    X_WF = [problem.seen(k) for k in range(first, last + 1)]
     for leg in problem.legs[first:last]:
         if leg.segment is not None and leg.chord > 0:
-            X_WF += [*(leg.segment.pose(np.array([0.25, 0.5, 0.75])) @ inverse_pose(leg.X_FT))]
-    return np.asarray(axes.robot.rail_within(np.array(X_WF)))
+            X_WF += [*problem.seen_along(leg, np.array([0.25, 0.5, 0.75]))]
+    return np.asarray(axes.robot.rail_within(np.array(X_WF), axes.layout.sought))
 
 
 def _unwrap(arm: Array, axis: int) -> Array:
@@ -158,15 +158,14 @@ def _unwrap(arm: Array, axis: int) -> Array:
     return arm if turns is None else np.moveaxis(x - 2 * np.pi * turns, 0, axis)
 
 
-def _with_whole_turns(axes: Axes, leg: Leg, line: Array, d: Array) -> Array:
+def _with_whole_turns(axes: Axes, problem: Problem, leg: Leg, line: Array, d: Array) -> Array:
     """A line (b, nodes, n, m) without whole turns between neighbouring nodes, but those that an axis turns on its way
     from one to the next: close to a singularity it may turn by more than half of one."""
     far = np.abs(np.diff(line, axis=1)).max(axis=-1) > _FAR  # (b, nodes - 1, n); NaN is not
-    assert leg.segment is not None
     for i in np.flatnonzero(far.any(axis=(0, 2))):
         at = np.flatnonzero(far[:, i].any(axis=0))
         s = (i + np.linspace(0, 1, _CLOSE + 1)) / (line.shape[1] - 1)
-        X = leg.segment.pose(s) @ inverse_pose(leg.X_FT)
+        X = problem.seen_along(leg, s)
         arm = axes.inverse(np.repeat(X, len(at), axis=0), np.tile(d[at], len(s)))
         arm = np.moveaxis(arm.reshape(len(s), len(at), *arm.shape[1:]), 2, 0)
         arm[:, 0] = line[:, i, at]
@@ -215,7 +214,7 @@ def line_nodes(leg: Leg, settings: Settings) -> int:
     )
 
 
-def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
+def _on_lines(axes: Axes, problem: Problem, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
     """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
     settings = axes.settings
     n = len(d)
@@ -223,7 +222,7 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: boo
     for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // (2 * settings.batch)):
         checkpoint()
         some = [legs[i] for i in group]
-        X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
+        X = [problem.seen_along(leg, np.linspace(0, 1, m)) for leg, m in some]
         counts = [m for _, m in some]
         arm = axes.inverse(np.repeat(np.concatenate(X), n, axis=0), np.tile(d, sum(counts)))
         arm = np.moveaxis(usable(axes, arm, pinned).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
@@ -237,6 +236,9 @@ def reversed_leg(problem: Problem, first: int, k: int) -> int | None:
         j -= 1
     leg, back = problem.legs[k], problem.legs[j]
     if j < first or not (isinstance(leg.segment, Line) and isinstance(back.segment, Line)):
+        return None
+    held, its = ([problem.waypoints[i].held for i in ends] for ends in ((k, k + 1), (j + 1, j)))
+    if held != its:
         return None
     apart = (leg.segment.X_0 - back.segment.X_1, leg.segment.X_1 - back.segment.X_0, leg.X_FT - back.X_FT)
     return j if leg.angle < _HALF_TURN and np.abs(apart).max() < _SAME else None
@@ -252,7 +254,7 @@ def _raw(
     if given is not None:
         start, leaves = given.table(axes, problem, d)
     else:
-        arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
+        arm = axes.inverse(np.broadcast_to(problem.seen(first), (len(d), 4, 4)), d)
         arm = np.moveaxis(arm, 1, 0)
         start = _unwrap(arm if _at_rest(problem, first, last) else usable(axes, arm, pinned), 1)
     stops, lines = [start], list[Array | None]()
@@ -262,8 +264,9 @@ def _raw(
     backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
     asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
     found = _on_lines(
-        axes, [(leg, settings.line_samples if leg is left else line_nodes(leg, settings)) for leg in asked], d, pinned
-    )
+        axes, problem,
+        [(leg, settings.line_samples if leg is left else line_nodes(leg, settings)) for leg in asked], d, pinned,
+    )  # fmt: skip
     for leg, back in zip(legs, backs, strict=True):
         if leg.segment is None:
             stops.append(stops[-1])
@@ -278,7 +281,7 @@ def _raw(
         raw = next(found)
         raw[:, 0] = stops[-1]
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
-        line = _unwrap_beside(_with_whole_turns(axes, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
+        line = _unwrap_beside(_with_whole_turns(axes, problem, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
         lines.append(line)
         stops.append(line[:, -1])
     return stops, lines, leaves
@@ -332,8 +335,10 @@ def _without_contacts(
 ) -> tuple[list[Array], list[Array | None]]:  # fmt: skip
     """The joints of a station, NaN where the robot touches something; whole turns do not matter to that."""
 
-    def kept(arm: Array, motions: set[int]) -> Array:
-        q = axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
+    def kept(arm: Array, motions: set[int], held: Array) -> Array:
+        every = axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm)
+        every[..., axes.layout.others] = held
+        q = every.reshape(-1, axes.n)
         free = np.ones(len(q), dtype=bool)
         for index in {around.scene(motion): motion for motion in sorted(motions)}.values():
             free &= around.free(q, index)
@@ -341,8 +346,14 @@ def _without_contacts(
 
     legs = problem.legs
     beside = [{legs[k].motion for k in (first + i - 1, first + i) if 0 <= k < len(legs)} for i in range(len(stops))]
-    nodes = [None if raw is None else kept(raw, {legs[first + i].motion}) for i, raw in enumerate(lines)]
-    return [kept(stop, motions) for stop, motions in zip(stops, beside, strict=True)], nodes
+    at = [np.array(problem.waypoints[first + i].held) for i in range(len(stops))]
+    nodes = []
+    for i, raw in enumerate(lines):
+        if raw is not None:
+            s = np.linspace(0, 1, raw.shape[1])[:, None, None]
+            raw = kept(raw, {legs[first + i].motion}, at[i] + s * (at[i + 1] - at[i]))
+        nodes.append(raw)
+    return [kept(stop, motions, held) for stop, motions, held in zip(stops, beside, at, strict=True)], nodes
 
 
 def _admissible(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
@@ -351,7 +362,8 @@ def _admissible(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -
     if stop.rail[0] == stop.rail[1]:
         ok &= np.abs(d - stop.rail[0]) < 1e-12
     if stop.conf is not None:
-        at = np.abs(d - stop.written) < 1e-12
+        there = all(abs(held - own) < 1e-12 for held, own in zip(stop.held, stop.also, strict=True))
+        at = (np.abs(d - stop.written) < 1e-12) & there
         ok[:, at] &= axes.robot.admits(stop.conf, q[:, at])
     if stop.q is not None:
         ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
@@ -380,16 +392,16 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         key = blake2b(name + b"".join(x.tobytes() for x in ranges), digest_size=16).digest()
         if key in served:
             continue
-        out = _unserved(axes, problem, first, last)
+        out = unserved(axes, problem, first, last)
         if out is not None:
             return out
         begin = problem.waypoints[first]
         if begin.motion >= 0 or begin.q is not None:  # else what is wrong where a cycle begins is told where it ends
             served.add(key)
-    return _dead_end(problem)
+    return dead_end(problem)
 
 
-def _dead_end(problem: Problem) -> Infeasible | None:
+def dead_end(problem: Problem) -> Infeasible | None:
     """The first motion that cannot be done from the nearest configurations that lead to it, which nothing may change,
     as parse tells it."""
     if problem.dropped or not any(point.nearest for point in problem.waypoints):
@@ -414,7 +426,7 @@ def _led_to(problem: Problem, k: int) -> bool:
     return chosen
 
 
-def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
+def unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
     """Why a station cannot be served; None where it can, first of all every line of it from one of few positions."""
     settings = axes.settings
     low, high = _reach_intervals(axes, problem, first, last).T
@@ -457,7 +469,7 @@ def _first_failure(axes: Axes, problem: Problem, first: int, last: int, d: Array
     start = problem.waypoints[first]
     begins = start.motion < 0 or isinstance(problem.motion(start.motion), Wait)  # which stands where it begins
     if begins and _out_of_reach(axes, problem, first, d):
-        return _unserved(axes, problem, first + 1, last) if first < last else None
+        return unserved(axes, problem, first + 1, last) if first < last else None
     for k in range(first, last + 1):
         if _out_of_reach(axes, problem, k, d):
             return _unreachable(axes, problem, k, d)
@@ -517,15 +529,16 @@ def _crosses(open_: BoolArray) -> bool:
 def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     stop = problem.waypoints[k]
     motion = problem.motion(stop.motion)
-    near = d[int(np.argmin(np.abs(d - _rail_abreast(axes, stop.X_WF))))]
+    place = d[int(np.argmin(np.abs(d - _rail_abreast(axes, problem.seen(k)))))]
     if stop.rail[0] == stop.rail[1]:
-        near = stop.rail[0]
-    reason = _why_unreachable(axes, problem, stop.X_WF, float(near))
+        place = stop.rail[0]
+    near = problem.axes_at(k, place, np.zeros(axes.layout.joints))[axes.layout.rail]
+    reason = _why_unreachable(axes, problem, stop.X_WF, near)
     if not reason and (told := _configuration(problem, k)):
         text = told + _remedy(problem, k)
     else:
-        reason = reason or _confdata_or_singular(problem, stop, float(near))
-        text = f"{motion_name(motion)} cannot be reached{_at_rail(axes, float(near))}: {reason}"
+        reason = reason or _confdata_or_singular(problem, stop, near)
+        text = f"{motion_name(motion)} cannot be reached{_at_rail(near)}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
@@ -539,18 +552,19 @@ def _configuration(problem: Problem, k: int) -> str | None:
     return next((one.message for one in found if one.index == stop.motion), None)
 
 
-def _at_rail(axes: Axes, rail: float) -> str:
-    return f" at rail {rail * 1e3:.1f} mm" if axes.layout.has_rail else ""
+def _at_rail(rail: Array) -> str:
+    each = ", ".join(f"{one * 1e3:.1f}" for one in rail)
+    return "" if not len(rail) else f" at rail {each} mm" if len(rail) == 1 else f" at rail [{each}] mm"
 
 
-def _why_unreachable(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
-    """Why a pose is out of reach at a rail position; empty when it is not."""
+def _why_unreachable(axes: Axes, problem: Problem, X_WF: Array, rail: Array) -> str:
+    """Why a pose is out of reach at rail positions (r,); empty when it is not."""
     if axes.robot.solutions(X_WF, rail, problem.plant.limits):
         return ""
     return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
 
 
-def _confdata_or_singular(problem: Problem, stop: Waypoint, rail: float) -> str:
+def _confdata_or_singular(problem: Problem, stop: Waypoint, rail: Array) -> str:
     """Why a waypoint is not to be had though its pose is in reach."""
     if stop.conf is None:
         return "too near a singularity"
@@ -575,9 +589,9 @@ def _remedy(problem: Problem, k: int) -> str:
 
 
 def _rail_abreast(axes: Axes, X_WF: Array) -> float:
-    """The rail position at which the base stands nearest to a pose."""
+    """The sought rail's position at which the base stands nearest to a pose."""
     p = axes.in_base(X_WF)[:3, 3]
-    return float(np.sum(p @ axes.rail_axis))
+    return float(np.sum(p @ axes.rail_axis[:, axes.layout.sought :][:, :1]))
 
 
 def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[IkBranch, ...]) -> Infeasible | None:
@@ -595,7 +609,8 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[I
     if fixed and not leg.rail_moves:
         rails = np.array(fixed[:1])
     X_WF = X @ inverse_pose(leg.X_FT)
-    arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
+    seen = problem.seen_along(leg, shares)
+    arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in seen]
     # a point out of everything's reach says most; else the one where the last configuration ends
     known = {label.cfx for label in labels if label.cfx >= 0} or set(range(arm[0].shape[1]))
     lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
@@ -608,9 +623,11 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[I
         return None
     at, before = lost
     X_WT, X_WF = X[at], X_WF[at]
-    near = rails[int(np.argmin(np.abs(rails - _rail_abreast(axes, X_WF))))]
-    reason = _why_unreachable(axes, problem, X_WF, float(near))
-    where = _at_rail(axes, float(near))
+    place = rails[int(np.argmin(np.abs(rails - _rail_abreast(axes, seen[at]))))]
+    ends = [problem.axes_at(j, place, np.zeros(axes.layout.joints))[axes.layout.rail] for j in (k, k + 1)]
+    near = ends[0] + shares[at] * (ends[1] - ends[0])
+    reason = _why_unreachable(axes, problem, X_WF, near)
+    where = _at_rail(near)
     if not reason:
         reason = f"{_NO_SINGLE}{_nearest_limit(axes, arm[at][before])}{with_exact_orientation(motion)}"
     p = X_WT[:3, 3] * 1e3

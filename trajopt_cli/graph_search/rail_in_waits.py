@@ -31,7 +31,7 @@ def farthest(axes: Axes, leg: Leg, d: Array, arm: Array) -> IndexArray:
         return of
     dq = np.full((*here.shape, axes.n), np.nan)
     q = axes.layout.join(np.broadcast_to(d, here.shape)[here], arm[here])
-    dq[here] = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., 0])
+    dq[here] = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., axes.layout.sought])
     steps = np.diff(dq, axis=1) / (d[1] - d[0])
     ahead, behind = np.pad(steps, ((0, 0), (0, 1), (0, 0)), "edge"), np.pad(steps, ((0, 0), (1, 0), (0, 0)), "edge")
     ddq = np.where(np.isnan(ahead), behind, np.where(np.isnan(behind), ahead, (ahead + behind) / 2))

@@ -63,7 +63,7 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     arm = table.waypoints[i]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
-    q = axes.layout.join(table.d[rails], arm[labels, rails])
+    q = problem.axes_at(k, table.d[rails], arm[labels, rails])
     beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
     held = np.all([limit.holds(leg, q) for limit in limits_of(axes) for leg in beside], axis=0)
     if held.any():
@@ -71,7 +71,7 @@ def _layer(axes: Axes, problem: Problem, table: IkTable, i: int, k: int, speeds:
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
     m = len(speeds)
-    rate = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., 0])
+    rate = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., axes.layout.sought])
     q, labels, rails = np.repeat(q, m, axis=0), np.repeat(labels, m), np.repeat(rails, m)
     qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
     ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
@@ -232,13 +232,13 @@ def _line_times(
         for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
             checkpoint()
             q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
-            T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
+            T[cfx, p] = _along_line(axes, leg, q, problem.ways(k, d[end[p]] - d[start[p]]), V, A)
         times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or leg.least)[of], np.inf).T
     return Band(shifts, times, a.place, b.place)
 
 
 def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array) -> Array:
-    """Estimated times (p,) of joints (m, nodes, p) along a line, the rail going its way (p,) meanwhile."""
+    """Estimated times (p,) of joints (m, nodes, p) along a line, the rails going their ways (r, p) meanwhile."""
     h = 1 / (arm.shape[1] - 1)
 
     def slope(x: Array) -> Array:
@@ -252,9 +252,9 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     ddq = slope(dq)
     np.abs(ddq, out=ddq)
     np.abs(dq, out=dq)
-    rail, layout = np.abs(way), axes.layout
+    layout = axes.layout
     slow = np.max(np.max(dq, axis=1) / V[layout.arm, None], axis=0)
-    for limit in V[layout.rail]:
+    for limit, rail in zip(V[layout.rail], way, strict=True):
         slow = np.maximum(slow, rail / limit)
     slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.positioner_use[0], _LEAST))
     limits = A[layout.arm, None, None]
@@ -263,7 +263,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     np.maximum(ddq, _LEAST_ROOM * limits, out=ddq)
     dq /= ddq
     hard = np.max(dq, axis=(0, 1))
-    for limit in A[layout.rail]:
+    for limit, rail in zip(A[layout.rail], way, strict=True):
         hard = np.maximum(hard, rail / limit)
     hard = np.maximum(hard, max(leg.chord / mean_ramp(*leg.ramps), leg.positioner_use[1], _LEAST))
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
@@ -464,8 +464,7 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
         if (found := _seam(axes, problem, avoid)) is None:
             return None
         q, label = found
-        rail = float(problem.plant.layout.place(q))
-        seam = [replace(problem.waypoints[k], q=q, rail=(rail, rail)) for k in (0, final)]
+        seam = [replace(problem.waypoints[k].standing(problem.layout, q), q=q) for k in (0, final)]
         held = replace(problem, waypoints=(seam[0], *problem.waypoints[1:-1], seam[1]), ties=())
         route = search(axes, held, avoid)
         return route and replace(route, labels=(label, *route.labels[1:-1], label))
@@ -510,8 +509,7 @@ def window(problem: Problem, first: int, last: int, q: Array | None, q_end: Arra
     waypoints = list(problem.waypoints[first : last + 1])
     for at, held in ((0, q), (-1, q_end)):
         if held is not None:
-            rail = float(problem.plant.layout.place(held))
-            waypoints[at] = replace(waypoints[at], q=held, rail=(rail, rail), rest=True)
+            waypoints[at] = replace(waypoints[at].standing(problem.layout, held), q=held, rest=True)
     stations = [(max(a, first) - first, min(b, last) - first) for a, b in problem.stations if first <= b and a <= last]
     legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
     ties = tuple(tuple(k - first for k in group) for group in problem.ties if first <= group[0] and group[-1] <= last)

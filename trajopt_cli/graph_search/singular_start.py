@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 
@@ -39,12 +39,13 @@ def usable(axes: Axes, arm: Array, pinned: bool = False) -> Array:
 class SingularStart:
     """How a station begins that rests in joints given by the program, which stand at a singularity.
 
-    arm (m,); rail [m]; leg: the line that leaves it, None where the station has none.
+    arm (m,); rail [m]; leg: the line that leaves it, None where the station has none; problem: whose it is.
     """
 
     arm: Array
     rail: float
     leg: Leg | None
+    problem: Problem
 
     @classmethod
     def of(cls, axes: Axes, problem: Problem, first: int, last: int) -> SingularStart | None:
@@ -54,7 +55,7 @@ class SingularStart:
         q = next((problem.waypoints[k].q for k in range(first, rests + 1) if problem.waypoints[k].q is not None), None)
         if q is None or not walled(axes, q[axes.layout.arm]):
             return None
-        return cls(q[axes.layout.arm], float(axes.layout.place(q)), lines[0] if lines else None)
+        return cls(q[axes.layout.arm], float(axes.layout.place(q)), lines[0] if lines else None, problem)
 
     def column(self, d: Array) -> int:
         """Where on a grid of rail positions (n,) the rail stands."""
@@ -93,9 +94,8 @@ class SingularStart:
         """The line's joints just behind its start, continued back to it by a parabola through three places outside the
         walls; NaN where a branch is not outside soon."""
         assert self.leg is not None
-        assert self.leg.segment is not None
         shares = 2.0 ** np.arange(-_NEAREST, 3) / (axes.settings.line_samples - 1)
-        X_WF = self.leg.segment.pose(shares) @ inverse_pose(self.leg.X_FT)
+        X_WF = self.problem.seen_along(self.leg, shares)
         rails = self.rail + shares[:, None] * (d - self.rail)
         arm = axes.inverse(np.repeat(X_WF, len(d), axis=0), rails.ravel())
         arm = np.moveaxis(usable(axes, arm).reshape(*rails.shape, *arm.shape[1:]), 0, 2)  # (n, b, shares, m)

@@ -79,8 +79,8 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: ToolKinematics) -> Fin
     length, angle = line.length, line.angle
     obeys = obeys_programmed_speed(stop, rows.plant)
     v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori or np.inf) if obeys else (np.inf, np.inf)
-    v_rail = np.r_[(stop.move.speed.v_leax or np.inf) if obeys else np.inf, [np.inf] * (len(limits.names) - 1)]
-    speed_axes = np.minimum(limits.velocity, v_rail) if rows.mechanism.has_rail else limits.velocity
+    speed_axes, r = np.array(limits.velocity), rows.mechanism.rails
+    speed_axes[:r] = np.minimum(speed_axes[:r], (stop.move.speed.v_leax or np.inf) if obeys else np.inf)
     z, zd = np.c_[q, s * length, s * angle], np.c_[qd, rate * length, rate * angle]
     speed = np.r_[speed_axes, min(v_tcp, caps.speed), v_ori]
     acceleration = np.r_[limits.acceleration, caps.acceleration, np.inf]
@@ -123,7 +123,7 @@ def _caps_inactive(rows: Rows, visit: Visit, frame: ToolKinematics, first: int, 
     if obeys_programmed_speed(visit.point, rows.plant):
         used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / (speed.v_ori or np.inf))
         if rows.mechanism.has_rail and speed.v_leax > 0:
-            used = max(used, float(np.abs(rows.qd[part, 0]).max()) / speed.v_leax)
+            used = max(used, float(np.abs(rows.qd[part, : rows.mechanism.rails]).max()) / speed.v_leax)
     return bool(used < INACTIVE)
 
 

@@ -222,16 +222,16 @@ def _turning(frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Arr
         yield inner.t, inner.turning
 
 
-def _rail_speeds(frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Array]]:
-    """Speeds of the rail."""
+def _rail_speeds(i: int, frame: ToolKinematics, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+    """Speeds of rail number i."""
     rows = frame.rows
     for m in LAGS:
         if a + m <= b:
             here, after = slice(a, b + 1 - m), slice(a + m, b + 1)
-            path = np.abs(rows.q[after, 0] - rows.q[here, 0]) - mean_of(rows.doubt_q, here, after)[:, 0]
+            path = np.abs(rows.q[after, i] - rows.q[here, i]) - mean_of(rows.doubt_q, here, after)[:, i]
             yield rows.t[a : b + 1 - m], np.maximum(path, 0.0) / _times(rows, a, b, m)
     if rows.qd is not None:
-        yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0]
+        yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, i]) - rows.doubt_v[a : b + 1, i]
 
 
 def _mean_over_lags(
@@ -276,13 +276,13 @@ class _Programmed:
                         source=point.source, bound=words)]  # fmt: skip
 
 
-def _programmed_caps(plant: Machine, has_rail: bool) -> list[_Programmed]:
-    parts = [
+def _programmed_caps(plant: Machine, rails: int) -> list[_Programmed]:
+    return [
         _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _tcp, partial(_cap, "v_tcp")),
         _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _turning, partial(_cap, "v_ori")),
-        _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _rail_speeds, _rail_cap),
+        *(_Programmed("programmed speed", name, "m/s", JOINT, "external", partial(_rail_speeds, i), _rail_cap)
+          for i, name in enumerate(plant.limits.names[:rails])),
     ]  # fmt: skip
-    return parts if has_rail else parts[:2]
 
 
 def _cap(name: str, before: Visit, visit: Visit, plant: Machine) -> float | None:
@@ -337,9 +337,10 @@ def _of_the_rail_alone(line: Timeline, frames: dict[bytes, ToolKinematics], rapi
             rests[-1].append(visit)
         else:
             rests.append([before, visit])
-    rows, part = line.rows, _programmed_caps(line.rows.plant, True)[-1]
+    rows = line.rows
+    parts = _programmed_caps(rows.plant, rows.mechanism.rails)[2:]
     for before, *visits in rests:
-        caps = [(part.cap(before, visit, rows.plant) or np.inf, visit.point) for visit in visits]
+        caps = [(_rail_cap(before, visit, rows.plant) or np.inf, visit.point) for visit in visits]
         waits = not rapid and any(hold.wait.duration > 0 for visit in (before, *visits) for hold in visit.holds)
         limit, point = max(caps, key=lambda cap: cap[0])
         if waits or limit == np.inf:
@@ -351,7 +352,8 @@ def _of_the_rail_alone(line: Timeline, frames: dict[bytes, ToolKinematics], rapi
         assert point.move is not None
         frame = frames[np.asarray(point.X_FT).tobytes()]
         if b > a:  # in a rest of one row the rail goes nowhere, however fast it runs past
-            yield from part.finding(frame, (a, b), limit, point, f"{point.move.speed.name} allows")
+            for part in parts:
+                yield from part.finding(frame, (a, b), limit, point, f"{point.move.speed.name} allows")
 
 
 def _programmed(frame: ToolKinematics, before: Visit, visit: Visit) -> Iterator[Finding]:
@@ -359,7 +361,7 @@ def _programmed(frame: ToolKinematics, before: Visit, visit: Visit) -> Iterator[
     beside its rests left out where they may belong to another motion."""
     rows, point = frame.rows, visit.point
     assert point.move is not None
-    for part in _programmed_caps(rows.plant, rows.mechanism.has_rail):
+    for part in _programmed_caps(rows.plant, rows.mechanism.rails):
         a, b = outside_zones(frame, before, visit, part.zone)
         limit = part.cap(before, visit, rows.plant)
         if limit is not None and b > a:
@@ -372,7 +374,7 @@ def _in_the_corner(frame: ToolKinematics, first: int, before: Visit, visit: Visi
     rows = frame.rows
     assert visit.point.move is not None
     assert after.point.move is not None
-    for part in _programmed_caps(rows.plant, rows.mechanism.has_rail):
+    for part in _programmed_caps(rows.plant, rows.mechanism.rails):
         a = max(outside_zones(frame, before, visit, part.zone)[1], first)
         b = min(outside_zones(frame, visit, after, part.zone)[0], rows_of_move(rows, visit, after)[1])
         caps = [part.cap(*ends, rows.plant) for ends in ((before, visit), (visit, after))]

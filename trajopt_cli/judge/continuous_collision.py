@@ -193,7 +193,7 @@ class _Look:
             self.X_WL = np.concatenate([self.X_WL, tables.poses(self._theta)], axis=1)
         self._arm = swing[:, -6:]
         self._arm[:, 2] += abs(mechanism.linkage) * self._arm[:, 1]  # joint 3 of the URDF turns with axes 2 and 3
-        self._rail = swing[:, 0] if mechanism.has_rail else np.zeros(len(q))
+        self._rail = swing[:, : mechanism.rails].sum(axis=1)
         self._origins = self.X_WL[:, 1:FLANGE, :3, 3]
         self._bodies: dict[Body, tuple[Array, Array]] = {}
 

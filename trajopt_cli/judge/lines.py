@@ -238,16 +238,19 @@ def _rail_share(run: StopInterval, leg: int) -> Iterator[Finding]:
     where = run.part[0] + here // run.step
     if not len(here):
         return
-    s, d = run.fractions[here], rows.q[where, 0]
+    r = rows.mechanism.rails
+    s, d = run.fractions[here], rows.q[where, :r]
     first, last = (before.depart, visit.arrive) if visit.arrive > before.depart else run.part
-    s_0, d_0 = (0.0, rows.q[first, 0]) if before.point.fly_by is None else (s[0], d[0])
-    s_1, d_1 = (1.0, rows.q[last, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
+    s_0, d_0 = (0.0, rows.q[first, :r]) if before.point.fly_by is None else (s[0], d[0])
+    s_1, d_1 = (1.0, rows.q[last, :r]) if visit.point.fly_by is None else (s[-1], d[-1])
     slope = (d_1 - d_0) / max(s_1 - s_0, 1e-9)
     doubt = (run.places.doubt_angle if path.only_turns else run.places.doubt_p)[here] / path.extent
-    granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * doubt
-    off = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0) * slope)) - granted, 0.0)
+    granted = _end_doubt(rows, before, visit)[:r] + rows.doubt_q[where, :r] / 2 + 2 * np.abs(slope) * doubt[:, None]
+    each = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0)[:, None] * slope)) - granted, 0.0)
+    j = int(np.argmax(each.max(axis=0)))
+    off = each[:, j]
     i = int(np.argmax(off))
-    yield finding(f"rail along {path.kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
+    yield finding(f"rail along {path.kind}", rows.plant.limits.names[j], float(off[i]), JOINT_TARGET, "m",
                   bool(off[i] <= JOINT_TARGET), time=float(rows.t[where[i]]), source=visit.point.source,
                   note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
 

@@ -27,6 +27,23 @@ class JudgedRobot(Protocol):
         """Where the URDF's root stands in the world (4, 4)."""
 
     @property
+    def X_RB(self) -> Array:
+        """The arm's base in the root (4, 4) where all rails are at 0."""
+
+    @property
+    def X_UB(self) -> Array | None:
+        """The arm's base in the root of its URDF (4, 4), where the cell's own axes carry it; None where the URDF's
+        do."""
+
+    @property
+    def rail_axes(self) -> Array:
+        """Directions (r, 3) of the rails in the root, which then is the frame of the arm's base where all are at 0."""
+
+    @property
+    def axis_names(self) -> tuple[str, ...]:
+        """Of all axes, the rails' first."""
+
+    @property
     def linkage(self) -> float:
         """Of a parallel linkage: the URDF's joint 3 is axis 3 - linkage * axis 2; 0 where joints are axes."""
 
@@ -59,8 +76,8 @@ class Machine(Protocol):
         """Where the cycle begins (k,), at rest."""
 
     @property
-    def rail_eax(self) -> int | None:
-        """Which eax_x drives the rail, 0 for eax_a; None without a rail."""
+    def rail_eaxes(self) -> tuple[int, ...]:
+        """Which eax_x drive the rails, 0 for eax_a."""
 
     @property
     def rail_fixed(self) -> bool:

@@ -7,7 +7,7 @@ all of them at once. Axis order: as the URDF has them from its root to tool0, a 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -29,27 +29,34 @@ _WORLD_AXES = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
 
 class Mechanism:
-    """The chain from a URDF's root to tool0, its root mounted at X_WR (4, 4) in the world; other joints hold.
+    """The chain from a URDF's root to tool0, its root mounted at X_WR (4, 4) in the world; other joints hold. carriers:
+    linear axes of the cell that carry the whole, by name their directions (3,) in the world; then a rail of the URDF
+    holds, too.
 
     linkage: the arm's joint 3 in the URDF is axis 3 - linkage * axis 2; all q, qd and qdd are of the axes, and so are
     the columns of Jacobians. names: of the k axes. link_names: the arm's base, then the link behind each of its six
     joints. Raises InputError for a file that pin does not read.
     """
 
-    def __init__(self, urdf: Path, X_WR: Array, linkage: float = 0.0):
+    def __init__(
+        self, urdf: Path, X_WR: Array, linkage: float = 0.0, carriers: Mapping[str, Sequence[float]] | None = None
+    ):
         try:
             model = pin.buildModelFromUrdf(str(urdf))
         except ValueError as error:
             message = "pin cannot read it as a URDF; parent and child of every joint need their <link>"
             raise InputError(message, file=str(urdf)) from error
         chain = set(model.supports[model.frames[_flange(model)].parentJoint])
-        others = [joint for joint in range(1, model.njoints) if joint not in chain]
+        own = [*sorted(chain - {0})][: -_ARM if carriers else 0]
+        others = [joint for joint in range(1, model.njoints) if joint not in chain or joint in own]
         if others:
             model = pin.buildReducedModel(model, others, pin.neutral(model))
         mount = pin.SE3(np.array(X_WR))
         model.jointPlacements[1] = mount * model.jointPlacements[1]
         for fixed in (frame for frame in model.frames if frame.parentJoint == 0):
             fixed.placement = mount * fixed.placement
+        if carriers:
+            model = _carried(model, carriers)
         self._model, self._data, self._flange = model, model.createData(), _flange(model)
         bodies: list[int] = []
         frame = self._flange
@@ -64,9 +71,14 @@ class Mechanism:
         self.link_names: tuple[str, ...] = tuple(model.frames[i].name for i in self._frames[:FLANGE])
 
     @property
+    def rails(self) -> int:
+        """How many axes stand before the arm's six."""
+        return len(self.names) - _ARM
+
+    @property
     def has_rail(self) -> bool:
-        """Whether an axis stands before the arm's six."""
-        return len(self.names) > _ARM
+        """Whether there are some."""
+        return self.rails > 0
 
     @property
     def ranges(self) -> tuple[Array, Array, Array]:
@@ -162,9 +174,22 @@ class Forces:
 
 def mechanism_of(machine: Machine) -> Mechanism:
     """The mechanism of a machine's URDF on its mount; read once for each."""
-    urdf = machine.robot.urdf
-    urdf = urdf if urdf.is_absolute() else urdf.resolve()
-    return _mechanism(urdf, np.asarray(machine.robot.X_WR).tobytes(), machine.robot.linkage)
+    robot = machine.robot
+    urdf, X_WR, carriers = robot.urdf, np.asarray(robot.X_WR), None
+    if robot.X_UB is not None:
+        ways = (X_WR[:3, :3] @ robot.rail_axes.T).T.tolist()
+        carriers = tuple((name, tuple(way)) for name, way in zip(robot.axis_names, ways, strict=False))
+        X_WR = X_WR @ robot.X_RB @ np.linalg.inv(robot.X_UB)
+    return _mechanism(urdf if urdf.is_absolute() else urdf.resolve(), X_WR.tobytes(), robot.linkage, carriers)
+
+
+def _carried(model: pin.Model, carriers: Mapping[str, Sequence[float]]) -> pin.Model:
+    """A model on linear axes, one on the other."""
+    out, parent = pin.Model(), 0
+    for name, way in carriers.items():
+        parent = out.addJoint(parent, pin.JointModelPrismaticUnaligned(*way), pin.SE3.Identity(), name)
+        out.addJointFrame(parent)
+    return pin.appendModel(out, model, out.nframes - 1, pin.SE3.Identity())
 
 
 def _flange(model: pin.Model) -> int:
@@ -182,5 +207,7 @@ def _chain(model: pin.Model, flange: int) -> KinematicChain:
 
 
 @lru_cache(maxsize=8)
-def _mechanism(urdf: Path, X_WR: bytes, linkage: float) -> Mechanism:
-    return Mechanism(urdf, np.frombuffer(X_WR).reshape(4, 4), linkage)
+def _mechanism(
+    urdf: Path, X_WR: bytes, linkage: float, carriers: tuple[tuple[str, tuple[float, ...]], ...] | None
+) -> Mechanism:
+    return Mechanism(urdf, np.frombuffer(X_WR).reshape(4, 4), linkage, None if carriers is None else dict(carriers))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import isnan, nan
 
 import numpy as np
 
@@ -40,10 +41,11 @@ class ProgramPoint:
     """Where a move ends (move None: where the program starts).
 
     X_WF: flange pose there, None where the joints on the way decide it (MoveExtJ, MoveAbsJ with a free rail). X_FT:
-    tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
-    out. holds: the waits that follow, with their index. fly_by: None for a stop. curve: the path of a move that asks
-    for another one than a line, None where only the joints know its start. written: the rail [m] as the program writes
-    it at a stop, where it is free; None for none. free: how the tool may be turned there; X_WF is as taught.
+    tool in force. arm (6,) and rail (r,): axis values the program fixes, None where they are free, NaN for a rail that
+    is left open. optional: it may be left out. holds: the waits that follow, with their index. fly_by: None for a stop.
+    curve: the path of a move that asks for another one than a line, None where only the joints know its start. written:
+    the rails [m] as the program writes them at a stop, where they are free; None for none. free: how the tool may be
+    turned there; X_WF is as taught.
     """
 
     index: int
@@ -53,12 +55,12 @@ class ProgramPoint:
     X_WF: Array | None
     X_FT: Array
     arm: Array | None
-    rail: float | None
+    rail: tuple[float, ...] | None
     optional: bool
     holds: tuple[tuple[int, Wait], ...] = ()
     fly_by: FlyBy | None = None
     curve: Path | None = None
-    written: float | None = None
+    written: tuple[float, ...] | None = None
     free: FreeTurn | None = None
 
     @property
@@ -115,7 +117,7 @@ def points_of(
     """
     points = [_start_point(program, plant)]
     alone = set[int]()  # points beside external axes that move alone
-    rail: float | None = float(plant.start[0]) if mechanism_of(plant).has_rail else None
+    rail = _started(plant)
     holds = list[list[tuple[int, Wait]]]([[]])
     for i, motion in enumerate(program.motions):
         if isinstance(motion, SignalEvent) or i in dropped:
@@ -144,7 +146,7 @@ def _start_point(program: Program, plant: Machine) -> ProgramPoint:
     moves = [m for m in program.motions if not isinstance(m, Wait | SignalEvent | MoveExtJ)]
     X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
     mechanism = mechanism_of(plant)
-    rail = float(plant.start[0]) if mechanism.has_rail else None
+    rail = _started(plant)
     if program.before is not None:  # the cycle of a loop begins where it ends
         last = next(m for m in reversed(program.motions) if not isinstance(m, Wait | SignalEvent))
         end = end_of_move(plant, -1, last, X_FT, optional=False)
@@ -154,6 +156,11 @@ def _start_point(program: Program, plant: Machine) -> ProgramPoint:
     return ProgramPoint(
         -1, None, None, "start", mechanism.flange_pose(plant.start), X_FT, plant.start[-6:], rail, False
     )
+
+
+def _started(plant: Machine) -> tuple[float, ...] | None:
+    """Where the rails begin; None without one."""
+    return tuple(plant.start[: mechanism_of(plant).rails].tolist()) or None
 
 
 def end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> ProgramPoint:
@@ -169,24 +176,23 @@ def end_of_move(plant: Machine, index: int, motion: Move, X_FT: Array, optional:
     return ProgramPoint(index, motion, motion.source, name, X_WF, X_FT, None, rail, optional, free=motion.free)
 
 
-def _at_joints(plant: Machine, arm: Array, rail: float | None) -> Array | None:
+def _at_joints(plant: Machine, arm: Array, rail: tuple[float, ...] | None) -> Array | None:
     """The flange at an arm's joints; None where it stands on a rail that is anywhere."""
     mechanism = mechanism_of(plant)
-    if rail is None and mechanism.has_rail:
+    if mechanism.has_rail and (rail is None or any(map(isnan, rail))):
         return None
-    return mechanism.flange_pose(np.r_[[rail] if mechanism.has_rail else [], arm])
+    return mechanism.flange_pose(np.r_[rail if rail and mechanism.has_rail else [], arm])
 
 
 def _with_zones(
-    plant: Machine, points: Sequence[ProgramPoint], alone: Collection[int], rail: float | None
+    plant: Machine, points: Sequence[ProgramPoint], alone: Collection[int], rail: tuple[float, ...] | None
 ) -> list[ProgramPoint]:
     """The same points with their curves and, where they are passed, their zones and places."""
     placed: list[ProgramPoint] = []  # as if all fly-bys were passed
     for point in points:
-        rail = next(
-            (d for d in (_programmed_rail(plant, point.move.extax) if point.move else None, rail) if d is not None),
-            None,
-        )
+        if point.move is not None and (given := _programmed_rail(plant, point.move.extax)) is not None:
+            before = rail or given
+            rail = tuple(last if isnan(d) else d for d, last in zip(given, before, strict=True))
         if point.arm is not None and point.X_WF is None and _programmed_fly_by(point):
             point = replace(point, X_WF=_at_joints(plant, point.arm, rail))
         if point.curved and placed[-1].X_WF is not None:
@@ -294,10 +300,12 @@ def stays(stop: ProgramPoint, X_WF_before: Array) -> bool:
     return bool(np.linalg.norm(X[:3, 3] - Y[:3, 3]) < _SAME_POINT and angle < _SAME_POINT)
 
 
-def _programmed_rail(plant: Machine, extax: ExternalAxes) -> float | None:
-    """The rail [m] that external axes ask for, None where they leave it open or there is none."""
-    value = None if plant.rail_eax is None else extax[plant.rail_eax]
-    return None if value is None else value * MM
+def _programmed_rail(plant: Machine, extax: ExternalAxes) -> tuple[float, ...] | None:
+    """The rails [m] that external axes ask for, NaN for one that they leave open; None where they leave open all."""
+    values = [extax[eax] for eax in plant.rail_eaxes]
+    if all(value is None for value in values):
+        return None
+    return tuple(nan if value is None else value * MM for value in values)
 
 
 def obeys_programmed_speed(stop: ProgramPoint, plant: Machine) -> bool:

@@ -16,36 +16,39 @@ Indices = NDArray[np.intp]
 
 
 def rail_beside(rows: Rows, at: Indices, stop: ProgramPoint) -> tuple[Array, Array]:
-    """The rail's positions (m,) [m] nearest to a stop in the half gaps beside rows at (m,), and their grants.
+    """The rails' positions (m, r) [m] nearest to a stop in the half gaps beside rows at (m,), and their grants; NaN for
+    one that the stop leaves open.
 
     A rail may run on while the tool stops between two rows. Between them it is off their chord by A h^2/8 at most.
     Where joints or the rail itself are the target every axis stands, and a row shows where.
     """
-    here, step = rows.q[at, 0], rows.doubt_q[:, 0]
+    r = rows.mechanism.rails
+    d, step, most = rows.q[:, :r], rows.doubt_q[:, :r], rows.accelerations.most[:r]
+    here, free = d[at], most * rows.open_time[at][:, None] ** 2 / 2
     stands = stop.arm is not None or isinstance(stop.move, MoveExtJ)
     if rows.marked or stands or stop.rail is None:
-        return here, JOINT_TARGET + step[at] / 2 + rows.accelerations.most[0] * rows.open_time[at] ** 2 / 2
+        return here, JOINT_TARGET + step[at] / 2 + free
     before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(rows.t) - 1)
-    edges = np.stack([here, (here + rows.q[before, 0]) / 2, (here + rows.q[after, 0]) / 2])
+    edges = np.stack([here, (here + d[before]) / 2, (here + d[after]) / 2])
     doubt = np.maximum(np.maximum(step[before], step[at]), step[after])
-    granted = JOINT_TARGET + doubt / 2 + rows.accelerations.most[0] * rows.open_time[at] ** 2 / 2
-    return np.clip(stop.rail, edges.min(axis=0), edges.max(axis=0)), granted
+    granted = JOINT_TARGET + doubt / 2 + free
+    return np.clip(np.array(stop.rail), edges.min(axis=0), edges.max(axis=0)), granted
 
 
 def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]:
-    """Times (m,), rail positions (m,) and the doubt about them from row first to row last: the rows, and what lies
-    between them where that is known."""
-    part = slice(first, last + 1)
-    t, d = rows.t[part], rows.q[part, 0]
-    doubt = rows.doubt_q[part, 0] / 2
+    """Times (m,), the rails' positions (m, r) and the doubt about them from row first to row last: the rows, and what
+    lies between them where that is known."""
+    part, r = slice(first, last + 1), rows.mechanism.rails
+    t, d = rows.t[part], rows.q[part, :r]
+    doubt = rows.doubt_q[part, :r] / 2
     if not rows.exact or last <= first:
         return t, d, doubt
     inner = len(INNER)
     between = slice(first * inner, last * inner)
     t = np.r_[t, rows.hermite_places[0][between]]
     order = np.argsort(t, kind="stable")
-    d = np.r_[d, rows.hermite_places[1][between, 0]]
-    return t[order], d[order], np.r_[doubt, np.repeat(rows.inner_doubt[first:last, 0], inner)][order]
+    d = np.r_[d, rows.hermite_places[1][between, :r]]
+    return t[order], d[order], np.r_[doubt, np.repeat(rows.inner_doubt[first:last, :r], inner, axis=0)][order]
 
 
 def still_from(rows: Rows, time: float, duration: float, depart: int) -> float:
@@ -65,7 +68,8 @@ def still_from(rows: Rows, time: float, duration: float, depart: int) -> float:
     ends = rows.t[begins] + duration - 2 * rows.open_time[begins]
     a = np.searchsorted(t, rows.t[begins])
     b = np.maximum(np.searchsorted(t, ends + DWELL + rows.doubt_t, side="right") - 1, a)
-    path = _highest(d - doubt, a, b) + _highest(-d - doubt, a, b)
+    low, high = (-d - doubt).T, (d - doubt).T
+    path = np.max([_highest(x, a, b) + _highest(y, a, b) for x, y in zip(high, low, strict=True)], axis=0)
     still = np.flatnonzero(path <= HELD)
     return float(rows.t[begins[still[0] if len(still) else np.argmin(path)]])
 

@@ -88,7 +88,9 @@ def _within(rows: Rows, begin: float, duration: float, depart: int) -> tuple[int
 def _still(rows: Rows, part: tuple[int, int], name: str, why: Hold, source: Source | None) -> Finding:
     """The way of the rail from its least to its greatest position; its time is where it is farthest from the first."""
     t, d, doubt = rail_course(rows, *part)
-    path = max(float((d - doubt).max() - (d + doubt).min()), 0.0)
-    far = int(np.argmax(np.abs(d - d[0])))
-    return finding("way while held", rows.plant.limits.names[0], path, HELD, "m", path <= HELD, time=float(t[far]),
+    paths = (d - doubt).max(axis=0) - (d + doubt).min(axis=0)
+    i = int(np.argmax(paths))
+    path = max(float(paths[i]), 0.0)
+    far = int(np.argmax(np.abs(d[:, i] - d[0, i])))
+    return finding("way while held", rows.plant.limits.names[i], path, HELD, "m", path <= HELD, time=float(t[far]),
                    source=source, note=f" in {name}: {_WHY[why]}")  # fmt: skip

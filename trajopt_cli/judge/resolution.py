@@ -186,4 +186,4 @@ def levers(plant: Machine, mechanism: Mechanism, carried: Iterable[Shape]) -> Se
     for shape in (*chain.from_iterable(plant.robot.bodies.values()), *carried):
         points, radius = outline(shape)
         beyond = max(beyond, float(lengths(points).max()) + radius)
-    return [1.0] * mechanism.has_rail + [float(one) + beyond for one in stretched]
+    return [1.0] * mechanism.rails + [float(one) + beyond for one in stretched]

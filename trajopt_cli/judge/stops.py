@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isnan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -147,8 +148,9 @@ def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i:
         value, limit, unit = (
             _off(visit, frame, row) if not axes else (close.distance[nearest] * JOINT_TARGET, JOINT_TARGET, unit)
         )
-        if stop.rail is not None and (off := abs(float(rows.q[row, 0]) - stop.rail)) / JOINT_TARGET >= value / limit:
-            subject, value, limit, unit = rows.plant.limits.names[0], off, JOINT_TARGET, "m"
+        for name, d, wanted in zip(rows.plant.limits.names, rows.q[row].tolist(), stop.rail or (), strict=False):
+            if (off := abs(d - wanted)) / JOINT_TARGET >= value / limit:
+                subject, value, limit, unit = name, off, JOINT_TARGET, "m"
         note = f": {stop.name} is not reached in program order, the TCP runs {frame.least_speed[row]:.3g} m/s there"
         return finding("stop reached", subject, value, limit, unit, False, time=float(rows.t[row]), source=stop.source,
                        note=note)  # fmt: skip
@@ -179,13 +181,13 @@ def _rail_at_target(rows: Rows, visit: Visit) -> list[Finding]:
     stop = visit.point
     if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:
         return []
-    assert visit.match.look is not None
     at = np.array([visit.arrive])
-    met = visit.match.look(at).rail_met[0]
-    name = rows.plant.limits.names[0]
+    (beside,), (most,) = rail_beside(rows, at, stop)
+    each = zip(rows.plant.limits.names, beside.tolist(), stop.rail, most.tolist(), strict=False)
     return [
-        finding("rail target", name, float(rail_beside(rows, at, stop)[0][0]), stop.rail, "m", bool(met),
+        finding("rail target", name, value, wanted, "m", abs(value - wanted) <= granted,
                 time=float(rows.t[visit.arrive]), source=stop.source, bound="wanted", note=f" at {stop.name}")
+        for name, value, wanted, granted in each if not isnan(wanted)
     ]  # fmt: skip
 
 

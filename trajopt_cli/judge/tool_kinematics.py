@@ -13,6 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.judge.geometry import angle_between, column_lengths, lengths
 from trajopt_cli.judge.samples import INNER, ROUNDING, Along, Boxes, Pieces, Rows, both_sides
 from trajopt_cli.judge.tolerances import STOP_POSITION
+from trajopt_cli.units import slides
 
 
 @dataclass(frozen=True, eq=False)
@@ -260,7 +261,7 @@ def _dot(a: Array, b: Array) -> Array:
 def angular_acceleration(rows: Rows) -> float:
     """More than the tool's angular acceleration where it hardly turns, rad/s2: all rotary axes at their limits."""
     names = rows.plant.limits.names
-    return float(sum(a for name, a in zip(names, rows.accelerations.most, strict=True) if name != "rail"))
+    return float(sum(a for name, a in zip(names, rows.accelerations.most, strict=True) if not slides(name)))
 
 
 def shifted(J: Array, X_WF: Array, X_FT: Array) -> Array:

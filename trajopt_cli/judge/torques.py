@@ -21,6 +21,7 @@ from trajopt_cli.judge.samples import INNER, Rows, mean_of, second_differences, 
 from trajopt_cli.judge.timeline import Timeline
 from trajopt_cli.judge.tolerances import TORQUE
 from trajopt_cli.motion import FlyBy, Load, MoveExtJ, Program, SignalEvent, Wait
+from trajopt_cli.units import slides
 
 _MEANS = 4  # of the lags of rows, the shortest: over longer ones masses change too much to tell anything
 
@@ -47,7 +48,7 @@ def check_torques(program: Program, line: Timeline) -> list[Finding]:
             worst = series.worst
             out.append(
                 finding(
-                    "joint torque", name, worst.value, worst.limit, "N" if name == "rail" else "Nm",
+                    "joint torque", name, worst.value, worst.limit, "N" if slides(name) else "Nm",
                     worst.value <= worst.limit * (1 + TORQUE),
                     time=worst.time, source=line.source_at(worst.time), words="torque",
                 )

@@ -56,7 +56,7 @@ class Closeness:
     the rail where it is not met) in tolerances.
 
     tight: within tolerance without anything granted for missing rows. rests: the TCP stands. rail_met: the rail is
-    where the program wants it. stands: every axis rests (RAPID; else always true). rail (m,) [m]: where it is; None
+    where the program wants it. stands: every axis rests (RAPID; else always true). rail (m, r) [m]: where it is; None
     without one.
     """
 
@@ -117,16 +117,18 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
-    rail_met, rail = np.ones(len(at), dtype=bool), q[:, 0] if rows.mechanism.has_rail else None
+    rail_met, rail = np.ones(len(at), dtype=bool), q[:, : rows.mechanism.rails] if rows.mechanism.has_rail else None
+    off_rail = np.zeros(len(at))
     if stop.rail is not None:
         beside, most = rail_beside(rows, at, stop)
-        rail_met = np.abs(beside - stop.rail) <= most
+        rail_met = np.all(~(np.abs(beside - stop.rail) > most), axis=1)  # of one left open nothing is wanted
+        off_rail = np.nan_to_num(np.abs(q[:, : len(stop.rail)] - stop.rail)).max(axis=1)
     near: Mask
     tight: Mask
     if isinstance(stop.move, MoveExtJ):
-        off = np.abs(q[:, 0] - (stop.rail or 0.0))
-        near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[at, 0] / 2
-        return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands, rail)
+        doubt = rows.doubt_q[at, : rows.mechanism.rails].max(axis=1)
+        near, tight = rail_met & rests, off_rail <= JOINT_TARGET + doubt / 2
+        return Closeness(at, off_rail / JOINT_TARGET, near, tight, rests, rail_met, stands, rail)
     if stop.arm is not None:
         granted = JOINT_TARGET + rows.doubt_q[at] / 2 + rows.accelerations.most * tau[:, None] ** 2 / 2
         off = np.abs(q[:, -6:] - stop.arm)
@@ -134,8 +136,7 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
         if stop.X_WF is None:  # the arm may keep its posture all through moves of the rail
             near &= rests
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
-        rail_off = np.zeros(len(at)) if stop.rail is None else np.where(rail_met, 0.0, np.abs(q[:, 0] - stop.rail))
-        distance = np.maximum(off.max(axis=1), rail_off) / JOINT_TARGET
+        distance = np.maximum(off.max(axis=1), np.where(rail_met, 0.0, off_rail)) / JOINT_TARGET
         return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
@@ -394,7 +395,7 @@ def _spread(
 def _at_once(points: Sequence[ProgramPoint], events: Sequence[tuple[Event, ...]]) -> list[Event | None] | None:
     """For every point the first event of its greatest worth that is not over; None where one has none left. What can be
     had so no other choice is worth more than, nor earlier: a file as it should be is aligned in one go."""
-    known: dict[tuple[int, float | None], tuple[list[int], list[float], float]] = {}
+    known: dict[tuple[int, tuple[float, ...] | None], tuple[list[int], list[float], float]] = {}
     chosen: list[Event | None] = []
     now = moment = 0
     for point, own in zip(points, events, strict=True):
@@ -424,8 +425,9 @@ def _as_written_from(point: ProgramPoint, event: Event, moment: int) -> int | No
     if point.written is None or event.rail is None:
         return moment
     off = event.rail - point.written
-    met = np.abs(off) <= JOINT_TARGET
-    met[1:] |= off[1:] * off[:-1] < 0
+    each = np.abs(off) <= JOINT_TARGET
+    each[1:] |= off[1:] * off[:-1] < 0
+    met = each.all(axis=1)
     rows = event.good[met]
     later = rows[rows >= moment]
     return moment if not len(rows) else int(later[0]) if len(later) else None
@@ -480,6 +482,6 @@ def _worth(point: ProgramPoint, event: Event) -> float:
     # rows of unequal distances: one a hair before the stop may be granted more than it is off, and the next one not
     worth = 0.6 if not len(event.good) else _GRANTED if event.granted else 1.0
     if point.written is not None and event.rail is not None:
-        low, high = event.rail.min(), event.rail.max()
-        worth += _AS_WRITTEN * bool(low - JOINT_TARGET <= point.written <= high + JOINT_TARGET)
+        low, high = event.rail.min(axis=0) - JOINT_TARGET, event.rail.max(axis=0) + JOINT_TARGET
+        worth += _AS_WRITTEN * bool(np.all((low <= point.written) & (point.written <= high)))
     return (0.25 if point.optional else 1.0) * worth

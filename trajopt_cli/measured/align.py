@@ -22,7 +22,7 @@ from trajopt_cli.measured.log_csv import lost_rows
 from trajopt_cli.motion import Motion, Move, Program, Wait, motion_name
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 _NEAR = {"m": 10 * MM, "rad": 2 * DEG}  # farther from the program's stop is not there
 _SAME = 0.05  # of that: nearer is as good as there
@@ -167,7 +167,7 @@ def align(program: Program, plan: Plan, velocity: Array, log: Trajectory, file: 
     from scipy.interpolate import PchipInterpolator
 
     runs = _runs(program, plan, velocity)
-    near = np.array([_NEAR["m" if name == "rail" else "rad"] for name in log.names])
+    near = np.array([_NEAR["m" if slides(name) else "rad"] for name in log.names])
     step = max(_GRID, log.duration * len(runs) / _WORK)
     if step > _COARSEST:
         raise InputError(
@@ -342,7 +342,7 @@ def timed(motions: Sequence[Motion], index: int) -> bool:
 
 
 def _shown(name: str, value: float) -> str:
-    return f"{abs(value) / MM:.2f} mm" if name == "rail" else f"{abs(value) / DEG:.2f}°"
+    return f"{abs(value) / MM:.2f} mm" if slides(name) else f"{abs(value) / DEG:.2f}°"
 
 
 def _runs(program: Program, plan: Plan, velocity: Array) -> list[_Run]:

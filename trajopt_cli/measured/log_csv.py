@@ -17,7 +17,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.sheet import TIME, TIMES, Head, Sheet, missing_rows
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 _UNITS = {
     "time": {unit: 1 / many for unit, many in TIMES.items()},
@@ -136,7 +136,7 @@ def _chosen(sheet: Sheet, names: Sequence[str], given: Mapping[str, Head], robot
 
 
 def _kind(name: str) -> str:
-    return "time" if name == TIME else "sliding" if name == "rail" else "turning"
+    return "time" if name == TIME else "sliding" if slides(name) else "turning"
 
 
 def _factors(chosen: Mapping[str, Head], units: str | None, sheet: Sheet) -> dict[str, float]:
@@ -172,13 +172,13 @@ def _check(table: Array, chosen: Mapping[str, Head], limits: JointLimits, sheet:
         room = _BEYOND * (high - low)
         if values.min() < low - room or values.max() > high + room:
             worst = float(values.max() if values.max() > high + room else values.min())
-            unit = "m" if name == "rail" else "rad"
+            unit = "m" if slides(name) else "rad"
             raise sheet.wrong(
                 f"column '{chosen[name].text}': {name} reaches {worst:.4g} {unit}, "
                 f"its range is {low:.4g} to {high:.4g}: is the unit right?"
             )
         steps = np.abs(np.diff(values))
-        wrapped = (steps > _TURN) & (steps > 2 * limits.velocity[k] * np.diff(table[:, 0])) & (name != "rail")
+        wrapped = (steps > _TURN) & (steps > 2 * limits.velocity[k] * np.diff(table[:, 0])) & (not slides(name))
         if wrapped.any():
             i = int(np.argmax(wrapped))
             what = f"{name} jumps by {(values[i + 1] - values[i]) / DEG:.1f} deg after t = {table[i, 0]:.6g} s"

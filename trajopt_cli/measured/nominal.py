@@ -9,6 +9,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.limits import JointLimits
+from trajopt_cli.units import slides
 
 _ANYWHERE = 200.0  # m: what a rail's stroke is only the cell file knows
 
@@ -35,6 +36,6 @@ def limits_in_force(robot: str | None, cell: Path | None) -> tuple[JointLimits, 
     data, _, _ = read(robot)
     model = load_srs(robot) if data.structure is Structure.SRS else load_robot(robot)
     limits, name = model.profile(), getattr(model, "default_profile", "default")
-    rail = np.array([one == "rail" for one in limits.names])
+    rail = np.array([slides(one) for one in limits.names])
     lower, upper = np.where(rail, -_ANYWHERE, limits.lower), np.where(rail, _ANYWHERE, limits.upper)
     return replace(limits, lower=lower, upper=upper), f"{data.name}, profile {name}"

@@ -23,7 +23,7 @@ from trajopt_cli.measured.identify import Kind
 from trajopt_cli.measured.log_csv import long_gaps
 from trajopt_cli.measured.motions import at_rest, noise_of
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 _SHORTEST = 0.04  # s: of windows
 _ROWS = 8  # of the shortest window, at least
@@ -60,8 +60,8 @@ class Reached:
     @property
     def said(self) -> str:
         """That it is, and where it was seen."""
-        unit = ("m" if self.axis == "rail" else "rad") + {"speed": "/s", "acceleration": "/s²"}[self.kind]
-        arm = ", ".join(f"{value / DEG:.0f}" for name, value in self.posture.items() if name != "rail")
+        unit = ("m" if slides(self.axis) else "rad") + {"speed": "/s", "acceleration": "/s²"}[self.kind]
+        arm = ", ".join(f"{value / DEG:.0f}" for name, value in self.posture.items() if not slides(name))
         where = f"at {self.at:.3f} s of {self.file}, arm at [{arm}] deg"
         factor = np.ceil(100 * self.value / self.limit) / 100
         allows = f" (acceleration_factor: {factor:g})" if self.kind is Kind.ACCELERATION else ""
@@ -135,7 +135,7 @@ def contradictions(
     """Where logs and the limits in force cannot both be right, a line each."""
     yield from (one.said for one in reached if one.too_low)
     for k, name in enumerate(limits.names):
-        unit, size = ("mm", MM) if name == "rail" else ("deg", DEG)
+        unit, size = ("mm", MM) if slides(name) else ("deg", DEG)
         for log, file in zip(logs, files, strict=True):
             low, high = limits.lower[k], limits.upper[k]
             i = int(np.argmax(np.maximum(low - log.q[:, k], log.q[:, k] - high)))

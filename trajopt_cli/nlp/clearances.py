@@ -114,7 +114,7 @@ class Clearances:
     def _given(self, k: int) -> bool:
         """Whether nothing is left to choose at waypoint k but velocities."""
         point = self._problem.waypoints[k]
-        return point.q is not None or point.rail[0] == point.rail[1]
+        return not point.free
 
     def touches(self, k: int, motion: LegMotion) -> bool:
         """Whether leg k comes nearer to anything than wanted, if it moves so."""

@@ -102,7 +102,7 @@ def _polished(
         passage = stop.passage
         if stop.q is not None or (passage is not None and passage.way is None):
             continue
-        joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, iterate.cfx[k]]
+        joints = axes.inverse(stop.X_WF[None], q[k : k + 1, rail])[0, iterate.cfx[k]]
         q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
         qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
         if passage is not None and passage.way is not None:

@@ -164,7 +164,7 @@ class Transcription:
             self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
             return
         share = self._share_left(k)
-        low, high = self._waypoint_range(share, stop.rail)
+        low, high = self._waypoint_range(share, stop.ranges(self.problem.layout))
         if passage is not None and passage.way is None:
             self.waypoint_q.append(nlp.variables(q, low, high))
             self.waypoint_qd.append(nlp.variables(qd, -axes.velocity, axes.velocity))
@@ -228,15 +228,14 @@ class Transcription:
             share[self.axes.layout.arm] = 1.0
         return share
 
-    def _waypoint_range(self, share: Array, allowed: tuple[float, float]) -> tuple[Array, Array]:
-        """The axes' ranges (n,) where a share of their halves is left, and the program allows the rail so much."""
+    def _waypoint_range(self, share: Array, allowed: tuple[Array, Array]) -> tuple[Array, Array]:
+        """The axes' ranges (n,) where a share of their halves is left, and the program allows the rails so much."""
         axes, rail = self.axes, self.axes.layout.rail
         middle, room = (axes.lower + axes.upper) / 2, share * (axes.upper - axes.lower) / 2
         low, high = np.where(share < 1, middle - room, axes.lower), np.where(share < 1, middle + room, axes.upper)
-        if allowed[0] == allowed[1]:
-            low[rail], high[rail] = allowed
-        else:
-            low[rail], high[rail] = np.maximum(allowed[0], low[rail]), np.minimum(allowed[1], high[rail])
+        held = allowed[0] == allowed[1]
+        low[rail] = np.where(held, allowed[0], np.maximum(allowed[0], low[rail]))
+        high[rail] = np.where(held, allowed[1], np.minimum(allowed[1], high[rail]))
         return low, high
 
     # ---- ties
@@ -254,7 +253,7 @@ class Transcription:
         held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
         for i, k in pairs:
             a, b = self.problem.waypoints[i], self.problem.waypoints[k]
-            if held[i] != held[k] and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
+            if held[i] != held[k] and (a.free or b.free):
                 for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
                     self._hold(self.formulation.equal(), {"x": x, "y": y})
                 held = [held[i] if one == held[k] else one for one in held]

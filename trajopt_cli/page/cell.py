@@ -107,7 +107,7 @@ def chart_sections(plant: Plant, data: Mapping[str, Any], shown: Sequence[Shown]
         '<figure class="chart" id="tcp-chart"></figure><ul class="legend"><li class="swatch speed">programmed, at most '
         f"the cap</li>{dip}{rest}</ul>{''.join(map(kept_speed, shown))}",
     )
-    if not plant.robot.has_rail:
+    if plant.layout.r != 1:
         return [axes, speed]
     more = data["reach"]["left_out"]
     left_out = f" Of the first {MOST_REACHES} poses; {more} more moves have none." if more else ""

@@ -23,7 +23,7 @@ from trajopt_cli.runs.summary import motion_label
 from trajopt_cli.table import place, short_target
 from trajopt_cli.trajectories.plan_series import PlanSeries, follow, programmed_speed, target_flange
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 MOST_REACHES = 150
 """Poses whose reach is worked out; a millisecond or two each."""
@@ -85,7 +85,7 @@ def axes_data(plant: Plant) -> list[dict[str, Any]]:
     """Every axis with its limits, and the unit it is shown in: 1 unit is `scale` SI."""
     limits, rows = plant.limits, []
     for k, name in enumerate(limits.names):
-        scale, unit = (MM, "mm") if name == "rail" else (DEG, "deg")
+        scale, unit = (MM, "mm") if slides(name) else (DEG, "deg")
         rows.append(
             {
                 "name": name.replace("_", " "),
@@ -102,9 +102,9 @@ def axes_data(plant: Plant) -> list[dict[str, Any]]:
 
 
 def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | None:
-    """From where on the rail each pose is in reach, by motion, and what the program asks of the rail; None without a
+    """From where on the rail each pose is in reach, by motion, and what the program asks of the rail; None but of one
     rail. Of a long program the first MOST_REACHES poses."""
-    if not plant.robot.has_rail:
+    if plant.layout.r != 1:
         return None
     course = follow(program, plant, plan, "", plan.trajectory.t[[0, -1]])
     indices = {id(program.motions[m.index]): m.index for m in plan.motions}
@@ -119,7 +119,7 @@ def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | N
         assert not isinstance(leg.motion, Wait)
         value = plant.rail_value(leg.motion.extax)
         if value is not None:
-            asked[index] = value
+            asked[index] = float(value[0])
         X_WF = target_flange(leg)
         if X_WF is None:
             continue

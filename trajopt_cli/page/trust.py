@@ -9,7 +9,7 @@ from trajopt_cli.page.encode import text
 from trajopt_cli.page.tables import drawn, points, table
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.table import figure, findings_table
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 
 GRADES = "Grades: A several sources agree, B one good source, C a weak one or inferred, D an estimate."
 
@@ -28,7 +28,7 @@ def limits(plant: Plant) -> str:
     given, rows = plant.limits, []
     accelerations = given.acceleration, given.most_acceleration
     for k, name in enumerate(given.names):
-        scale, unit = (MM, "mm") if name == "rail" else (DEG, "deg")
+        scale, unit = (MM, "mm") if slides(name) else (DEG, "deg")
         rows.append(
             (
                 name.replace("_", " "),

@@ -15,7 +15,6 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.tool_turns import turned_motion
 from trajopt_cli.robot.inverse import confdata
-from trajopt_cli.units import MM
 
 
 def lead_in(job: Job) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
@@ -54,16 +53,14 @@ def to_targets(job: Job, plan: Plan, motions: tuple[Motion, ...]) -> tuple[Motio
     for motion in motions:
         end = ends.get(_text(motion))
         if end is not None and isinstance(motion, PoseMove):
-            q, extax, settings = end.q_1, list(motion.extax), motion.settings
+            q, settings = end.q_1, motion.settings
             if not is_nearest(job.plant, end):  # as an export says it
                 settings = replace(settings, conf_j=True, conf_l=True)
-            if (eax := job.plant.rail_eax) is not None:
-                extax[eax] = float(job.plant.layout.place(q)) / MM
-            a, b, c, d, e, f = extax
+            extax = job.plant.with_rail(motion.extax, q[job.plant.layout.rail])
             conf = confdata(job.plant.robot, np.asarray(q[job.plant.layout.arm]))
             motion = turned_motion(motion, plan.turns.get(end.index, 0.0))
             assert isinstance(motion, PoseMove)
-            motion = replace(motion, extax=(a, b, c, d, e, f), conf=conf, settings=settings)
+            motion = replace(motion, extax=extax, conf=conf, settings=settings)
         out.append(motion)
     return tuple(out)
 

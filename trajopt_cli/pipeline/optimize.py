@@ -454,7 +454,7 @@ def held_unasked(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
     """A word on the waits that hold the rail though nobody asked for it, and what it is worth; none without a rail."""
     from trajopt_cli.rapid.execution import rail_hold
 
-    if job.plant.rail_eax is not None and (held := rail_hold.held_unasked(job.program)):
+    if job.plant.rail_eaxes and (held := rail_hold.held_unasked(job.program)):
         yield f"{held}{worth()}"
 
 

@@ -15,7 +15,7 @@ from trajopt_cli.collision.collision_scene import CollisionScene, collision_scen
 from trajopt_cli.collision.edge_collision import EdgeCollision
 from trajopt_cli.collision.motion_collision import names_on, touching
 from trajopt_cli.geometry import Array
-from trajopt_cli.graph_search.search import search
+from trajopt_cli.graph_search.by_rails import search
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, about, timed
 from trajopt_cli.problem.detours import Detour, Via
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem
@@ -225,7 +225,7 @@ def _route_with_points(
 def _branch_at(axes: Axes, q: Array) -> IkBranch:
     """The configuration of axes q (n,)."""
     arm = q[axes.layout.arm]
-    branches = axes.inverse(axes.forward(q)[None], np.atleast_1d(axes.layout.place(q)))[0]
+    branches = axes.inverse(axes.forward(q)[None], q[None, axes.layout.rail])[0]
     turns = 2 * np.pi * np.round((arm - branches) / (2 * np.pi))
     off = np.abs(branches + turns - arm).max(axis=1)
     cfx = int(np.nanargmin(off))

@@ -16,8 +16,8 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.motion_collision import clear
-from trajopt_cli.graph_search.ik_tables import broken_between, check_reach
-from trajopt_cli.graph_search.search import search
+from trajopt_cli.graph_search.by_rails import check_reach, search
+from trajopt_cli.graph_search.ik_tables import broken_between
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
@@ -266,8 +266,8 @@ def _search_and_time(
 
 def _varies(problem: Problem) -> tuple[object, ...]:
     """What differs between problems of one program and target with different freedoms."""
-    free = any(point.rail[0] < point.rail[1] for point in problem.waypoints)
-    points = tuple((point.rail, point.conf, point.rest) for point in problem.waypoints)
+    free = not all(point.pinned for point in problem.waypoints)
+    points = tuple((point.rail, point.others, point.conf, point.rest) for point in problem.waypoints)
     return points, tuple(leg.rail_moves for leg in problem.legs), free and problem.freedom.rail is RailFreedom.STATION
 
 
@@ -462,8 +462,8 @@ def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None
         for point in problem.waypoints[k : k + 2]:
             postures = [point.q]
             if point.q is None:
-                rail = np.full(axes.layout.r, sum(point.rail) / 2)
-                found = axes.robot.solutions(point.X_WF, float(rail[0]) if len(rail) else None, problem.plant.limits)
+                rail = np.mean(point.ranges(problem.layout), axis=0)
+                found = axes.robot.solutions(point.X_WF, rail, problem.plant.limits)
                 postures = [axes.layout.merge(rail, arm) for _, arm in found]
             for limit in limits_of(axes):
                 heavy = [limit.why_not(problem.legs[k], q) for q in postures if q is not None]

@@ -18,7 +18,7 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import merge_via_points
 from trajopt_cli.collision.motion_collision import clear
-from trajopt_cli.graph_search.search import search
+from trajopt_cli.graph_search.by_rails import search
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.mesh_refinement import Grids, MeshRefinement, NotConverged, Stage, first_iterate, on_grid
 from trajopt_cli.path_timing.edge_times import least_time
@@ -120,10 +120,8 @@ def refine_laws(
     """The initial plan of axes that share one progress under jerk limits, with faster laws on its lines and arcs.
     Arguments as in refine."""
     problem, draft = legal.problem, legal.draft
-    rails = axes.layout.place(draft.q)
     held = (
-        replace(point, q=q, rail=(float(d), float(d)))
-        for point, q, d in zip(problem.waypoints, draft.q, rails, strict=True)
+        replace(point.standing(problem.layout, q), q=q) for point, q in zip(problem.waypoints, draft.q, strict=True)
     )
     pinned = replace(problem, waypoints=tuple(held), ties=())
     sweeps = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers)
@@ -164,12 +162,11 @@ def _stopping_start(axes: Axes, legal: InitialPlan) -> tuple[Problem, Iterate] |
 
 def with_fixed_runs(problem: Problem, chain: Route) -> Problem:
     """The problem with the ends of every run with corners at rest where the chain has them."""
-    layout = problem.plant.robot.layout
     waypoints = list(problem.waypoints)
     for first, last in problem.runs:
         for k in range(first, last + 1) if last > first + 1 else ():
-            rail = float(layout.place(chain.q[k]))
-            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
+            there = waypoints[k].standing(problem.layout, chain.q[k])
+            waypoints[k] = replace(there, rest=not problem.passes(k))
     return replace(problem, waypoints=tuple(waypoints))
 
 
@@ -419,7 +416,7 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
     if axes.jerk is not None and any(leg.kind is LegKind.LINE for leg in piece.legs):
         return True
     moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
-    free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
+    free = any(point.free for point in piece.waypoints)
     return (
         moves
         or free

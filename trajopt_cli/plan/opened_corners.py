@@ -136,8 +136,7 @@ def opened(axes: Axes, problem: Problem, base: Iterate) -> tuple[OpenedProblem, 
 
 def _fixed(problem: Problem, base: Iterate, k: int, point: Waypoint) -> Waypoint:
     """A waypoint of a run that stays as it is."""
-    rail = float(problem.plant.layout.place(base.q[k]))
-    return replace(point, rail=(rail, rail), rest=not problem.passes(k))
+    return replace(point.standing(problem.layout, base.q[k]), rest=not problem.passes(k))
 
 
 def _can_open(problem: Problem, run: tuple[int, int]) -> bool:
@@ -262,12 +261,10 @@ class _Run:
         size = float(np.linalg.norm(twist[:3] if leg.chord >= NO_WAY else twist[3:]))
         step = _WAY / size
         way = _line_along(X_WT, twist * step)
-        rail = point.rail
-        if rail[0] == rail[1] and self._axes.layout.has_rail:
-            found = self._at(self._time_on(k, s))
-            rail = (float(self._axes.layout.place(found)),) * 2
+        if not point.free and self._axes.layout.has_rail:
+            point = point.standing(self._problem.layout, self._at(self._time_on(k, s)))
         cfx = next(piece.cfx for _, own, piece in self._parts if own == k and isinstance(piece, PathLeg))
-        own = replace(point, X_WF=X_WT @ inverse_pose(leg.X_FT), q=None, fly_by=None, rail=rail,
+        own = replace(point, X_WF=X_WT @ inverse_pose(leg.X_FT), q=None, fly_by=None,
                       passage=Passage(leg.X_FT, way, _WAY))  # fmt: skip
         return _Cut(k, s, own, cfx)
 

@@ -417,7 +417,7 @@ def _refinable(axes: Axes, window: Window) -> bool:
 
 def _rail_refined(axes: Axes, problem: Problem) -> bool:
     """Whether a rail is shifted when runs are timed again: not where corners bind it."""
-    free = any(point.q is None and point.rail[0] < point.rail[1] for point in problem.waypoints)
+    free = any(point.free for point in problem.waypoints)
     return axes.layout.has_rail and free and not any(problem.passes(k) for k in range(len(problem.waypoints)))
 
 
@@ -456,9 +456,9 @@ def _placed(axes: Axes, problem: Problem, before: _Motion, moved: list[int], shi
     the arm does not reach."""
     q, qd, layout = before.chain.q.copy(), before.draft.qd.copy(), axes.layout
     for k in moved:
-        d = np.asarray(layout.place(q[k]) + shift)
-        arm = axes.inverse(problem.waypoints[k].X_WF[None], np.atleast_1d(d))[0, before.draft.cfx[k]]
-        q[k] = layout.join(d, arm + 2 * np.pi * np.round((q[k, layout.arm] - arm) / (2 * np.pi)))
+        d = q[k, layout.rail] + shift
+        arm = axes.inverse(problem.waypoints[k].X_WF[None], d[None])[0, before.draft.cfx[k]]
+        q[k] = layout.merge(d, arm + 2 * np.pi * np.round((q[k, layout.arm] - arm) / (2 * np.pi)))
         if np.isfinite(arm).all():
             qd[k, layout.arm] = axes.self_motion(q[k]) @ qd[k, layout.rail]
     return q, qd
@@ -493,7 +493,7 @@ def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Arr
             qd[k] = 0.0
         cfx = -1
         if point.q is None:
-            branches = axes.inverse(point.X_WF[None], axes.layout.place(q[k : k + 1]))[0]
+            branches = axes.inverse(point.X_WF[None], q[k : k + 1, axes.layout.rail])[0]
             off = branches - q[k, axes.layout.arm]
             off = np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1)
             cfx = int(np.argmin(np.where(np.isfinite(off), off, np.inf)))

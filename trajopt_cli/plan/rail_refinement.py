@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import groupby, pairwise
 
 import numpy as np
 
 from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.graph_search.by_rails import by_rails
 from trajopt_cli.graph_search.search import best_chain
 from trajopt_cli.graph_search.shared_states import shared
 from trajopt_cli.path.hermite import natural_spline
@@ -51,13 +53,21 @@ def refine_rail(
     axes: Axes, problem: Problem, chain: Route, known: Times | None = None, around: CollisionScene | None = None,
     last: float = 0.0, most: float = np.inf,
 ) -> Route:  # fmt: skip
-    """The chain with the rail positions that the least time is found at, beside those it has. known: as in leg_times.
-    around: what is not touched at them, nor by straight joint moves between them. last: the least step [m], where that
-    of the settings is too fine. most: what it takes [s] at most after a few rounds; what takes longer is left."""
+    """The chain with the rail positions that the least time is found at, beside those it has; of several rails one
+    after the other while the others stand. known: as in leg_times. around: what is not touched at them, nor by straight
+    joint moves between them. last: the least step [m], where that of the settings is too fine. most: what it takes [s]
+    at most after a few rounds; what takes longer is left."""
+    known = Times() if known is None else known
+    return by_rails(axes, problem, chain, partial(_refine_rail, known=known, around=around, last=last, most=most))
+
+
+def _refine_rail(
+    axes: Axes, problem: Problem, chain: Route, known: Times, around: CollisionScene | None, last: float, most: float
+) -> Route:
+    """The same of the sought rail."""
     settings = axes.settings
     free = [k for k, point in enumerate(problem.waypoints) if point.q is None and point.rail[0] < point.rail[1]]
     still = replace(chain, w=np.zeros_like(chain.w))
-    known = Times() if known is None else known
     if not free or not axes.layout.has_rail:
         legs = [Pairs(k, chain.q[[k]], chain.q[[k + 1]], _branch(chain, k)) for k in range(len(problem.legs))]
         times = np.concatenate(leg_times(axes, problem, legs, known))
@@ -150,11 +160,13 @@ def _with_carried_points(problem: Problem, chain: Route, places: _Places) -> tup
 
 @dataclass(frozen=True, eq=False)
 class _Places:
-    """What the waypoints (M,) of a chain are reached by: poses X_WF (M, 4, 4), rails (M, 2) from and to where the rail
-    may stand, branches cfx (M,). chords (M - 1,): lengths of the legs between them."""
+    """What the waypoints (M,) of a chain are reached by: poses X_WF (M, 4, 4) as the sought rail sees them, rails (M,
+    2) from and to where that may stand, held (M, r - 1) where the others do, branches cfx (M,). chords (M - 1,):
+    lengths of the legs between them."""
 
     axes: Axes
     X_WF: Array
+    held: Array
     rails: Array
     cfx: IndexArray
     chords: Array
@@ -165,7 +177,8 @@ class _Places:
         points, legs = problem.waypoints, range(len(problem.legs))
         cfx = np.array([_branch(chain, k) for k in legs] + [chain.labels[-1].cfx])
         chords = np.array([leg.chord for leg in problem.legs])
-        return cls(axes, np.array([one.X_WF for one in points]), np.array([one.rail for one in points]), cfx, chords)
+        X_WF, held = np.array([problem.seen(k) for k in range(len(points))]), np.array([one.held for one in points])
+        return cls(axes, X_WF, held, np.array([one.rail for one in points]), cfx, chords)
 
     def near(self, k: IndexArray, d: Array, q: Array) -> Array:
         """Axes (p, n) at waypoints k (p,) with the rail at d (p,), in the turns of axes q (p, n); NaN where they are
@@ -177,6 +190,7 @@ class _Places:
             arm = self.axes.branch(self.X_WF[at], place, self.cfx[at])
             arm += 2 * np.pi * np.round((q[some, layout.arm] - arm) / (2 * np.pi))
             found = layout.join(place, arm)
+            found[:, layout.others] = self.held[at]
             inside = self.axes.within(found) & (place >= self.rails[at, 0]) & (place <= self.rails[at, 1])
             out[some] = np.where(inside[:, None], found, np.nan)
         return out
@@ -216,6 +230,11 @@ def refine_corner_rail(axes: Axes, problem: Problem, chain: Route) -> Route:
     Points that are carried along are not shifted, nor any of a run that has more of these."""
     if not axes.layout.has_rail or problem.freedom.rail is RailFreedom.STATION:
         return chain
+    return by_rails(axes, problem, chain, _refine_corner_rail)
+
+
+def _refine_corner_rail(axes: Axes, problem: Problem, chain: Route) -> Route:
+    """The same of the sought rail."""
     left, groups = axes.settings.polished_legs, _shifted_together(problem)
     costs = [2 * _TOGETHER * sum(last - first for first, last in _runs_at(problem, [group])) for group in groups]
     while costs and costs[0] <= left:
@@ -320,11 +339,12 @@ def _candidates(
     d = axes.layout.place(chain.q[k])[:, None] + step[k][:, None] * np.array(_REFINE_OFFSETS)
     d = np.sort(np.clip(d, low[:, None], high[:, None]), axis=1)
     tries = d.shape[1]
-    X_WF = np.repeat([points[i].X_WF for i in free], tries, axis=0)
+    X_WF = np.repeat([problem.seen(i) for i in k], tries, axis=0)
     cfx = np.repeat([chain.labels[i].cfx for i in k], tries)
     arm = axes.branch(X_WF, d.ravel(), cfx)
     turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
     q = axes.layout.join(d.ravel(), turned)
+    q[:, axes.layout.others] = np.repeat([points[i].held for i in free], tries, axis=0)
     ok = axes.within(q).reshape(d.shape)
     ok[:, 1:] &= np.diff(d, axis=1) > 0
     if around is not None:

@@ -17,8 +17,7 @@ from trajopt_cli.collision.merge_via_points import detours_left
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.graph_search.ik_tables import check_reach
-from trajopt_cli.graph_search.search import search
+from trajopt_cli.graph_search.by_rails import check_reach, search
 from trajopt_cli.motion import Hold, Program, Wait, motion_name
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.path_timing.positioner_timing import turning

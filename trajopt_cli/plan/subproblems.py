@@ -116,8 +116,7 @@ def _share(asked: Objective, part: Iterate, whole: Iterate) -> Objective:
 
 def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
     """Waypoint k where the motion passes it; its velocity is the draft's."""
-    rail = float(problem.plant.layout.place(draft.q[k]))
-    return replace(problem.waypoints[k], q=draft.q[k], rail=(rail, rail))
+    return replace(problem.waypoints[k].standing(problem.layout, draft.q[k]), q=draft.q[k])
 
 
 def pieces(problem: Problem) -> list[Span]:
@@ -130,7 +129,7 @@ def _pinned(problem: Problem, k: int) -> bool:
     stop = problem.waypoints[k]
     if problem.passes(k):
         return False
-    return stop.q is not None or (stop.rail[0] == stop.rail[1] and problem.rests(k))
+    return stop.q is not None or (not stop.free and problem.rests(k))
 
 
 def red_black(problem: Problem) -> tuple[list[Span], list[Span]]:

@@ -119,14 +119,14 @@ def _states(axes: Axes, groups: TurnGroups, k: int, chain: Route, turns: Sequenc
     checkpoint()
     angles = turns[number] if number >= 0 else np.zeros(1)
     X_WF = np.array([groups.waypoint(k, float(angle)).X_WF for angle in angles])
-    rail = float(axes.layout.place(chain.q[k]))
-    arm = axes.inverse(X_WF, np.full(len(angles), rail))  # (t, b, 6)
+    rail = chain.q[k, axes.layout.rail]
+    arm = axes.inverse(X_WF, np.tile(rail, (len(angles), 1)))  # (t, b, 6)
     span = (axes.upper - axes.lower)[axes.layout.arm]
     more = np.array([*product(*((-1, 0, 1) if wide > 2 * np.pi else (0,) for wide in span))]) * 2 * np.pi
     every = arm[:, :, None] + more
     angle = np.broadcast_to(angles[:, None, None], every.shape[:3]).ravel()
     cfx = np.broadcast_to(np.arange(arm.shape[1])[None, :, None], every.shape[:3]).ravel()
-    q = axes.layout.join(np.full(every[..., 0].size, rail), every.reshape(-1, every.shape[-1]))
+    q = axes.layout.merge(np.broadcast_to(rail, (every[..., 0].size, len(rail))), every.reshape(-1, every.shape[-1]))
     kept = axes.within(q)
     own = np.abs(q - chain.q[k]).max(axis=1) < 1e-6
     return _States(q, angle, cfx).only(kept | own)
@@ -321,10 +321,10 @@ class _Shifts:
         """Axes (m, n) at waypoints that stand for those numbered every (m,), on their branches; NaN for none."""
         checkpoint()
         axes, near = self._axes, self._chain.q[every]
-        rail = axes.layout.place(near)
+        rail = near[:, axes.layout.rail]
         arm = axes.branch(np.array([point.X_WF for point in points]), rail, np.maximum(self._cfx[every], 0))
         arm += 2 * np.pi * np.round((near[:, axes.layout.arm] - arm) / (2 * np.pi))
-        q = axes.layout.join(rail, arm)
+        q = axes.layout.merge(rail, arm)
         q = np.where(axes.within(q)[:, None], q, np.nan)
         fixed = [i for i, point in enumerate(points) if point.q is not None]
         q[fixed] = near[fixed]
@@ -357,7 +357,7 @@ def stays_at_wrist(axes: Axes, groups: TurnGroups) -> bool:
             if name in known:
                 continue
             X_WF = np.array([groups.waypoint(k, angle).X_WF for angle in (0.0, 0.5)])
-            rail = np.full(2, sum(groups.problem.waypoints[k].rail) / 2)
-            arm = np.nan_to_num(axes.inverse(X_WF, rail)[..., :3])
+            rail = np.mean(groups.problem.waypoints[k].ranges(axes.layout), axis=0)
+            arm = np.nan_to_num(axes.inverse(X_WF, np.tile(rail, (2, 1)))[..., :3])
             known[name] = bool(np.abs(arm[0] - arm[1]).max() < 1e-6)
     return all(known.values())

@@ -298,12 +298,10 @@ def _ends(plant: Plant, motion: Motion, X_WF: Array | None) -> Array | None:
     if not isinstance(motion, Move):
         return X_WF
     if isinstance(motion, MoveExtJ):
-        return None if plant.rail_value(motion.extax) is not None else X_WF
+        return None if plant.asks_rail(motion.extax) else X_WF
     if isinstance(motion, MoveAbsJ):
-        rail = plant.rail_value(motion.extax)
-        if plant.rail_eax is not None and rail is None:
-            return None
-        return plant.robot.forward(np.r_[[] if rail is None else [rail], motion.q])
+        rail = plant.rail_after(motion.extax, np.full(len(plant.rail_eaxes), np.nan))
+        return None if np.isnan(rail).any() else plant.robot.forward(np.r_[rail, motion.q])
     return np.asarray(motion.X_WT @ inverse_pose(motion.tool.X_FT))
 
 

@@ -68,13 +68,13 @@ class Misfit(StrEnum):
     REACH = "out of reach on the way"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ConfigurationFinding:
     """Something wrong with one motion's configuration.
 
     index: its place in Program.motions. motion: instruction and target. programmed: its confdata. reachable: what
-    could stand there instead, best first; () where nothing helps. rail [m]: where the rail stands at the point, None
-    without one. message: all of it in words, without the place.
+    could stand there instead, best first; () where nothing helps. rail (r,) [m]: where the rails stand at the point,
+    None without one. message: all of it in words, without the place.
     """
 
     index: int
@@ -83,26 +83,26 @@ class ConfigurationFinding:
     misfit: Misfit
     programmed: ConfData
     reachable: tuple[ConfData, ...]
-    rail: float | None
+    rail: Array | None
     message: str
 
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """A programmed pose. rails [m]: where the rail stands before the move and at the pose. demanded: its confdata
+    """A programmed pose. rails (r,) [m]: where these stand before the move and at the pose. demanded: its confdata
     counts; off: it is switched off. reachable: there is any solution. q (6,): that in the programmed configuration."""
 
     index: int
     motion: PoseMove
     X_WF: Array
-    rails: tuple[float, float]
+    rails: tuple[Array, Array]
     demanded: bool
     off: bool
     reachable: bool = False
     q: Array | None = None
 
     @property
-    def rail(self) -> float:
+    def rail(self) -> Array:
         return self.rails[1]
 
 
@@ -144,12 +144,13 @@ def at_cycle(program: Program, plant: Plant) -> Plant:
     if program.before is None:
         return plant
     moves = [one for one in (*program.from_start.motions, *program.motions) if isinstance(one, Move)]
-    given = (plant.rail_value(move.extax) for move in reversed(moves))
-    rail = next((one for one in given if one is not None), float(plant.layout.place(plant.start)))
+    rail = plant.start[plant.layout.rail]
+    for move in moves:
+        rail = plant.rail_after(move.extax, rail)
     known = (i for i in reversed(range(len(moves))) if _alone(moves[i], plant))
     walked = replace(program, motions=tuple(moves[next(known, 0) :]), before=None)
     arm = arms_as_written(walked, plant)[len(walked.motions) - 1]
-    start = plant.layout.join(rail, np.asarray(plant.start[plant.layout.arm] if arm is None else arm))
+    start = plant.layout.merge(rail, np.asarray(plant.start[plant.layout.arm] if arm is None else arm))
     limits = plant.limits
     if np.abs(start - start.clip(limits.lower, limits.upper)).max() > _ON_LIMIT or not limits.couplings.within(start):
         start = plant.start
@@ -159,18 +160,18 @@ def at_cycle(program: Program, plant: Plant) -> Plant:
 def _alone(move: Move, plant: Plant) -> bool:
     """Whether a move itself says where the rail and the arm's joints are at its end."""
     fixed = isinstance(move, MoveAbsJ) or (isinstance(move, PoseMove) and demands_configuration(move, plant.robot))
-    return fixed and (plant.rail_eax is None or plant.rail_value(move.extax) is not None)
+    return fixed and all(move.extax[eax] is not None for eax in plant.rail_eaxes)
 
 
 def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> Iterator[str]:
     r"""A line where joint moves under ConfJ \Off, as written or as planned, end in the nearest configuration by one
     measure and not by another."""
     off = {i: motion for i, motion in enumerate(program.motions) if isinstance(motion, MoveJ) and _is_off(motion)}
-    ends: list[tuple[int, Array, float, Array | None]] = []
-    arm, place = plant.layout.arm, plant.layout.place
+    ends: list[tuple[int, Array, Array, Array | None]] = []
+    arm, rails = plant.layout.arm, plant.layout.rail
     if plan is not None:
         planned = [one for one in plan.motions if one.index in off and not one.dropped and is_nearest(plant, one)]
-        ends = [(p.index, plant.robot.forward(p.q_1), float(place(p.q_1)), p.q_0[arm]) for p in planned]
+        ends = [(p.index, plant.robot.forward(p.q_1), p.q_1[rails], p.q_0[arm]) for p in planned]
     elif off:
         points, arms = _points(program, plant), {-1: plant.start[arm], **arms_as_written(program, plant)}
         known = [p for p in points if p.index in off and arms[p.index] is not None]
@@ -185,13 +186,12 @@ def unsure_nearest(program: Program, plant: Plant, plan: Plan | None = None) -> 
 
 
 def _points(program: Program, plant: Plant) -> list[_Point]:
-    rail = float(plant.layout.place(plant.start))
+    rail = plant.start[plant.layout.rail]
     points = []
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait | SignalEvent):
             continue
-        before, given = rail, plant.rail_value(motion.extax)
-        rail = rail if given is None else given
+        before, rail = rail, plant.rail_after(motion.extax, rail)
         if isinstance(motion, PoseMove):
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
             demanded, off = demands_configuration(motion, plant.robot), _is_off(motion)
@@ -250,13 +250,13 @@ def _turned_to(middle: Array, q: Array) -> Array:
 
 
 def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
-    """All branches (n, 8, 6) of poses, NaN rows also where the rail is outside its stroke, or no turn of the joints
-    keeps the ranges of their sums."""
+    """All branches (n, 8, 6) of poses, NaN rows also where a rail (n, r) is outside its stroke, or no turn of the
+    joints keeps the ranges of their sums."""
     if not plant.robot.has_rail:
         return inverse(plant.robot, X_WF)
     q = np.array(inverse(plant.robot, X_WF, rail))
-    low, high = plant.layout.place(plant.limits.lower), plant.layout.place(plant.limits.upper)
-    q[(rail < low - ON_LIMIT) | (rail > high + ON_LIMIT)] = np.nan
+    low, high = plant.limits.lower[plant.layout.rail], plant.limits.upper[plant.layout.rail]
+    q[((rail < low - ON_LIMIT) | (rail > high + ON_LIMIT)).any(axis=1)] = np.nan
     couplings = plant.limits.couplings.arm(plant.layout.arm)
     if couplings:
         lower, upper = (ends[plant.layout.arm] for ends in (plant.limits.lower, plant.limits.upper))
@@ -266,7 +266,7 @@ def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
     return q
 
 
-def reachable_confdata(plant: Plant, X_WF: Array, rail: float, asked: ConfData) -> tuple[ConfData, ...]:
+def reachable_confdata(plant: Plant, X_WF: Array, rail: Array | float | None, asked: ConfData) -> tuple[ConfData, ...]:
     """Every confdata to be had at a pose, the nearest to what is asked first."""
     found = np.unique(confdata_numbers(plant.robot, postures(plant, X_WF, rail)), axis=0)
     apart = np.abs(found - asked.numbers)
@@ -314,7 +314,7 @@ def _walk(
     ends: dict[int, Array | None] = {}
     lines: dict[int, ArmPath] = {}
     now: Array | None = plant.start[plant.layout.arm]
-    rail = float(plant.layout.place(plant.start))
+    rail = plant.start[plant.layout.rail]
     X_WF: Array | None = None  # the flange as programmed; None where only the joints tell
     for index, motion in enumerate(program.motions):
         if isinstance(motion, MoveAbsJ):
@@ -325,7 +325,7 @@ def _walk(
             point, along = at[index], None
             if isinstance(motion, PathMove) and _can_follow(point) and now is not None:
                 if X_WF is None:
-                    X_WF = plant.robot.forward(plant.layout.join(rail, now))
+                    X_WF = plant.robot.forward(plant.layout.merge(rail, now))
                 with suppress(InputError):  # no circle: a refusal of its own
                     path = segment_of(motion, X_WF @ motion.tool.X_FT)
                     lines[index] = ArmPath(path, motion.tool.X_FT, point.rails, now)
@@ -333,8 +333,7 @@ def _walk(
                     along = found if np.abs(start - now).max() <= _SAME else None
             now, X_WF = _after(point, plant, now, along), point.X_WF
         if isinstance(motion, Move):
-            given = plant.rail_value(motion.extax)
-            rail = rail if given is None else given
+            rail = plant.rail_after(motion.extax, rail)
         ends[index] = now
     return ends, lines
 
@@ -375,12 +374,11 @@ def shown(conf: ConfData) -> str:
 
 
 def _where(point: _Point, plant: Plant) -> str:
-    return f" with the rail at {point.rail * 1e3:.6g} mm" if plant.robot.has_rail else ""
+    return plant.at_rail(point.rail)
 
 
 def _unreachable(point: _Point, plant: Plant) -> ConfigurationFinding:
-    rail = point.rail if plant.robot.has_rail else None
-    why = why_unreachable(plant.robot, point.X_WF, rail, plant.limits)
+    why = why_unreachable(plant.robot, point.X_WF, point.rail, plant.limits)
     return _finding(point, plant, Misfit.POSE, f"cannot be reached{_where(point, plant)}: {why}")
 
 

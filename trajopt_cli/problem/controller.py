@@ -141,6 +141,8 @@ def _of_frame(key: str, name: str, X: Array, there: Array, its: str) -> Iterator
 def _of_rail(mechanics: Mechanics, arm: ConfiguredRobot, cell: Cell, plant: Plant) -> Iterator[tuple[str, str]]:
     track, robot, rail = arm.track, plant.robot, cell.rail
     slides = [one for one in mechanics.externals if one.slides]
+    if cell.axes:  # which of its units carry which is not read
+        return
     if rail is None:
         if track is not None:
             yield "robot", f"there is no rail, {arm.name} stands on {track.name} ({mechanics.place(track.line)})"
@@ -159,9 +161,8 @@ def _of_rail(mechanics: Mechanics, arm: ConfiguredRobot, cell: Cell, plant: Plan
         (low, high), at = rail.stroke, mechanics.place(there.line)
         beyond = f"{low:g}..{high:g} m goes beyond what the controller allows {track.name}"
         yield "rail.stroke", f"{beyond}, {there.lower:g}..{there.upper:g} m ({at}); set the stroke to that"
-    assert robot.rail_axis_W is not None
-    if np.linalg.norm(robot.rail_axis_W - travel(track)) > _TURNED * 10:
-        own, its = shown(robot.rail_axis_W, 4), shown(travel(track), 4)
+    if np.linalg.norm(robot.rail_axes_W[0] - travel(track)) > _TURNED * 10:
+        own, its = shown(robot.rail_axes_W[0], 4), shown(travel(track), 4)
         yield "rail.frame", f"the rail runs along [{own}] of the world, {track.name} along [{its}] ({place})"
     for kind, its_limit in (("velocity", track.velocity), ("acceleration", track.acceleration)):
         value = float(getattr(plant.limits, kind)[0])

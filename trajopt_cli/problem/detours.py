@@ -253,8 +253,4 @@ def _point(plant: Plant, motion: JointMove, via: Via, detour: Detour, names: _Na
 
 def _external(plant: Plant, motion: JointMove, q: Array) -> ExternalAxes:
     """A motion's external axes with the rail where q (k,) has it."""
-    axes = list(motion.extax)
-    if plant.rail_eax is not None:
-        axes[plant.rail_eax] = float(plant.layout.place(q)) / MM
-    a, b, c, d, e, f = axes
-    return a, b, c, d, e, f
+    return plant.with_rail(motion.extax, q[plant.layout.rail])

@@ -217,7 +217,7 @@ class EditableText:
         """Whether one rail position and configuration may serve all executions, as it does in the program."""
         first, *others = [move for i in group if isinstance(move := self.program.motions[i], Move)]
         rails = [self._written_rails[i] for i in group]
-        if self.plant.rail_eax is not None and max(rails) - min(rails) > _SAME_RAIL:
+        if np.ptp(rails, axis=0).max(initial=0.0) > _SAME_RAIL:
             return False
         one = one_place(self.program, group)
         for move in others:
@@ -228,14 +228,14 @@ class EditableText:
         return True
 
     @cached_property
-    def _written_rails(self) -> Sequence[float]:
-        """Where the rail is programmed to be at the end of each motion [mm]."""
-        plant, out = self.plant, list[float]()
-        now = 0.0 if plant.rail_eax is None else float(plant.layout.place(plant.start)) / MM
+    def _written_rails(self) -> Sequence[Array]:
+        """Where the rails (r,) are programmed to be at the end of each motion [mm]."""
+        plant, out = self.plant, list[Array]()
+        now = plant.start[plant.layout.rail]
         for motion in self.program.motions:
-            if isinstance(motion, Move) and (given := plant.rail_value(motion.extax)) is not None:
-                now = given / MM
-            out.append(now)
+            if isinstance(motion, Move):
+                now = plant.rail_after(motion.extax, now)
+            out.append(now / MM)
         return out
 
     def _compact(self, span: Span) -> bool:
@@ -303,7 +303,7 @@ class EditableText:
     def _why_no_point(self, motion: MoveJ | MoveAbsJ, free: bool) -> str | None:
         if self._compact(motion.written.statement):
             return "it is part of an IF without THEN; IF ... THEN ... ENDIF would free it"
-        if self.plant.rail_eax is not None and motion.extax[self.plant.rail_eax] is None and not free:
+        if any(motion.extax[eax] is None for eax in self.plant.rail_eaxes) and not free:
             return "it leaves the rail where it is (9E9), and its target cannot be changed"
         return None
 
@@ -317,7 +317,7 @@ class EditableText:
         places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
         for group, told in kept:
             for motion in [self.program.motions[i] for i in group]:
-                if not (isinstance(motion, MoveAbsJ | MoveExtJ) and self.plant.rail_eax is None):
+                if not (isinstance(motion, MoveAbsJ | MoveExtJ) and not self.plant.rail_eaxes):
                     lines = places.setdefault(told, {}).setdefault(motion.source.file, {})
                     lines[motion.source.line] = None
         for (why, remedy), files in places.items():

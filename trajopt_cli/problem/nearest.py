@@ -21,10 +21,10 @@ _ALIKE = 1e-9  # rad2 or rad: below, two configurations are equally near
 SAME_JOINTS = 1e-6  # rad between joints that are one configuration
 
 
-def nearest(plant: Plant, X_WF: Array, rail: float | None, arm: Array, conf: ConfData | None = None) -> Array:
+def nearest(plant: Plant, X_WF: Array, rail: Array | float | None, arm: Array, conf: ConfData | None = None) -> Array:
     """Arm joints (n, 6) [rad] nearest to joints arm (n, 6), of those that bring the flange to X_WF; (0, 6) where none.
 
-    rail [m]: where it stands then, None without one. conf: the confdata they must have, None for any. Of two that are
+    rail [m], (r,): where it stands then. conf: the confdata they must have, None for any. Of two that are
     equally near the less turned one.
     """
     found = postures(plant, X_WF, rail)
@@ -47,7 +47,7 @@ def is_nearest(plant: Plant, planned: PlannedMotion, motion: Motion | None = Non
     )
 
 
-def is_sure(plant: Plant, X_WF: Array, rail: float | None, arm: Array) -> bool:
+def is_sure(plant: Plant, X_WF: Array, rail: Array, arm: Array) -> bool:
     """Whether one configuration alone is the nearest to joints arm (6,), however near is measured."""
     found = postures(plant, X_WF, rail)
     turns = np.abs(found - arm)
@@ -57,12 +57,12 @@ def is_sure(plant: Plant, X_WF: Array, rail: float | None, arm: Array) -> bool:
     )
 
 
-def _ends(plant: Plant, planned: PlannedMotion) -> tuple[Array, Array, float | None]:
+def _ends(plant: Plant, planned: PlannedMotion) -> tuple[Array, Array, Array]:
     q_0, q_1 = (np.asarray(q[plant.layout.arm]) for q in (planned.q_0, planned.q_1))
-    return q_0, q_1, float(plant.layout.place(planned.q_1)) if plant.robot.has_rail else None
+    return q_0, q_1, np.asarray(planned.q_1[plant.layout.rail])
 
 
-def postures(plant: Plant, X_WF: Array, rail: float | None) -> Array:
+def postures(plant: Plant, X_WF: Array, rail: Array | float | None) -> Array:
     """All joints (m, 6) of a flange pose within the limits that a controller may take, the least turned first."""
     found = np.array([q for _, q in solutions(plant.robot, X_WF, rail, plant.limits)]).reshape(-1, 6)
     if plant.robot.linkage:

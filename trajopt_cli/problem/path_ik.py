@@ -29,11 +29,12 @@ _AT_ONCE = 40_000  # samples: 30 MB of work arrays
 
 @dataclass(frozen=True, eq=False)
 class ArmPath:
-    """A path of the tool X_FT and where the arm begins it. rail [m] at both ends. q (6,) [rad]: joints at the start."""
+    """A path of the tool X_FT and where the arm begins it. rail [m] (r,) at both ends. q (6,) [rad]: joints at the
+    start."""
 
     segment: Segment
     X_FT: Array
-    rail: tuple[float, float]
+    rail: tuple[Array, Array]
     q: Array
 
 
@@ -117,9 +118,9 @@ def _sampled(plant: Plant, paths: Sequence[ArmPath], samples: int) -> tuple[Arra
     X_FT = np.array([path.X_FT for path in paths])
     X_WT = along_all([path.segment for path in paths], [s] * m)[0].reshape(m, samples, 4, 4)
     X_WF = X_WT @ inverse_pose(X_FT)[:, None]
-    rail = np.array([path.rail for path in paths])
-    rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
-    branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
+    rail = np.array([path.rail for path in paths])  # (m, 2, r)
+    rails = rail[:, :1] + s[:, None] * (rail[:, 1:] - rail[:, :1])
+    branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), rails.reshape(m * samples, -1))
     branches = branches.reshape(m, samples, *branches.shape[1:])
     start = np.array([path.q for path in paths])
     away = branches[:, 0] - start[:, None]

@@ -36,7 +36,7 @@ from trajopt_cli.problem.starts import Starts
 from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
-from trajopt_cli.scenario import Lines
+from trajopt_cli.scenario import Follower, Lines
 from trajopt_cli.units import MM, unit_of
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
@@ -92,21 +92,26 @@ def _metre_doubts(program: Program) -> tuple[str, ...]:
 
 
 def _rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
-    axis = plant.rail_eax
-    if axis is None:
+    if not plant.rail_eaxes:
         return ()
     moves = [motion for motion in program.motions if isinstance(motion, Move) and motion.hold is not Hold.UNIT]
     letters = "abcdef"
     given = [letters[i] for i in range(6) if any(move.extax[i] is not None for move in moves)]
-    if given and letters[axis] not in given:
+    return tuple(
+        _rail_doubt(axis, moves, given) for axis in plant.rail_eaxes if any(m.extax[axis] is None for m in moves)
+    )
+
+
+def _rail_doubt(axis: int, moves: Sequence[Move], given: Sequence[str]) -> str:
+    """What to know of a rail for which some moves give no position."""
+    letter = "abcdef"[axis]
+    if given and letter not in given:
         axes = f"external ax{'es' if len(given) > 1 else 'is'} {' and '.join(given)}"
-        return (f"targets give {axes}, the cell's rail is axis {letters[axis]}, for which none gives a value",)
+        return f"targets give {axes}, the cell's rail is axis {letter}, for which none gives a value"
     open_ = dict.fromkeys(move.source for move in moves if move.extax[axis] is None)
-    if not open_:
-        return ()
     n, place = len(open_), next(iter(open_))
-    targets = f"{n} target{'s give' if n > 1 else ' gives'} no position for the rail (9E9 on axis {letters[axis]})"
-    return (f"{place}: {targets}: a controller stops, a plan stays",)
+    targets = f"{n} target{'s give' if n > 1 else ' gives'} no position for the rail (9E9 on axis {letter})"
+    return f"{place}: {targets}: a controller stops, a plan stays"
 
 
 def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str, ...]:
@@ -249,13 +254,16 @@ class _OtherAxes:
     """External axes that no rail of the cell answers for: they may stand anywhere, but not move."""
 
     def __init__(self, plant: Plant):
-        self._plant = plant
+        self._plant, self._led = plant, {one.eax: one for one in plant.followers}
         self._at: dict[int, float] = {}
 
     def demands(self, motion: Move) -> Iterator[tuple[str, str, str]]:
         """As _demands, for the axes that this motion moves; positions are taken over."""
         for axis, value in enumerate(motion.extax):
-            if value is None or axis == self._plant.rail_eax:
+            if value is None or axis in self._plant.rail_eaxes:
+                continue
+            if (led := self._led.get(axis)) is not None:
+                yield from _apart(motion, led)
                 continue
             before = self._at.setdefault(axis, value)
             self._at[axis] = value
@@ -264,10 +272,23 @@ class _OtherAxes:
             if abs(value - before) > STILL:
                 yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
                 return
-        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None and not (motion.units or self._plant.turning):
+        if isinstance(motion, MoveExtJ) and not self._plant.rail_eaxes and not (motion.units or self._plant.turning):
             yield "external axes", "moves external axes only, and the cell has none", self._advice(0)
 
     def _advice(self, axis: int) -> str:
-        if self._plant.rail_eax is None:
-            return f"describe eax_{'abcdef'[axis]} as the cell's rail or under its positioners, else hold it still"
-        return f"the cell knows only its rail, eax_{'abcdef'[self._plant.rail_eax]}: hold the other axes still"
+        letters = [f"eax_{'abcdef'[eax]}" for eax in self._plant.rail_eaxes]
+        where = "axes (a linear one under the base) or positioners" if letters else "rail, axes or positioners"
+        known = f"; of those the cell knows {', '.join(letters)}" if letters else ""
+        return f"describe eax_{'abcdef'[axis]} in the cell file under {where}, else hold it still{known}"
+
+
+def _apart(motion: Move, led: Follower) -> Iterator[tuple[str, str, str]]:
+    """A follower that the target has elsewhere than its leader takes it."""
+    value, leader = motion.extax[led.eax], motion.extax[led.leader]
+    if value is None or leader is None:
+        return
+    wanted = led.ratio * leader + led.offset / MM
+    if abs(value - wanted) > STILL:
+        names = [f"eax_{'abcdef'[axis]}" for axis in (led.eax, led.leader)]
+        what = f"has {names[0]} = {value:g}, which follows {names[1]} = {leader:g} and so stands at {wanted:g}"
+        yield "external axes", what, f"give it {wanted:g}, or correct {names[0]} under axes in the cell file"

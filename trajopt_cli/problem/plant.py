@@ -8,18 +8,19 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trajopt_cli import settings as defaults
-from trajopt_cli.cell.model import Cell
+from trajopt_cli.cell.model import CarrierAxis, Cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, readonly, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
+from trajopt_cli.robot.base_axes import BaseAxis, on_axes, turned
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot, robot_names
 from trajopt_cli.robot.structure import NO_CONFDATA
-from trajopt_cli.scenario import PositionerAxis
+from trajopt_cli.scenario import Follower, PositionerAxis
 from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid, moved
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import DEG, MM, slides
 from trajopt_cli.validation import hint
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
@@ -30,26 +31,32 @@ OVERHANG = 0.25
 """m: how far a rail reaches beyond its stroke at each end; half a carriage."""
 
 
+def shown_rail(d: Array, form: str = ".6g") -> str:
+    """Rail positions (r,) as mm: "400 mm", "[400, 200, 50] mm"."""
+    each = ", ".join("open" if np.isnan(value) else f"{value / MM:{form}}" for value in np.ravel(d))
+    return f"{each} mm" if np.size(d) == 1 else f"[{each}] mm"
+
+
 @dataclass(frozen=True, eq=False)
 class Plant:
     """robot: mounted, its rail (if any) placed in the world. limits: of all axes in robot.axis_names order.
 
-    start (k,): where the cycle begins, at rest; home (k,): where the program does, None for the same. rail_eax: which
-    eax_x drives the rail (0 for eax_a), None without a rail. rail_fixed: robtargets keep their programmed rail value.
-    free_speed: MoveJ and MoveAbsJ may ignore the programmed speed. droppable: target names (lower case) the cell file
-    lets the plan leave out. notes: how sure the limits are, one line each. obstacles: in the world, attached: in the
-    flange frame, all meshes loaded. may_touch: pairs of links, or of a link and an attached body, that are not held
-    against each other. clearance: the least distance wanted between the robot and an obstacle [m]. tool_radius [m]: of
-    the capsule from flange to TCP that stands for the tool of each motion; 0 for none, as where something is attached.
-    grips: which obstacles the flange takes and leaves, and when. See problem.collision_objects. units: positioners by
-    name, in lower case. settings: the planner's chosen numbers.
+    start (k,): where the cycle begins, at rest; home (k,): where the program does, None for the same. rail_eaxes: which
+    eax_x drive the rails (0 for eax_a). followers: external axes that these lead. rail_fixed: robtargets keep their
+    programmed rail value. free_speed: MoveJ and MoveAbsJ may ignore the programmed speed. droppable: target names
+    (lower case) the cell file lets the plan leave out. notes: how sure the limits are, one line each. obstacles: in the
+    world, attached: in the flange frame, all meshes loaded. may_touch: pairs of links, or of a link and an attached
+    body, that are not held against each other. clearance: the least distance wanted between the robot and an obstacle
+    [m]. tool_radius [m]: of the capsule from flange to TCP that stands for the tool of each motion; 0 for none, as
+    where something is attached. grips: which obstacles the flange takes and leaves, and when. See
+    problem.collision_objects. units: positioners by name, in lower case. settings: the planner's chosen numbers.
     """
 
     robot: RobotModel
     limits: JointLimits
     tcp: TcpCaps
     start: Array
-    rail_eax: int | None
+    rail_eaxes: tuple[int, ...]
     rail_fixed: bool
     free_speed: bool
     droppable: frozenset[str]
@@ -63,6 +70,7 @@ class Plant:
     units: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
     settings: Settings = field(default_factory=lambda: defaults.DEFAULT)
     home: Array | None = None
+    followers: tuple[Follower, ...] = ()
 
     @property
     def at_home(self) -> Plant:
@@ -133,12 +141,41 @@ class Plant:
             out.append("self-collision not checked: the cell file lets every pair touch")
         return tuple(out)
 
-    def rail_value(self, extax: ExternalAxes) -> float | None:
-        """The rail position [m] that external axes in RAPID units ask for; None when they leave it open."""
-        if self.rail_eax is None:
+    @property
+    def driven_eaxes(self) -> tuple[int, ...]:
+        """The external axes that rails and what follows them are driven by, 0 for eax_a."""
+        return (*self.rail_eaxes, *(one.eax for one in self.followers))
+
+    def asks_rail(self, extax: ExternalAxes) -> bool:
+        """Whether external axes say where some rail is to be."""
+        return any(extax[eax] is not None for eax in self.rail_eaxes)
+
+    def rail_value(self, extax: ExternalAxes) -> Array | None:
+        """The rails' positions (r,) [m] that external axes in RAPID units ask for, NaN where one is left open; None
+        where all are, and without a rail."""
+        if not self.asks_rail(extax):
             return None
-        value = extax[self.rail_eax]
-        return None if value is None else value * MM
+        values = [extax[eax] for eax in self.rail_eaxes]
+        return np.array([np.nan if value is None else value * MM for value in values])
+
+    def rail_after(self, extax: ExternalAxes, before: Array) -> Array:
+        """The rails' positions (r,) [m] behind a motion: those that its external axes ask for, else those before it."""
+        given = self.rail_value(extax)
+        return before if given is None else np.where(np.isnan(given), before, given)
+
+    def with_rail(self, extax: ExternalAxes, d: Array) -> ExternalAxes:
+        """External axes in RAPID units with the rails at d (r,) [m], and what follows them."""
+        values = list(extax)
+        for eax, value in zip(self.rail_eaxes, d.tolist(), strict=True):
+            values[eax] = value / MM
+        for one in self.followers:
+            values[one.eax] = (values[one.leader] or 0.0) * one.ratio + one.offset / MM
+        a, b, c, d_, e, f = values
+        return a, b, c, d_, e, f
+
+    def at_rail(self, d: Array) -> str:
+        """Where rails stand (r,), in words behind a sentence; empty without one."""
+        return f" with the rail at {shown_rail(d)}" if self.rail_eaxes else ""
 
 
 def carried_by(axes: Sequence[PositionerAxis], at: Sequence[float]) -> Array:
@@ -159,7 +196,7 @@ def build_plant(cell: Cell) -> Plant:
     or broken.
     """
     robot = _robot(cell)
-    if robot.has_rail and cell.rail is None:
+    if robot.has_rail and cell.rail is None and not cell.axes:
         raise cell.error(
             "rail", f"robot {robot.name} rides a rail: add 'rail: {{eax: a, stroke: [0, 2]}}', stroke in m"
         )
@@ -186,7 +223,8 @@ def build_plant(cell: Cell) -> Plant:
         limits=limits,
         tcp=cell.tcp or robot.tcp,
         start=_start(cell, limits),
-        rail_eax=cell.rail.eax if cell.rail else None,
+        rail_eaxes=(cell.rail.eax,) if cell.rail else tuple(axis.eax for axis in cell.axes),
+        followers=cell.followers,
         rail_fixed=bool(cell.rail and cell.rail.fixed),
         free_speed=cell.free_speed,
         droppable=cell.droppable,
@@ -222,25 +260,33 @@ def unwatched(cell: Cell, robot: RobotModel) -> tuple[ProgramWarning, ...]:
 
 def _robot(cell: Cell) -> RobotModel:
     try:
-        return load_robot(cell.robot, X_WR=cell.rail.X_WR if cell.rail else cell.X_WB)
+        robot = load_robot(cell.robot, X_WR=cell.rail.X_WR if cell.rail else cell.X_WB)
+        if cell.rail is not None and cell.rail.direction is not None and robot.has_rail:
+            return turned(robot, np.array(cell.rail.direction))
+        return on_axes(robot, [_base_axis(axis) for axis in cell.axes], cell.X_WB) if cell.axes else robot
     except InputError as error:
         if error.file is not None:  # a mistake in the robot's own file has its place there
             raise
         raise cell.error("robot", error.message) from error
 
 
+def _base_axis(axis: CarrierAxis) -> BaseAxis:
+    rates = axis.velocity, axis.acceleration, axis.jerk
+    return BaseAxis(axis.name, np.array(axis.direction), *axis.stroke, *rates, axis.source)
+
+
 def _start(cell: Cell, limits: JointLimits) -> Array:
-    rail = [] if cell.start_rail is None else [cell.start_rail]
+    rail = cell.start_rail
     wanted = len(limits.names) - len(rail)
     if len(cell.start_joints) != wanted:
         raise cell.error("start.joints", f"robot {cell.robot} has {wanted} joints, not {len(cell.start_joints)}")
     start = np.array([*rail, *cell.start_joints])
     for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
         if not low <= value <= high:
-            key = "start.rail" if name == "rail" else "start.joints"
-            metres = name == "rail" and low <= value / 1e3 <= high
+            key = "start.rail" if slides(name) else "start.joints"
+            metres = slides(name) and low <= value / 1e3 <= high
             hint = f"; if this is in millimetres, write {value / 1e3:g} or {value:g} mm" if metres else ""
-            if name != "rail" and abs(value) > 2 * np.pi and low <= value * DEG <= high:
+            if not slides(name) and abs(value) > 2 * np.pi and low <= value * DEG <= high:
                 hint = f'; if this is in degrees, write "{value:g} deg"'
             raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}{hint}")
     for one, value in zip(limits.coupled, limits.couplings.rows @ start, strict=True):
@@ -271,8 +317,7 @@ def _track(cell: Cell, robot: RobotModel) -> tuple[Solid, ...]:
         return ()
     if TRACK in {solid.name for solid in (*cell.obstacles, *cell.attached)}:
         raise cell.error("rail.track", f"an obstacle is named '{TRACK}', which is the name of this body; rename it")
-    assert robot.rail_axis_W is not None
-    along, (width, height), (low, high) = robot.rail_axis_W, cell.rail.track, cell.rail.stroke
+    along, (width, height), (low, high) = robot.rail_axes_W[0], cell.rail.track, cell.rail.stroke
     up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
     if np.linalg.norm(up) < 0.1:
         raise cell.error("rail.track", "the base does not stand on the rail; give the rail's body under obstacles")
@@ -318,7 +363,7 @@ def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...
         estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
         if estimated:
             name = robot.profile_name(cell.profile)
-            of_profile = what != "speeds" and {*estimated} != {"rail"}
+            of_profile = what != "speeds" and not all(map(slides, estimated))
             about = f" (profile {name}: {robot.notes[f'profiles.{name}']})" if of_profile else ""
             notes.append(
                 f"{what} of {', '.join(estimated)} are estimates of grade {max(estimated.values())}{about}; "

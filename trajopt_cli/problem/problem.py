@@ -13,11 +13,12 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose, moved_by
 from trajopt_cli.motion import (
     ConfData,
     FlyBy,
@@ -49,8 +50,10 @@ from trajopt_cli.problem.nearest import SAME_JOINTS, nearest
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.plant import Plant, shown_rail
 from trajopt_cli.robot.dynamics import ToolLoad
+from trajopt_cli.robot.layout import AxisLayout
+from trajopt_cli.units import slides
 
 _POINT = 1e-9  # m, rad: a line to where it starts
 _STILL = 1e-7  # m of rail: less is the rounding of a num
@@ -104,8 +107,9 @@ class Passage:
 class Waypoint:
     """Where a motion ends. motion: its index, -1 for the start.
 
-    X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed [m].
-    written: the rail value of the program as written. rest: every axis must stand still here. conf:
+    X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed of the
+    rail that is sought [m]; written: its value in the program as written; others, also: the same of the other rails in
+    order, one of no room where they are held. rest: every axis must stand still here. conf:
     the program's confdata, demanded at the written rail value; None where any configuration will do. nearest: a joint
     move ends here in the configuration nearest to where it begins. fly_by: how large its corner is, None where the TCP
     stops. passage: how it is passed where a run was opened, else None.
@@ -121,11 +125,50 @@ class Waypoint:
     fly_by: FlyBy | None = None
     nearest: bool = False
     passage: Passage | None = None
+    others: tuple[tuple[float, float], ...] = ()
+    also: tuple[float, ...] = ()
+
+    @property
+    def free(self) -> bool:
+        """Whether some rail may stand elsewhere than at one place."""
+        return self.q is None and not self.pinned
+
+    @property
+    def pinned(self) -> bool:
+        """Whether every rail has one place."""
+        return not any(low < high for low, high in (self.rail, *self.others))
+
+    @property
+    def held(self) -> tuple[float, ...]:
+        """Where the other rails stand while one is sought (r - 1,) [m]."""
+        return tuple(low for low, _ in self.others)
+
+    def ranges(self, layout: AxisLayout) -> tuple[Array, Array]:
+        """What all rails are allowed at least and at most (r,) [m]."""
+        each = list(self.others)
+        each.insert(layout.sought, self.rail)
+        low, high = np.array(each[: layout.r]).reshape(-1, 2).T
+        return low, high
+
+    def standing(self, layout: AxisLayout, q: Array) -> Waypoint:
+        """The same with its rails where axes q (k,) have them."""
+        d = float(layout.place(q))
+        return replace(self, rail=(d, d), others=tuple((value, value) for value in q[layout.others].tolist()))
+
+    def seeking(self, layout: AxisLayout, sought: int, q: Array | None = None) -> Waypoint:
+        """The same that seeks another rail; the others held where axes q (k,) have them, or as free as they are."""
+        ranges, also = [*self.others], [*self.also]
+        ranges.insert(layout.sought, self.rail)
+        also.insert(layout.sought, self.written)
+        rail, written = ranges.pop(sought), also.pop(sought)
+        if q is not None:
+            ranges = [(value, value) for value in q[layout.seeking(sought).others].tolist()]
+        return replace(self, rail=rail, written=written, others=tuple(ranges), also=tuple(also))
 
     @cached_property
     def key(self) -> bytes:
         """What is asked at it: equal where the same is, wherever it stands in a program."""
-        asked = self.rail, self.written, self.rest, self.conf, self.fly_by, self.nearest
+        asked = self.rail, self.written, self.rest, self.conf, self.fly_by, self.nearest, self.others, self.also
         parts = [_digits(self.X_WF), repr(asked).encode(), b"" if self.q is None else _digits(self.q)]
         parts += [] if self.passage is None else [self.passage.key]
         return b"|".join(parts)
@@ -224,6 +267,50 @@ class Problem:
     coupling: Coupling
     ties: tuple[tuple[int, ...], ...] = ()
     objective: Objective = LEAST_TIME
+    sought: int = 0
+
+    @property
+    def layout(self) -> AxisLayout:
+        """Where the axes stand in vectors of all of them, the sought rail marked."""
+        return self.plant.layout.seeking(self.sought)
+
+    def seeking(self, sought: int, q: Array | None = None) -> Problem:
+        """The same that seeks another rail; the others held where axes q (M, n) have them at the waypoints, or as free
+        as they are."""
+        each = q if q is not None else [None] * len(self.waypoints)
+        points = [one.seeking(self.layout, sought, own) for one, own in zip(self.waypoints, each, strict=True)]
+        return replace(self, waypoints=tuple(points), sought=sought)
+
+    def seen(self, k: int) -> Array:
+        """The flange pose at waypoint k as the base sees it that only the sought rail carries."""
+        return self._seen(self.waypoints[k].X_WF, np.array(self.waypoints[k].held))
+
+    def seen_along(self, leg: Leg, s: Array) -> Array:
+        """The same along a line or an arc at its path parameters s (m,)."""
+        assert leg.segment is not None
+        X = leg.segment.pose(s) @ inverse_pose(leg.X_FT)
+        before, behind = (np.array(self.waypoints[k].held) for k in (leg.start, leg.start + 1))
+        return self._seen(X, before + s[:, None] * (behind - before)) if len(before) else X
+
+    def _seen(self, X_WF: Array, held: Array) -> Array:
+        if not held.size:
+            return X_WF
+        return moved_by(X_WF, -(held @ np.delete(self.plant.robot.rail_axes_W, self.sought, axis=0)))
+
+    def axes_at(self, k: int, d: Array, arm: Array) -> Array:
+        """All axes (..., n) at waypoint k with the sought rail at d (...) and joints (..., m)."""
+        q = self.layout.join(d, arm)
+        q[..., self.layout.others] = self.waypoints[k].held
+        return q
+
+    def ways(self, k: int, way: Array) -> Array:
+        """How far the rails go on leg k (r, p) [m], the sought one by way (p,)."""
+        out = np.empty((self.layout.r, *way.shape))
+        ends = (self.waypoints[i].held for i in (k, k + 1))
+        for i, before, behind in zip(self.layout.others, *ends, strict=True):
+            out[i] = abs(behind - before)
+        out[self.sought : self.sought + 1] = np.abs(way)
+        return out
 
     @property
     def coordinated(self) -> bool:
@@ -280,9 +367,9 @@ class Problem:
         point = self.waypoints[k + 1]
         if not point.nearest or self.legs[k].kind is not LegKind.JOINT:
             return None
-        layout, out = self.plant.layout, np.zeros((len(q_0), len(q_1)), dtype=bool)
-        rails, of = np.unique(layout.place(q_1), return_inverse=True)
-        for i, rail in enumerate(rails.tolist()):
+        layout, out = self.layout, np.zeros((len(q_0), len(q_1)), dtype=bool)
+        rails, of = np.unique(q_1[:, layout.rail], axis=0, return_inverse=True)
+        for i, rail in enumerate(rails):
             found = nearest(self.plant, point.X_WF, rail, q_0[:, layout.arm])
             if len(found):
                 apart = np.abs(found[:, None] - q_1[of == i][:, layout.arm]).max(axis=-1)
@@ -291,7 +378,7 @@ class Problem:
 
     def key(self, first: int, last: int) -> bytes:
         """What is asked from one waypoint to another, and at them: equal where it is the same."""
-        held = self.freedom.rail.value, self.freedom.through_stops, self.coupling.value
+        held = self.freedom.rail.value, self.freedom.through_stops, self.coupling.value, self.sought
         points = [point.key for point in self.waypoints[first : last + 1]]
         return b"|".join([*points, *(leg.key for leg in self.legs[first:last]), repr(held).encode()])
 
@@ -333,12 +420,12 @@ def build_problem(
         return Infeasible(out.index, motion.source, f"{motion_name(motion)} {out}")
     waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
     if (start := waypoints[0]).q is not None and program.entrance is not None:
-        waypoints[-1] = replace(waypoints[-1], q=start.q, rail=start.rail, conf=None)
+        waypoints[-1] = replace(waypoints[-1], q=start.q, rail=start.rail, others=start.others, conf=None)
     ties = _ties(changes, waypoints, program.entrance is not None)
     for group in ties:
-        pinned = [waypoints[k].rail for k in group if waypoints[k].rail[0] == waypoints[k].rail[1]]
+        pinned = [one for one in (waypoints[k] for k in group) if one.pinned]
         for k in group if pinned else ():
-            waypoints[k] = replace(waypoints[k], rail=pinned[0])
+            waypoints[k] = replace(waypoints[k], rail=pinned[0].rail, others=pinned[0].others)
     return Problem(
         plant,
         program,
@@ -379,7 +466,7 @@ def _ties(changes: Changes, waypoints: Sequence[Waypoint], steady: bool) -> tupl
     ends = {
         waypoint.motion: k
         for k, waypoint in enumerate(waypoints)
-        if waypoint.q is None and (waypoint.rail[0] < waypoint.rail[1] or waypoint.conf is None)
+        if waypoint.q is None and (waypoint.free or waypoint.conf is None)
     }
     groups = [tuple(ends[index] for index in group if index in ends) for group in changes.ties]
     if steady and waypoints[0].q is None:
@@ -397,7 +484,7 @@ class _Impossible(Exception):
 
 class _OutOfRange(_Impossible):
     def __init__(self, index: int, axis: str, value: float, low: float, high: float):
-        unit, factor = ("mm", 1e3) if axis == "rail" else ("deg", 180 / np.pi)
+        unit, factor = ("mm", 1e3) if slides(axis) else ("deg", 180 / np.pi)
         super().__init__(
             index,
             f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}",
@@ -415,17 +502,17 @@ def _at_rest(legs: Sequence[Leg], program: Program, target: Target) -> list[Leg]
 
 
 class _Held(_Impossible):
-    def __init__(self, index: int, motion: Move, rail: float, asked: float):
+    def __init__(self, index: int, motion: Move, rail: Array, asked: Array):
         holder = f"{motion.speed.name} (v_leax 0)" if motion.hold is None else _HOLDERS[motion.hold]
         super().__init__(
             index,
-            f"takes the rail from {rail * 1e3:.6g} mm to {asked * 1e3:.6g} mm, and {holder} says that it"
+            f"takes the rail from {shown_rail(rail)} to {shown_rail(asked)}, and {holder} says that it"
             " stands still there; give both ends the same position, or take the hold back",
         )
 
 
 class _Build:
-    """Waypoints and legs of the motions added so far. written [m]: the rail as the program has it there."""
+    """Waypoints and legs of the motions added so far. written (r,) [m]: the rails as the program has them there."""
 
     def __init__(
         self,
@@ -441,9 +528,10 @@ class _Build:
         self._plant, self._freedom, self._changes, self._fly_bys = plant, freedom, changes, fly_bys
         self._target = target
         self._has_rail = plant.robot.has_rail
-        self._stroke = float(plant.layout.place(plant.limits.lower)), float(plant.layout.place(plant.limits.upper))
+        rail = plant.layout.rail
+        self._stroke = [*zip(plant.limits.lower[rail].tolist(), plant.limits.upper[rail].tolist(), strict=True)]
         self._pinned = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
-        self._written = float(plant.layout.place(plant.start))
+        self._written = plant.start[rail]
         self.waypoints = [self._at_joints(-1, plant.start)]
         self.legs: list[Leg] = []
 
@@ -480,7 +568,7 @@ class _Build:
             case MoveJ():
                 before, end = self.waypoints[-1], self._at_pose(index, motion)
                 there = before.q is None and np.allclose(before.X_WF, end.X_WF, rtol=0, atol=_POINT)
-                if motion.least and there and not _apart(before.rail, end.rail):
+                if motion.least and there and not _apart(before, end):
                     self._stand(motion, end, self._target is not Target.RAPID and motion.hold is None)
                 else:
                     self._to(end, motion, _caps(motion, self._plant))
@@ -497,7 +585,7 @@ class _Build:
         if wait.duration == 0.0:
             self.waypoints[-1] = replace(before, rest=before.rest or rest)
             return
-        moves = self._freedom.dwells and before.rail[0] < before.rail[1] and index in self._changes.values
+        moves = self._freedom.dwells and before.free and index in self._changes.values
         moves = moves and wait.hold is None and wait.beside is None
         settled = _settled(self._plant) if moves else np.inf
         parts = [(wait.duration, moves)]
@@ -512,7 +600,7 @@ class _Build:
                 duration=seconds, rail_moves=moves,
             )  # fmt: skip
             self.legs.append(dwell)
-            self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
+            self.waypoints.append(self._as_before(before, index, before.rest or rest))
 
     def _stand(self, motion: Move, end: Waypoint, moves: bool) -> None:
         """The tool stands while positioners turn or other robots move; moves: the rail may move meanwhile."""
@@ -533,13 +621,12 @@ class _Build:
             if not motion.least:  # every axis is where it should be
                 self.waypoints[-1] = replace(self.waypoints[-1], rest=True)
                 return
-            self._stand(motion, replace(self.waypoints[-1], motion=index, written=self._written, rest=True), False)
+            self._stand(motion, self._as_before(self.waypoints[-1], index, True), False)
             return
         self._take_rail(index, motion)
         before = self.waypoints[-1]
         q, layout = self._as_written(before), self._plant.layout
-        rail = float(layout.place(q))
-        self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
+        self.waypoints[-1] = replace(before, q=q, conf=None, **_rails(q[layout.rail]))
         v_rail = motion.speed.v_leax if motion.duration is None else np.inf
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
 
@@ -550,7 +637,8 @@ class _Build:
             return waypoint.q
         if self._arms is None:
             self._arms = arms_as_written(self._program, self._plant)
-        plant, rail, arm = self._plant, waypoint.written, self._arms.get(waypoint.motion)
+        plant, arm = self._plant, self._arms.get(waypoint.motion)
+        rail = np.array([waypoint.written, *waypoint.also][: plant.layout.r])
         if arm is None:
             given = (point.q for point in reversed(self.waypoints) if point.q is not None)
             near = next(given, plant.start)[plant.layout.arm]
@@ -560,7 +648,7 @@ class _Build:
                 "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its"
                 " own rail value; correct eax or confdata there"
             )
-        return plant.layout.join(rail, arm)
+        return plant.layout.merge(rail, arm)
 
     def _way(self, index: int, motion: PathMove) -> None:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
@@ -570,8 +658,8 @@ class _Build:
         units = turned_under(motion)
         still = path.length < _POINT and path.angle < _POINT and not units
         moves = still or self._freedom.lines
-        moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
-        if still and motion.least and not _apart(start.rail, end.rail):
+        moves = self._has_rail and (moves or _apart(start, end)) and motion.hold is None
+        if still and motion.least and not _apart(start, end):
             self._stand(motion, end, moves)
             return
         self._to(end, motion, _caps(motion, self._plant))
@@ -583,7 +671,8 @@ class _Build:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
         X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
         v_tcp, v_ori, v_rail = caps
-        driven = abs(end.written - self.waypoints[-1].written) > _STILL
+        before = self.waypoints[-1]
+        driven = max(abs(end.written - before.written), *_ways(end.also, before.also), 0.0) > _STILL
         moves = motion.hold is None and v_rail > 0 and (driven or not motion.searches)  # else: at the hit, where is it?
         v_rail = v_rail or np.inf
         tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
@@ -603,46 +692,54 @@ class _Build:
 
     def _take_rail(self, index: int, motion: Move) -> None:
         """The rail goes where a motion's external axes say, or stays; where it must go it has to be in its stroke."""
-        given, (low, high) = self._plant.rail_value(motion.extax), self._stroke
-        if given is None:
+        if not self._plant.asks_rail(motion.extax):
             if index not in self._changes.values:  # nobody can say where instead, so it must be there already
                 self._pin(-1, self._written)
             return
+        given = self._plant.rail_after(motion.extax, self._written)
         fixed = self._pinned or isinstance(motion, MoveAbsJ | MoveExtJ)
-        if fixed and not low - _ON_LIMIT <= given <= high + _ON_LIMIT:
-            raise _OutOfRange(index, self._plant.limits.names[self._plant.layout.rail][0], given, low, high)
+        names = self._plant.limits.names[self._plant.layout.rail]
+        for name, value, (low, high) in zip(names, given.tolist(), self._stroke, strict=True):
+            if fixed and not low - _ON_LIMIT <= value <= high + _ON_LIMIT:
+                raise _OutOfRange(index, name, value, low, high)
         self._written = given
 
     def _hold(self, motion: Move) -> None:
         """The rail stands still on the last leg: where one end of it is fixed, the other is there, too."""
-        (low, high), (end_low, end_high) = self.waypoints[-2].rail, self.waypoints[-1].rail
-        if low == high and end_low == end_high and abs(end_low - low) > _STILL:
+        (low, high), (end_low, end_high) = (one.ranges(self._plant.layout) for one in self.waypoints[-2:])
+        stands, ends = bool(np.all(low == high)), bool(np.all(end_low == end_high))
+        if stands and ends and np.abs(end_low - low).max(initial=0.0) > _STILL:
             raise _Held(self.waypoints[-1].motion, motion, low, end_low)
-        if low == high:
+        if stands:
             self._pin(-1, low)
-        elif end_low == end_high:
+        elif ends:
             self._pin(-2, end_low)
 
-    def _pin(self, k: int, rail: float) -> None:
-        """The rail at waypoint k stands where it is said [m], if it was free."""
+    def _pin(self, k: int, rail: Array) -> None:
+        """The rails (r,) at waypoint k stand where it is said [m], if they were free."""
         if self.waypoints[k].q is None:
-            self.waypoints[k] = replace(self.waypoints[k], rail=(rail, rail))
+            there = _rails(rail)
+            self.waypoints[k] = replace(self.waypoints[k], rail=there["rail"], others=there["others"])
+
+    def _as_before(self, before: Waypoint, index: int, rest: bool) -> Waypoint:
+        """The same place at the end of another motion."""
+        there = _rails(self._written)
+        return replace(before, motion=index, rest=rest, written=there["written"], also=there["also"])
 
     def _at_pose(self, index: int, motion: PoseMove) -> Waypoint:
         self._take_rail(index, motion)
         free = index in self._changes.values
-        rail = self._stroke if free and not self._pinned else (self._written, self._written)
+        rails = _rails(self._written, self._stroke if free and not self._pinned else None)
         demanded = demands_configuration(motion, self._plant.robot)
         fixed = not (free and self._freedom.configuration)
         return Waypoint(
             index,
             motion.X_WT @ inverse_pose(motion.tool.X_FT),
             None,
-            rail,
-            self._written,
-            motion.works or not self._freedom.through_stops,
-            motion.conf if fixed and demanded else None,
+            rest=motion.works or not self._freedom.through_stops,
+            conf=motion.conf if fixed and demanded else None,
             nearest=fixed and isinstance(motion, MoveJ) and not motion.settings.conf_j,
+            **rails,
         )
 
     def _at_joints(self, index: int, q: Array) -> Waypoint:
@@ -653,11 +750,11 @@ class _Build:
         for one, value in zip(limits.coupled, limits.couplings.rows @ q, strict=True):
             if not one.lower - _ON_LIMIT <= value <= one.upper + _ON_LIMIT:
                 raise _OutOfRange(index, one.name, value, one.lower, one.upper)
-        return Waypoint(index, self._plant.robot.forward(q), q, (self._written, self._written), self._written, True)
+        return Waypoint(index, self._plant.robot.forward(q), q, rest=True, **_rails(self._written))
 
     def _axes(self, arm: Array) -> Array:
-        """All axes (k,) with the rail as written and the arm's joints (6,)."""
-        return np.asarray(np.r_[[self._written] if self._has_rail else [], arm])
+        """All axes (k,) with the rails as written and the arm's joints (6,)."""
+        return np.asarray(np.r_[self._written, arm])
 
 
 def _digits(values: Array) -> bytes:
@@ -680,9 +777,21 @@ def _caps(motion: PoseMove | MoveAbsJ, plant: Plant) -> tuple[float, float, floa
     return motion.speed.v_tcp, motion.speed.turning, motion.speed.v_leax
 
 
-def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
-    """Whether two ranges of the rail have no position in common, so that it has to move between them."""
-    return a[1] < b[0] or b[1] < a[0]
+def _rails(written: Array, stroke: Sequence[tuple[float, float]] | None = None) -> dict[str, Any]:
+    """Fields of a waypoint whose rails are at written (r,) [m] in the program; stroke: where they may be instead."""
+    values = written.tolist() or [0.0]
+    (rail, *others) = stroke or [(value, value) for value in values]
+    return {"rail": rail, "written": values[0], "others": tuple(others), "also": tuple(values[1:])}
+
+
+def _ways(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    return [abs(one - other) for one, other in zip(a, b, strict=True)]
+
+
+def _apart(a: Waypoint, b: Waypoint) -> bool:
+    """Whether ranges of some rail have no position in common, so that it has to move between them."""
+    pairs = zip((a.rail, *a.others), (b.rail, *b.others), strict=True)
+    return any(one[1] < other[0] or other[1] < one[0] for one, other in pairs)
 
 
 def stations_of(legs: Sequence[Leg], count: int) -> tuple[tuple[int, int], ...]:

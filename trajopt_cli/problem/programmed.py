@@ -13,7 +13,6 @@ from trajopt_cli.problem.nearest import nearest
 from trajopt_cli.problem.path_ik import ArmPath, follow
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata
-from trajopt_cli.units import MM
 
 
 class PlantKinematics:
@@ -29,16 +28,11 @@ class PlantKinematics:
     def start(self) -> tuple[Array, ExternalAxes]:
         """Arm joints (6,) [rad] and external axes [mm] where the cycle begins."""
         plant = self.plant
-        extax = list(NO_EXTERNAL_AXES)
-        if plant.rail_eax is not None:
-            extax[plant.rail_eax] = float(plant.layout.place(plant.start)) / MM
-        a, b, c, d, e, f = extax
-        return plant.start[plant.layout.arm], (a, b, c, d, e, f)
+        return plant.start[plant.layout.arm], plant.with_rail(NO_EXTERNAL_AXES, plant.start[plant.layout.rail])
 
     def forward(self, q: Array, extax: ExternalAxes) -> Array:
         """X_WF (4, 4) at arm joints q (6,) [rad]; the rail at its start where extax leaves it open."""
-        rail = self._rail(extax)
-        return self.plant.robot.forward(self.plant.layout.join(rail or 0.0, np.asarray(q)))
+        return self.plant.robot.forward(self.plant.layout.merge(self._rail(extax), np.asarray(q)))
 
     def inverse(self, X_WF: Array, extax: ExternalAxes, conf: ConfData | None, near: Array | None) -> Array | None:
         """Arm joints (6,) [rad] that bring the flange to X_WF in configuration conf, of several the nearest to near."""
@@ -47,7 +41,7 @@ class PlantKinematics:
 
     def along(self, q: Array, before: ExternalAxes, X_WF: Array, extax: ExternalAxes, X_FT: Array) -> Array | None:
         """Arm joints (6,) [rad] to which a line of tool X_FT leads; None where it cannot be run."""
-        rails = self._rail(before) or 0.0, self._rail(extax) or 0.0
+        rails = self._rail(before), self._rail(extax)
         line = Line(self.forward(q, before) @ X_FT, X_WF @ X_FT)
         (found,) = follow(self.plant, [ArmPath(line, X_FT, rails, q)])
         return found.end if found is not None and found.whole else None
@@ -56,9 +50,6 @@ class PlantKinematics:
         """Configuration of arm joints q (6,) [rad]."""
         return confdata(self.plant.robot, q)
 
-    def _rail(self, extax: ExternalAxes) -> float | None:
-        """The rail [m], None for a robot without one."""
-        if self.plant.rail_eax is None:
-            return None
-        given = self.plant.rail_value(extax)
-        return float(self.plant.layout.place(self.plant.start)) if given is None else given
+    def _rail(self, extax: ExternalAxes) -> Array:
+        """The rails (r,) [m]."""
+        return self.plant.rail_after(extax, self.plant.start[self.plant.layout.rail])

@@ -43,8 +43,9 @@ Owner = tuple[str, int] | None
 _MOVES = re.compile(r"(Move|Trigg)\w*|(Arc|Disp|Paint|Cap)[LC]\w*|Spot(ML|[JL])\w*", re.IGNORECASE)
 # The functions that an export writes: a target with the rail or the configuration elsewhere.
 _WRAPPERS = re.compile(
-    r"LOCAL FUNC (robtarget|jointtarget) (?P<name>\w+)\(\1 p,(num rail(\\confdata conf)?|confdata conf)\) "
-    r"(p\.extax\.eax_[a-f]:=rail; )?((IF Present\(conf\) )?p\.robconf:=conf; )?RETURN p; ENDFUNC"
+    r"LOCAL FUNC (robtarget|jointtarget) (?P<name>\w+)\(\1 p,(num rail\w*(,num rail\w*)*"
+    r"(\\confdata conf)?|confdata conf)\) "
+    r"(p\.extax\.eax_[a-f]:=rail\w*; )*((IF Present\(conf\) )?p\.robconf:=conf; )?RETURN p; ENDFUNC"
 )
 _PURE = frozenset(("offs", "reltool", "abs", "sqrt", "sin", "cos", "round", "trunc"))
 _SHIFTS = ("offs", "reltool")  # their target has the external axes and the configuration of the one they are given

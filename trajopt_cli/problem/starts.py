@@ -32,33 +32,33 @@ class Starts:
 
     def __init__(self, plant: Plant):
         self._free_speed = plant.free_speed
-        self._robot, self._layout, self._rail_value = plant.robot, plant.layout, plant.rail_value
-        self._rail = float(plant.layout.place(plant.start))
+        self._robot, self._layout, self._rail_after = plant.robot, plant.layout, plant.rail_after
+        self._rail = plant.start[plant.layout.rail]
         self._at: Array = plant.start  # all axes (k,), or the flange (4, 4): made only where a path asks
-        self._carried = 0.0  # m that the rail has gone since, alone
+        self._carried = 0.0 * self._rail  # m that the rails have gone since, alone
 
     def wrong(self, motion: Move) -> Iterator[tuple[str, str, str]]:
         """Kind, demand and advice, in words, where a motion is an arc that no circle makes or needs a speed that is 0;
         then it is over."""
-        before, given = self._rail, self._rail_value(motion.extax)
-        self._rail = before if given is None else given
+        before = self._rail
+        self._rail = self._rail_after(motion.extax, before)
         if motion.duration is None and not (self._free_speed and isinstance(motion, MoveJ | MoveAbsJ)):
-            yield from self._without_speed(motion, self._rail - before)
+            yield from self._without_speed(motion, float(np.abs(self._rail - before).max(initial=0.0)))
         if isinstance(motion, MoveExtJ):
             self._carried += self._rail - before
             return
         if isinstance(motion, PathMove) and (found := self._unclear(motion)):
             yield "no circle", *found
         if isinstance(motion, MoveAbsJ):
-            self._at = self._layout.join(self._rail, motion.q)
+            self._at = self._layout.merge(self._rail, motion.q)
         else:
             self._at = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-        self._carried = 0.0
+        self._carried = 0.0 * self._rail
 
     def _without_speed(self, motion: Move, way: float) -> Iterator[tuple[str, str, str]]:
-        """What a motion moves at a speed of 0; way: the rail's [m]."""
+        """What a motion moves at a speed of 0; way: the longest of the rails' [m]."""
         speed = motion.speed
-        if speed.v_leax == 0 and abs(way) > _MOVES:
+        if speed.v_leax == 0 and way > _MOVES:
             what = f"moves the rail by {way / MM:.6g} mm at {speed.name}, whose v_leax is 0"
             yield "v_leax of 0", what, "give it a speed of linear external axes above 0, or leave the rail where it is"
         if speed.v_ori > 0 or isinstance(motion, MoveExtJ):
@@ -74,7 +74,7 @@ class Starts:
             with suppress(InputError):  # no circle, which is told as such
                 return segment_of(motion, X_WT).angle
         if isinstance(motion, MoveAbsJ):
-            there = self._robot.forward(self._layout.join(self._rail, motion.q)) @ motion.tool.X_FT
+            there = self._robot.forward(self._layout.merge(self._rail, motion.q)) @ motion.tool.X_FT
         else:
             there = turned_back(turns_of(motion), motion.X_WT)
         return axis_angle(X_WT[:3, :3].T @ there[:3, :3])[1]
@@ -90,8 +90,7 @@ class Starts:
 
     def _flange(self) -> Array:
         X_WF = np.array(self._at if self._at.ndim == 2 else self._robot.forward(self._at))
-        if self._robot.rail_axis_W is not None:
-            X_WF[:3, 3] += self._carried * self._robot.rail_axis_W
+        X_WF[:3, 3] += self._robot.way(self._carried)
         return X_WF
 
 

@@ -110,8 +110,7 @@ def carriage(plant: Plant) -> Array:
 
 def _carried(course: PlanSeries) -> Array:
     """Where the carriage stands at the points that the moves lead to (m, 3) [m], from the rail's 0."""
-    axis, place = course.plant.robot.rail_axis_W, course.plant.layout.place
-    return np.zeros(3) if axis is None else np.array([place(leg.q_1) * axis for leg in course.moves]).reshape(-1, 3)
+    return np.array([course.plant.robot.way_at(leg.q_1) for leg in course.moves]).reshape(-1, 3)
 
 
 def _parts(course: PlanSeries) -> list[tuple[slice, str]]:
@@ -254,10 +253,11 @@ def draw_arrows(axes: Axes, curve: Array, ends: Sequence[int]) -> None:
 
 
 def along_page(plant: Plant, points: Array) -> int:
-    """The world axis drawn across the page: 0 or 1, the one the rail runs along, else the one the path runs along."""
-    axis = plant.robot.rail_axis_W
-    reach = np.ptp(points, axis=0) if axis is None or max(abs(axis[:2])) < abs(axis[2]) else np.abs(axis)
-    return int(np.argmax(reach[:2]))
+    """The world axis drawn across the page: 0 or 1, the one that rails go far along, else the one the path runs
+    along."""
+    stroke = (plant.limits.upper - plant.limits.lower)[plant.layout.rail]
+    reach = np.abs(plant.robot.rail_axes_W.T) @ stroke
+    return int(np.argmax((reach if max(reach[:2]) > reach[2] else np.ptp(points, axis=0))[:2]))
 
 
 def _dense(curve: Array, count: int = 600) -> Array:

@@ -34,7 +34,7 @@ from trajopt_cli.report.style import (
     settle,
 )
 from trajopt_cli.trajectories.plan_series import PlanSeries, programmed_speed, target_flange, torques_along
-from trajopt_cli.units import DEG, MM, unit_of
+from trajopt_cli.units import DEG, MM, slides, unit_of
 
 TIME = "time [s]"
 _LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
@@ -58,7 +58,7 @@ def joints(course: PlanSeries) -> Figure:
         for panel, (what, per, values, lower, upper) in zip(grid[k], columns, strict=True):
             factor, unit = unit_of(name)
             if what == "torque":
-                factor, unit = 1.0, "N" if name == "rail" else "Nm"
+                factor, unit = 1.0, "N" if slides(name) else "Nm"
             ends = [np.broadcast_to(end, values.shape)[:, k] / factor for end in (lower, upper)]
             low, high = float(ends[0].min()), float(ends[1].max())
             if np.isfinite(high):
@@ -109,8 +109,9 @@ def _between_limits(panel: Axes, t: Array, ends: Sequence[Array]) -> None:
 
 
 def rail(course: PlanSeries) -> Figure | None:
-    """Rail position, and from where each work point can be reached, at the time it is reached. Figs 5.2 and 6.4."""
-    if not course.plant.robot.has_rail:
+    """Rail position, and from where each work point can be reached, at the time it is reached; of several rails the
+    axes' own picture tells. Figs 5.2 and 6.4."""
+    if course.plant.layout.r != 1:
         return None
     figure = new_figure(6.0, "Rail, and from where on it each point is in reach", course.below)
     axes = figure.subplots()
@@ -130,7 +131,7 @@ def rail(course: PlanSeries) -> Figure | None:
         asked = course.plant.rail_value(leg.motion.extax)
         if asked is not None:
             axes.plot(
-                leg.t_1, asked / MM, "x", color=VERMILLION, markersize=8, markeredgewidth=2, zorder=6, clip_on=False
+                leg.t_1, asked[0] / MM, "x", color=VERMILLION, markersize=8, markeredgewidth=2, zorder=6, clip_on=False
             )
     axes.plot(course.t, course.plant.layout.place(course.q) / MM, color=BLACK, linewidth=2.4, zorder=5, gid="rail")
     layout, limits = course.plant.layout, course.plant.limits

@@ -28,8 +28,8 @@ def axis_moves(analysis: Analysis, plant: Plant, axis: str) -> tuple[list[tuple[
 
     Raises InputError for a rail that the robot has not, and for an axis that never moves.
     """
-    if axis == "rail" and plant.robot.rail_axis_W is None:
-        raise InputError(f"--axis rail: {plant.robot.name} has none; give x, y or z")
+    if axis == "rail" and plant.layout.r != 1:
+        raise InputError(f"--axis rail: {plant.robot.name} has {plant.layout.r or 'none'} of them; give x, y or z")
     out = []
     for move in analysis.moves:
         if axis == "rail":

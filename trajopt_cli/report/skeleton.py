@@ -29,7 +29,7 @@ def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
     """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,); (8, 3) where
     axis 4 is carried apart from the wrist centre, before it."""
     robot = plant.robot
-    X_WO = robot.canonical_base(plant.layout.place(q))
+    X_WO = robot.canonical_base_at(q)
     points = robot.differential(q, X_FT).points()
     ends = points[3:5] if isinstance(robot.arm, ParallelArm) else points[4:5]
     foot = (X_WO @ [0.0, 0.0, robot.arm.c1, 1.0])[:3]

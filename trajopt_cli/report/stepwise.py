@@ -32,11 +32,11 @@ class StepMove:
     """One move in steps of speed.
 
     index: its place in Program.motions. X_BT_0, X_BT_1 (4, 4): the TCP from the carriage at both ends. X_WT_0, X_WT_1:
-    the same in the world. rail_0, rail_1 [m]: the rail there, 0 for a robot without one. length [m], angle [rad]: of
-    the way as the carriage sees it, along an arc where it is one. v_tcp [m/s]: programmed speed under the TCP cap, or
-    what a programmed duration comes to; 0 where the arm stands. t_arm, t_rail [s]: what either needs, 0 where it
-    stands. seen, real (n, 3) [m]: places of the TCP on its way, as the carriage sees them and in the world; of a
-    straight way both ends.
+    the same in the world. rail_0, rail_1 [m]: the rail there that goes farthest, 0 for a robot without one. length [m],
+    angle [rad]: of the way as the carriage sees it, along an arc where it is one. v_tcp [m/s]: programmed speed under
+    the TCP cap, or what a programmed duration comes to; 0 where the arm stands. t_arm, t_rail [s]: what either needs, 0
+    where it stands. seen, real (n, 3) [m]: places of the TCP on its way, as the carriage sees them and in the world; of
+    a straight way both ends.
     """
 
     index: int
@@ -135,8 +135,8 @@ def analyse(program: Program, plant: Plant) -> Analysis:
     Raises InputError, placed in the program, where something must move at a programmed speed of 0.
     """
     robot = plant.robot
-    X_BF = inverse_pose(robot.base(plant.layout.place(plant.start))) @ robot.forward(plant.start)
-    rail = float(plant.layout.place(plant.start))
+    X_BF = inverse_pose(robot.base_at(plant.start)) @ robot.forward(plant.start)
+    rail = plant.start[plant.layout.rail]
     X_FT: Array = np.eye(4)  # a MoveExtJ names no tool; the one before stays in force
     moves, waits, beside = [], [], 0.0  # what waits beside the last move (\Conc) take longer than it [s]
     for i, motion in enumerate(program.motions):
@@ -153,8 +153,7 @@ def analyse(program: Program, plant: Plant) -> Analysis:
                 pass
             case _:
                 X_FT = motion.tool.X_FT
-        given = plant.rail_value(motion.extax)
-        rail_1 = rail if given is None else given
+        rail_1 = plant.rail_after(motion.extax, rail)
         X_BT_0 = X_BF @ X_FT
         X_BT_1 = _target(motion, plant, rail_1, X_BF) @ X_FT
         moves.append(_step(i, motion, plant, (X_BT_0, X_BT_1), (rail, rail_1)))
@@ -163,20 +162,19 @@ def analyse(program: Program, plant: Plant) -> Analysis:
     return Analysis(tuple(moves), tuple(waits))
 
 
-def _target(motion: Move, plant: Plant, rail: float, X_BF: Array) -> Array:
+def _target(motion: Move, plant: Plant, rail: Array, X_BF: Array) -> Array:
     """The flange X_BF (4, 4) at the end of a move, the rail then being at rail; X_BF: before it."""
     X_BW = inverse_pose(plant.robot.base(rail))
     match motion:
         case MoveExtJ():
             return X_BF
         case MoveAbsJ():
-            axes = np.r_[[rail] if plant.robot.has_rail else [], motion.q]
-            return X_BW @ plant.robot.forward(axes)
+            return X_BW @ plant.robot.forward(np.r_[rail, motion.q])
         case _:
             return X_BW @ motion.X_WT @ inverse_pose(motion.tool.X_FT)
 
 
-def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rail: tuple[float, float]) -> StepMove:
+def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rail: tuple[Array, Array]) -> StepMove:
     X_BT_0, X_BT_1 = X_BT
     X_WB_0, X_WB_1 = (plant.robot.base(position) for position in rail)
     X_WT_0, X_WT_1 = X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1
@@ -186,7 +184,9 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     if isinstance(motion, PathMove) and not (path := segment_of(motion, X_WT_0)).straight:
         length, seen, real = _along(path, plant, rail)
         angle = path.angle
-    way = abs(rail[1] - rail[0])
+    ways = np.abs(rail[1] - rail[0])
+    way = float(ways.max(initial=0.0))
+    rail_0, rail_1 = (float(d[np.argmax(ways)]) if len(ways) else 0.0 for d in rail)
     v_tcp = min(motion.speed.v_tcp, plant.tcp.speed)
     if max(length, angle) <= _STANDS:
         length = angle = v_tcp = t_arm = 0.0
@@ -206,22 +206,22 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     else:
         _time(motion, way, motion.speed.v_leax, "speed of linear external axes")
         top, a_rail = plant.limits.velocity[plant.layout.rail], plant.limits.acceleration[plant.layout.rail]
-        t_rail = float(np.max(trapezoid_time(way, np.minimum(motion.speed.v_leax, top), a_rail)))
+        t_rail = float(np.max(trapezoid_time(ways, np.minimum(motion.speed.v_leax, top), a_rail)))
     return StepMove(
-        index, motion.source, X_BT_0, X_BT_1, X_WT_0, X_WT_1, *rail,
+        index, motion.source, X_BT_0, X_BT_1, X_WT_0, X_WT_1, rail_0, rail_1,
         length=length, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail, seen=seen, real=real,
     )  # fmt: skip
 
 
-def _along(path: Segment, plant: Plant, rail: tuple[float, float]) -> tuple[float, Array, Array]:
+def _along(path: Segment, plant: Plant, rail: tuple[Array, Array]) -> tuple[float, Array, Array]:
     """A path as the carriage sees it, the rail going in proportion: its length, and places on it from there and in the
     world (n, 3)."""
     x, weight = np.polynomial.legendre.leggauss(_GAUSS)
-    carried = np.zeros(3) if plant.robot.rail_axis_W is None else (rail[1] - rail[0]) * plant.robot.rail_axis_W
+    carried = plant.robot.way_at(rail[1] - rail[0])
     length = float(weight @ np.linalg.norm(path.twist((1 + x) / 2)[:, :3] - carried, axis=1)) / 2
     s = np.linspace(0.0, 1.0, _PLACES)
     X_WT = path.pose(s)
-    X_BT = inverse_pose(plant.robot.base(rail[0] + s * (rail[1] - rail[0]))) @ X_WT
+    X_BT = inverse_pose(plant.robot.base_at(rail[0] + s[:, None] * (rail[1] - rail[0]))) @ X_WT
     return length, X_BT[:, :3, 3], X_WT[:, :3, 3]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,20 @@ def pin_model(urdf: Path, X_WR: Array) -> Any:
         if frame.parentJoint == 0:
             frame.placement = mount * frame.placement
     return model
+
+
+def pin_model_on_axes(urdf: Path, X_WU: Array, names: Sequence[str], axes: Array) -> Any:
+    """The same of its arm alone, its root at X_WU (4, 4) in the world where linear axes are at 0. axes (r, 3): their
+    directions in the world; names: of all axes, theirs first. A rail of the URDF stands at 0."""
+    import pinocchio as pin
+
+    arm, out, parent = pin_model(urdf, X_WU), pin.Model(), 0
+    if "rail" in arm.names:
+        arm = pin.buildReducedModel(arm, [arm.getJointId("rail")], pin.neutral(arm))
+    for name, axis in zip(names, axes, strict=False):
+        parent = out.addJoint(parent, pin.JointModelPrismaticUnaligned(*axis), pin.SE3.Identity(), name)
+        out.addJointFrame(parent)
+    return pin.appendModel(out, arm, out.nframes - 1, pin.SE3.Identity())
 
 
 def named_profile(

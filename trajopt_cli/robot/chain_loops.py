@@ -2,8 +2,8 @@
 
 chain (6, 7), a row per joint: the coordinate axis it turns about (0, 1, 2), its sign and offset, the way from the joint
 before (3) [m], what it takes of the joint before (robot.arm.Arm.chain says more). X_WO (4, 4): where the first joint
-stands with the rail at 0. ride (3,): the way of the rail in the world. X_6T (4, 4): the tool behind the last joint.
-q (n, k): the rail first where there is one. room (4, 7, 7): for what is between.
+stands with the rails at 0. ride (r, 3): the ways of the rails in the world. X_6T (4, 4): the tool behind the last
+joint. q (n, k): the r rails first where there are some. room (4, 7, 7): for what is between.
 """
 # mypy: disable-error-code="no-untyped-def, untyped-decorator"
 
@@ -15,7 +15,7 @@ import numpy as np
 from numba import njit
 
 _PART = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-_ARM = "float64[:,::1], float64[:,:], float64[:], float64[:,:], float64[:,:,::1], float64[:,:]"
+_ARM = "float64[:,::1], float64[:,:], float64[:,:], float64[:,:], float64[:,:,::1], float64[:,:]"
 
 
 @njit(**_PART)
@@ -25,8 +25,8 @@ def _frames(chain, X_WO, ride, X_6T, room, q):
     rail = len(q) - 6
     for j in range(3):
         o[0, j] = X_WO[j, 3]
-        if rail:
-            o[0, j] += ride[j] * q[0]
+        for i in range(rail):
+            o[0, j] += ride[i, j] * q[i]
         for k in range(3):
             e[k, j] = X_WO[j, k]
     before = 0.0
@@ -66,9 +66,10 @@ def _moved(chain, ride, room, qd, qdd, out):
     a, o = room[1], room[2]
     rail = len(qd) - 6
     for j in range(3):
-        out[0, j] = ride[j] * qd[0] if rail else 0.0
-        out[1, j] = ride[j] * qdd[0] if rail else 0.0
-        out[0, 3 + j] = out[1, 3 + j] = 0.0
+        out[0, j] = out[1, j] = out[0, 3 + j] = out[1, 3 + j] = 0.0
+        for i in range(rail):
+            out[0, j] += ride[i, j] * qd[i]
+            out[1, j] += ride[i, j] * qdd[i]
     w, al = out[0, 3:], out[1, 3:]
     before, before_2 = 0.0, 0.0
     for i in range(6):
@@ -155,8 +156,9 @@ def jacobians(chain, X_WO, ride, X_6T, room, q, J):
     for n in range(len(q)):
         _frames(chain, X_WO, ride, X_6T, room, q[n])
         _jacobian(chain, room, J[n], rail)
-        for j in range(3 * rail):
-            J[n, j, 0], J[n, 3 + j, 0] = ride[j], 0.0
+        for i in range(rail):
+            for j in range(3):
+                J[n, j, i], J[n, 3 + j, i] = ride[i, j], 0.0
 
 
 @njit(
@@ -175,7 +177,8 @@ def motions(chain, X_WO, ride, X_6T, room, q, qd, qdd, out):
     error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True,
 )  # fmt: skip
 def follow(chain, X_WO, ride, X_6T, room, q, twist, bend, rail_rate, rail_bend, qd, qdd):
-    """Axis speeds and accelerations (n, k) that move the tool by a twist and its rate (n, 6), the rail by its own."""
+    """Axis speeds and accelerations (n, k) that move the tool by a twist and its rate (n, 6), the rails by their
+    own."""
     rail = q.shape[1] - 6
     A, order, moved, b = room[3, :6], room[3, 6], room[0, 3:5], room[0, 5]
     for n in range(len(q)):
@@ -185,7 +188,9 @@ def follow(chain, X_WO, ride, X_6T, room, q, twist, bend, rail_rate, rail_bend, 
         for j in range(rail):
             qd[n, j], qdd[n, j] = rail_rate[n, j], rail_bend[n, j]
         for j in range(6):
-            b[j] = twist[n, j] - (ride[j] * rail_rate[n, 0] if rail and j < 3 else 0.0)
+            b[j] = twist[n, j]
+            for i in range(rail if j < 3 else 0):
+                b[j] -= ride[i, j] * rail_rate[n, i]
         _solved(A, order, b, qd[n, rail:])
         for j in range(6):
             qdd[n, rail + j] = 0.0

@@ -14,13 +14,13 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.arm import Arm
 
-_NO_RAIL = np.zeros(3)
+_NO_RAIL = np.zeros((0, 3))
 
 
 @dataclass(frozen=True, eq=False)
 class Differential:
-    """Differential kinematics of an arm at axes q (..., k), a rail's position first; TCP motions are (..., 6) in world
-    axes, linear first. X_WO (4, 4): the arm's canonical base with the rail at 0. ride (3,): direction of the rail's
+    """Differential kinematics of an arm at axes q (..., k), those of r rails first; TCP motions are (..., 6) in world
+    axes, linear first. X_WO (4, 4): the arm's canonical base with the rails at 0. ride (r, 3): directions of the rails'
     travel in the world. X_6T (4, 4): the TCP in the canonical frame behind axis 6."""
 
     arm: Arm
@@ -67,7 +67,7 @@ class Differential:
 
     def follow(self, twist: Array, change: Array, rail_rate: Array, rail_change: Array) -> tuple[Array, Array]:
         """Axis speeds and accelerations (m, k) at axes (m, k) with which the TCP moves by a twist and its rate (m, 6)
-        while the rail has its own (m, r). NaN where the arm's Jacobian is singular."""
+        while the rails have their own (m, r). NaN where the arm's Jacobian is singular."""
         qd, qdd = np.empty(self.q.shape), np.empty(self.q.shape)
         self._run("follow", self.q, twist, change, rail_rate, rail_change, qd, qdd)
         return qd, qdd

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose, moved_by
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import offset_wrist, parallel_arm
@@ -34,44 +34,40 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None, cfx: Inde
     """Joints (n, 8, 6) [rad] of flange poses X_WF (n, 4, 4), by branch: index cfx, NaN rows where there is none; 16
     branches of a wrist with an offset, of which two have one cfx. Joints (n, 6) of one branch each with cfx (n,) or ().
 
-    rail (n,): rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles, the lower end left
-    out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
-    (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may. Raises
-    ValueError for poses of another shape, a rail without positions and numbers that no branch has.
+    rail (n, r), or (n,) of one: rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles,
+    the lower end left out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 =
+    0 where t5 = 0 (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and
+    may. Raises ValueError for poses of another shape, a rail without positions and numbers that no branch has.
     """
     X_WF, arm = np.asarray(X_WF, dtype=np.float64), robot.arm
     if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
         raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
-    ride = robot.rail_axis_W
-    if ride is not None and rail is None:
-        raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
-    d = np.broadcast_to(np.asarray(0.0 if ride is None else rail, dtype=np.float64), (len(X_WF),))
+    if robot.has_rail and rail is None:
+        raise ValueError(f"robot {robot.name} rides a rail: give rail (n, {robot.layout.r})")
+    way = np.broadcast_to(robot.way(rail), (len(X_WF), 3))
     branches = BRANCHES if arm.closed_form else 2 * BRANCHES
     one = None if cfx is None else np.broadcast_to(np.asarray(cfx, dtype=np.int64), (len(X_WF),))
     if one is not None and np.any((one < 0) | (one >= branches)):
         raise ValueError(f"branches {one.min()} to {one.max()}: they are 0 to {branches - 1}")
     if arm.closed_form:
-        return closed_form(arm, X_WF, robot.X_WO0, ride, d, one)
-    t = offset_wrist.angles(arm, inverse_pose(robot.canonical_base(d)) @ X_WF @ inverse_pose(arm.X_KF), closed_form)
+        return closed_form(arm, X_WF, robot.X_WO0, way, one)
+    t = offset_wrist.angles(arm, inverse_pose(moved_by(robot.X_WO0, way)) @ X_WF @ inverse_pose(arm.X_KF), closed_form)
     q = arm.joints(t)
     q -= 2 * pi * np.ceil((q - arm.middles - pi) / (2 * pi))
     return q if one is None else q[np.arange(len(q)), one]
 
 
-def closed_form(
-    arm: Arm, X_WF: Array, X_WO: Array, ride: Array | None = None, rail: Array | None = None,
-    cfx: IndexArray | None = None,
-) -> Array:  # fmt: skip
-    """The same of an arm that has one, its canonical base at X_WO (4, 4) with the rail at 0; ride (3,): the rail's
-    direction in the world. Compiled: robot.inverse_loops."""
+def closed_form(arm: Arm, X_WF: Array, X_WO: Array, way: Array | None = None, cfx: IndexArray | None = None) -> Array:
+    """The same of an arm that has one, its canonical base at X_WO (4, 4) with the rails at 0; way (n, 3): how far they
+    have taken it [m]. Compiled: robot.inverse_loops."""
     from trajopt_cli.native.loops import loops  # LLVM with it: not for who only loads a robot
 
     n = len(X_WF)
     out = np.empty((n, BRANCHES if cfx is None else 1, 6))
     which = np.broadcast_to(np.int64(-1), (n,)) if cfx is None else cfx
-    ride, rail = (np.zeros(3), np.zeros(n)) if ride is None or rail is None else (ride, rail)
+    way = np.zeros((n, 3)) if way is None else way
     fill = loops("trajopt_cli.robot.inverse_loops")["fill_joints"]
-    fill(arm.numbers, X_WO, ride, inverse_pose(arm.X_KF), X_WF, rail, which, np.empty((6, 6)), out)
+    fill(arm.numbers, X_WO, way, inverse_pose(arm.X_KF), X_WF, which, np.empty((6, 6)), out)
     return out if cfx is None else out[:, 0]
 
 
@@ -92,13 +88,15 @@ def representatives(q: Array, lower: Array, upper: Array) -> Array:
     return np.array(list(product(*choices))).reshape(-1, len(q))
 
 
-def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
+def solutions(
+    robot: RobotModel, X_WF: Array, rail: Array | float | None, limits: JointLimits
+) -> list[tuple[int, Array]]:
     """Every (cfx, joints (6,)) within limits that puts the flange at X_WF (4, 4), turns included; [] if there is none.
 
-    rail [m] is needed with a rail, and a rail position outside its limits has no solutions. Where two branches meet
-    (stretched elbow) the solution stands once, under the smaller cfx.
+    rail [m], (r,) or that of one, is needed with a rail, and a position outside its limits has no solutions. Where two
+    branches meet (stretched elbow) the solution stands once, under the smaller cfx.
     """
-    if robot.has_rail and rail is not None and not _within(rail, limits.lower[0], limits.upper[0]):
+    if rail is not None and _beyond(robot, rail, limits) is not None:
         return []
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
     found: dict[tuple[float, ...], tuple[int, Array]] = {}
@@ -109,8 +107,10 @@ def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointL
     return list(found.values())
 
 
-def _within(value: float, low: float, high: float) -> bool:
-    return bool(low - ON_LIMIT <= value <= high + ON_LIMIT)
+def _beyond(robot: RobotModel, rail: Array | float, limits: JointLimits) -> int | None:
+    """The first of the rails that a position (r,) is outside the stroke of; None where there is none."""
+    ends = zip(np.ravel(rail)[: robot.layout.r], limits.lower, limits.upper, strict=False)
+    return next((i for i, (d, low, high) in enumerate(ends) if not low - ON_LIMIT <= d <= high + ON_LIMIT), None)
 
 
 def confdata(robot: RobotModel, q: Array) -> ConfData:
@@ -174,15 +174,15 @@ def confdata_admits(robot: RobotModel, conf: ConfData | Array, q: Array) -> Bool
     return np.asarray(ok)
 
 
-def why_unreachable(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
+def why_unreachable(robot: RobotModel, X_WF: Array, rail: Array | float | None, limits: JointLimits) -> str:
     """The reason, in one clause, why solutions() of this flange pose is empty.
 
     The rail outside its stroke; the wrist centre too far from or too near to axis 2; or the joint limits every branch
     breaks. Raises ValueError for a pose that has solutions.
     """
-    if robot.has_rail and rail is not None and not _within(rail, limits.lower[0], limits.upper[0]):
-        low, high = limits.lower[0], limits.upper[0]
-        return f"{robot.axis_names[0]} = {rail:.6g} m, outside its stroke {low:.6g}..{high:.6g} m"
+    if rail is not None and (i := _beyond(robot, rail, limits)) is not None:
+        low, high = limits.lower[i], limits.upper[i]
+        return f"{robot.axis_names[i]} = {np.ravel(rail)[i]:.6g} m, outside its stroke {low:.6g}..{high:.6g} m"
     if solutions(robot, X_WF, rail, limits):
         raise ValueError("why_unreachable: the pose has solutions")
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
@@ -208,11 +208,11 @@ def _broken_couplings(robot: RobotModel, branches: Mapping[str, Array], limits: 
     )
 
 
-def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> str:
+def _outside_workspace(robot: RobotModel, X_WF: Array, rail: Array | float | None) -> str:
     arm = robot.arm
     if not arm.closed_form:
         return "no posture was found that reaches it (its wrist has an offset, so postures are sought step by step)"
-    X_WO = robot.canonical_base(0.0 if rail is None else rail)
+    X_WO = moved_by(robot.X_WO0, robot.way(rail))
     X_WK = X_WF @ inverse_pose(arm.X_KF)
     w = X_WO[:3, :3].T @ (X_WK[:3, 3] - arm.c4 * X_WK[:3, 2] - X_WO[:3, 3])
     reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.c1

@@ -1,252 +1,250 @@
-; sha256 91ea683f84d867c584ac503d9911f80754e95a5b449ae079b6fdd5b82aae0e7a of inverse_loops.py and of this
+; sha256 dee1d4bcc81f9c15309fa3ed2ae2d3e4866bd3a0be224e7f9c0c42d3c19f6604 of inverse_loops.py and of this
 ; made by numba 0.68.1, llvmlite 0.50.0, Python 3.11.7
-; loops.fill_joints: array(float64, 1d, C); array(float64, 2d, A); array(float64, 1d, A); array(float64, 2d, A); array(float64, 3d, A); array(float64, 1d, A); array(int64, 1d, A); array(float64, 2d, C); array(float64, 3d, C)
+; loops.fill_joints: array(float64, 1d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 3d, A); array(int64, 1d, A); array(float64, 2d, C); array(float64, 3d, C)
 ; loops.fill_bent: array(float64, 1d, C); array(float64, 3d, C); array(float64, 2d, A); array(float64, 1d, A); array(float64, 2d, C)
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.fill_joints(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.arm.0, ptr readnone captures(none) %arg.arm.1, i64 %arg.arm.2, i64 %arg.arm.3, ptr readonly captures(none) %arg.arm.4, i64 %arg.arm.5.0, i64 %arg.arm.6.0, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.6.0, ptr readnone captures(none) %arg.X_FK.0, ptr readnone captures(none) %arg.X_FK.1, i64 %arg.X_FK.2, i64 %arg.X_FK.3, ptr readonly captures(none) %arg.X_FK.4, i64 %arg.X_FK.5.0, i64 %arg.X_FK.5.1, i64 %arg.X_FK.6.0, i64 %arg.X_FK.6.1, ptr readnone captures(none) %arg.X_WF.0, ptr readnone captures(none) %arg.X_WF.1, i64 %arg.X_WF.2, i64 %arg.X_WF.3, ptr readonly captures(none) %arg.X_WF.4, i64 %arg.X_WF.5.0, i64 %arg.X_WF.5.1, i64 %arg.X_WF.5.2, i64 %arg.X_WF.6.0, i64 %arg.X_WF.6.1, i64 %arg.X_WF.6.2, ptr readnone captures(none) %arg.rail.0, ptr readnone captures(none) %arg.rail.1, i64 %arg.rail.2, i64 %arg.rail.3, ptr readonly captures(none) %arg.rail.4, i64 %arg.rail.5.0, i64 %arg.rail.6.0, ptr readnone captures(none) %arg.cfx.0, ptr readnone captures(none) %arg.cfx.1, i64 %arg.cfx.2, i64 %arg.cfx.3, ptr readonly captures(none) %arg.cfx.4, i64 %arg.cfx.5.0, i64 %arg.cfx.6.0, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr captures(none) %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.6.0, i64 %arg.room.6.1, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr writeonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.5.2, i64 %arg.q.6.0, i64 %arg.q.6.1, i64 %arg.q.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.fill_joints(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.arm.0, ptr readnone captures(none) %arg.arm.1, i64 %arg.arm.2, i64 %arg.arm.3, ptr readonly captures(none) %arg.arm.4, i64 %arg.arm.5.0, i64 %arg.arm.6.0, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.way.0, ptr readnone captures(none) %arg.way.1, i64 %arg.way.2, i64 %arg.way.3, ptr readonly captures(none) %arg.way.4, i64 %arg.way.5.0, i64 %arg.way.5.1, i64 %arg.way.6.0, i64 %arg.way.6.1, ptr readnone captures(none) %arg.X_FK.0, ptr readnone captures(none) %arg.X_FK.1, i64 %arg.X_FK.2, i64 %arg.X_FK.3, ptr readonly captures(none) %arg.X_FK.4, i64 %arg.X_FK.5.0, i64 %arg.X_FK.5.1, i64 %arg.X_FK.6.0, i64 %arg.X_FK.6.1, ptr readnone captures(none) %arg.X_WF.0, ptr readnone captures(none) %arg.X_WF.1, i64 %arg.X_WF.2, i64 %arg.X_WF.3, ptr readonly captures(none) %arg.X_WF.4, i64 %arg.X_WF.5.0, i64 %arg.X_WF.5.1, i64 %arg.X_WF.5.2, i64 %arg.X_WF.6.0, i64 %arg.X_WF.6.1, i64 %arg.X_WF.6.2, ptr readnone captures(none) %arg.cfx.0, ptr readnone captures(none) %arg.cfx.1, i64 %arg.cfx.2, i64 %arg.cfx.3, ptr readonly captures(none) %arg.cfx.4, i64 %arg.cfx.5.0, i64 %arg.cfx.6.0, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr captures(none) %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.6.0, i64 %arg.room.6.1, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr writeonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.5.2, i64 %arg.q.6.0, i64 %arg.q.6.1, i64 %arg.q.6.2) local_unnamed_addr #0 {
 B0.else.endif:
   %.1468.i = alloca ptr, align 8
   %.2177.i = alloca ptr, align 8
-  %.239 = icmp slt i64 %arg.room.5.0, 1
-  %.219.sroa.0.3665 = select i1 %.239, i64 %arg.room.5.0, i64 0, !prof !0
-  %.340 = icmp slt i64 %arg.room.5.1, 1
-  br i1 %.340, label %B0.endif.endif.else.endif.endif.endif.thread, label %B0.endif.else.endif.endif.endif, !prof !0
+  %.231 = icmp slt i64 %arg.room.5.0, 1
+  %.211.sroa.0.3669 = select i1 %.231, i64 %arg.room.5.0, i64 0, !prof !0
+  %.332 = icmp slt i64 %arg.room.5.1, 1
+  br i1 %.332, label %B0.endif.endif.else.endif.endif.endif.thread, label %B0.endif.else.endif.endif.endif, !prof !0
 
-B188:                                             ; preds = %B188.lr.ph, %B419
-  %lsr.iv29 = phi i64 [ %arg.X_WF.5.0, %B188.lr.ph ], [ %lsr.iv.next, %B419 ]
-  %lsr.iv27 = phi ptr [ %arg.X_WF.4, %B188.lr.ph ], [ %scevgep28, %B419 ]
-  %lsr.iv25 = phi ptr [ %arg.rail.4, %B188.lr.ph ], [ %scevgep26, %B419 ]
-  %lsr.iv23 = phi ptr [ %arg.cfx.4, %B188.lr.ph ], [ %scevgep24, %B419 ]
-  %lsr.iv = phi ptr [ %arg.q.4, %B188.lr.ph ], [ %scevgep, %B419 ]
-  %.1709 = load double, ptr %lsr.iv25, align 8
-  %invariant.gep.i = getelementptr i8, ptr %lsr.iv27, i64 %arg.X_WF.6.2
-  %invariant.gep449.i = getelementptr i8, ptr %lsr.iv27, i64 %.766.i
-  %invariant.gep451.i = getelementptr i8, ptr %lsr.iv27, i64 %.888.i
-  %sunkaddr2.i = getelementptr i8, ptr %lsr.iv27, i64 %arg.X_WF.6.1
+B188:                                             ; preds = %B188.lr.ph, %B417
+  %lsr.iv29 = phi i64 [ %arg.X_WF.5.0, %B188.lr.ph ], [ %lsr.iv.next, %B417 ]
+  %lsr.iv27 = phi ptr [ %arg.way.4, %B188.lr.ph ], [ %scevgep28, %B417 ]
+  %lsr.iv25 = phi ptr [ %arg.X_WF.4, %B188.lr.ph ], [ %scevgep26, %B417 ]
+  %lsr.iv23 = phi ptr [ %arg.cfx.4, %B188.lr.ph ], [ %scevgep24, %B417 ]
+  %lsr.iv = phi ptr [ %arg.q.4, %B188.lr.ph ], [ %scevgep, %B417 ]
+  %invariant.gep.i = getelementptr i8, ptr %lsr.iv25, i64 %arg.X_WF.6.2
+  %invariant.gep449.i = getelementptr i8, ptr %lsr.iv25, i64 %.763.i
+  %invariant.gep451.i = getelementptr i8, ptr %lsr.iv25, i64 %.885.i
+  %sunkaddr2.i = getelementptr i8, ptr %lsr.iv25, i64 %arg.X_WF.6.1
   %sunkaddr3.i = getelementptr i8, ptr %invariant.gep.i, i64 %arg.X_WF.6.1
   %sunkaddr4.i = getelementptr i8, ptr %invariant.gep449.i, i64 %arg.X_WF.6.1
-  %sunkaddr6.i = getelementptr i8, ptr %lsr.iv27, i64 %sunkaddr5.i
+  %sunkaddr6.i = getelementptr i8, ptr %lsr.iv25, i64 %sunkaddr5.i
   %sunkaddr12.i = getelementptr i8, ptr %invariant.gep.i, i64 %sunkaddr5.i
   %sunkaddr23.i = getelementptr i8, ptr %invariant.gep449.i, i64 %sunkaddr5.i
   %sunkaddr.i = getelementptr i8, ptr %invariant.gep451.i, i64 %arg.X_WF.6.1
+  %sunkaddr56.i = getelementptr i8, ptr %lsr.iv27, i64 %arg.way.6.1
   %sunkaddr58.i = getelementptr i8, ptr %invariant.gep451.i, i64 %sunkaddr5.i
-  br label %B441.us.us.3.i
+  %sunkaddr62.i = getelementptr i8, ptr %lsr.iv27, i64 %sunkaddr61.i
+  br label %B435.us.us.3.i
 
-B441.us.us.3.i:                                   ; preds = %B441.us.us.3.i, %B188
-  %lsr.iv3.i = phi ptr [ %scevgep4.i, %B441.us.us.3.i ], [ %arg.X_WO.4, %B188 ]
-  %lsr.iv.i = phi ptr [ %scevgep.i, %B441.us.us.3.i ], [ %.441132136, %B188 ]
-  %.216511521.us.i = phi i64 [ %.223.us.i, %B441.us.us.3.i ], [ 0, %B188 ]
-  %0 = shl nuw nsw i64 %.216511521.us.i, 3
-  %scevgep1.i = getelementptr i8, ptr %.643, i64 %0
-  %.826.us.us.i = load double, ptr %23, align 8, !noalias !1
-  %.714.us.us.i = load double, ptr %22, align 8, !noalias !1
-  %.603.us.us.i = load double, ptr %arg.X_FK.4, align 8, !noalias !1
-  %.548.us483.us.i = load double, ptr %lsr.iv27, align 8, !noalias !1
-  %.604.us484.us.i = fmul double %.603.us.us.i, %.548.us483.us.i
-  %.659.us486.us.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
-  %.715.us487.us.i = fmul double %.714.us.us.i, %.659.us486.us.i
-  %.716.us488.us.i = fadd double %.604.us484.us.i, %.715.us487.us.i
-  %.771.us490.us.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
-  %.827.us491.us.i = fmul double %.826.us.us.i, %.771.us490.us.i
-  %.828.us492.us.i = fadd double %.716.us488.us.i, %.827.us491.us.i
-  %.1049.us497.us.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
-  %.1053.us498.us.i = fmul double %.1049.us497.us.i, %.828.us492.us.i
-  %.1057.us499.us.i = fadd double %.1053.us498.us.i, 0.000000e+00
-  %.548.us483.us.1.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
-  %.604.us484.us.1.i = fmul double %.603.us.us.i, %.548.us483.us.1.i
-  %.659.us486.us.1.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
-  %.715.us487.us.1.i = fmul double %.714.us.us.i, %.659.us486.us.1.i
-  %.716.us488.us.1.i = fadd double %.604.us484.us.1.i, %.715.us487.us.1.i
-  %.771.us490.us.1.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
-  %.827.us491.us.1.i = fmul double %.826.us.us.i, %.771.us490.us.1.i
-  %.828.us492.us.1.i = fadd double %.716.us488.us.1.i, %.827.us491.us.1.i
+B435.us.us.3.i:                                   ; preds = %B435.us.us.3.i, %B188
+  %lsr.iv3.i = phi ptr [ %scevgep4.i, %B435.us.us.3.i ], [ %arg.X_WO.4, %B188 ]
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B435.us.us.3.i ], [ %.433132136, %B188 ]
+  %.213511521.us.i = phi i64 [ %.220.us.i, %B435.us.us.3.i ], [ 0, %B188 ]
+  %0 = shl nuw nsw i64 %.213511521.us.i, 3
+  %scevgep1.i = getelementptr i8, ptr %.635, i64 %0
+  %.823.us.us.i = load double, ptr %23, align 8, !noalias !1
+  %.711.us.us.i = load double, ptr %22, align 8, !noalias !1
+  %.600.us.us.i = load double, ptr %arg.X_FK.4, align 8, !noalias !1
+  %.545.us483.us.i = load double, ptr %lsr.iv25, align 8, !noalias !1
+  %.601.us484.us.i = fmul double %.600.us.us.i, %.545.us483.us.i
+  %.656.us486.us.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
+  %.712.us487.us.i = fmul double %.711.us.us.i, %.656.us486.us.i
+  %.713.us488.us.i = fadd double %.601.us484.us.i, %.712.us487.us.i
+  %.768.us490.us.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
+  %.824.us491.us.i = fmul double %.823.us.us.i, %.768.us490.us.i
+  %.825.us492.us.i = fadd double %.713.us488.us.i, %.824.us491.us.i
+  %.1044.us497.us.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
+  %.1048.us498.us.i = fmul double %.1044.us497.us.i, %.825.us492.us.i
+  %.1052.us499.us.i = fadd double %.1048.us498.us.i, 0.000000e+00
+  %.545.us483.us.1.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
+  %.601.us484.us.1.i = fmul double %.600.us.us.i, %.545.us483.us.1.i
+  %.656.us486.us.1.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
+  %.712.us487.us.1.i = fmul double %.711.us.us.i, %.656.us486.us.1.i
+  %.713.us488.us.1.i = fadd double %.601.us484.us.1.i, %.712.us487.us.1.i
+  %.768.us490.us.1.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
+  %.824.us491.us.1.i = fmul double %.823.us.us.i, %.768.us490.us.1.i
+  %.825.us492.us.1.i = fadd double %.713.us488.us.1.i, %.824.us491.us.1.i
   %scevgep6.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WO.6.0
-  %.1049.us497.us.1.i = load double, ptr %scevgep6.i, align 8, !noalias !1
-  %.1053.us498.us.1.i = fmul double %.1049.us497.us.1.i, %.828.us492.us.1.i
-  %.1057.us499.us.1.i = fadd double %.1057.us499.us.i, %.1053.us498.us.1.i
-  %.548.us483.us.2.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
-  %.604.us484.us.2.i = fmul double %.603.us.us.i, %.548.us483.us.2.i
-  %.659.us486.us.2.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
-  %.715.us487.us.2.i = fmul double %.714.us.us.i, %.659.us486.us.2.i
-  %.716.us488.us.2.i = fadd double %.604.us484.us.2.i, %.715.us487.us.2.i
-  %.771.us490.us.2.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
-  %.827.us491.us.2.i = fmul double %.826.us.us.i, %.771.us490.us.2.i
-  %.828.us492.us.2.i = fadd double %.716.us488.us.2.i, %.827.us491.us.2.i
+  %.1044.us497.us.1.i = load double, ptr %scevgep6.i, align 8, !noalias !1
+  %.1048.us498.us.1.i = fmul double %.1044.us497.us.1.i, %.825.us492.us.1.i
+  %.1052.us499.us.1.i = fadd double %.1052.us499.us.i, %.1048.us498.us.1.i
+  %.545.us483.us.2.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
+  %.601.us484.us.2.i = fmul double %.600.us.us.i, %.545.us483.us.2.i
+  %.656.us486.us.2.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
+  %.712.us487.us.2.i = fmul double %.711.us.us.i, %.656.us486.us.2.i
+  %.713.us488.us.2.i = fadd double %.601.us484.us.2.i, %.712.us487.us.2.i
+  %.768.us490.us.2.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
+  %.824.us491.us.2.i = fmul double %.823.us.us.i, %.768.us490.us.2.i
+  %.825.us492.us.2.i = fadd double %.713.us488.us.2.i, %.824.us491.us.2.i
   %sunkaddr35.i = getelementptr i8, ptr %lsr.iv3.i, i64 %sunkaddr25.i
-  %.1049.us497.us.2.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
-  %.1053.us498.us.2.i = fmul double %.1049.us497.us.2.i, %.828.us492.us.2.i
-  %.1057.us499.us.2.i = fadd double %.1057.us499.us.1.i, %.1053.us498.us.2.i
-  store double %.1057.us499.us.2.i, ptr %lsr.iv.i, align 8, !noalias !1
-  %.603.us.us.1.pre.i = load double, ptr %sunkaddr37.i, align 8, !noalias !1
-  %.714.us.us.1.pre.i = load double, ptr %sunkaddr42.i, align 8, !noalias !1
-  %.826.us.us.1.pre.i = load double, ptr %sunkaddr43.i, align 8, !noalias !1
-  %.548.us483.us.1536.i = load double, ptr %lsr.iv27, align 8, !noalias !1
-  %.604.us484.us.1537.i = fmul double %.603.us.us.1.pre.i, %.548.us483.us.1536.i
-  %.659.us486.us.1538.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
-  %.715.us487.us.1539.i = fmul double %.714.us.us.1.pre.i, %.659.us486.us.1538.i
-  %.716.us488.us.1540.i = fadd double %.604.us484.us.1537.i, %.715.us487.us.1539.i
-  %.771.us490.us.1541.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
-  %.827.us491.us.1542.i = fmul double %.826.us.us.1.pre.i, %.771.us490.us.1541.i
-  %.828.us492.us.1543.i = fadd double %.716.us488.us.1540.i, %.827.us491.us.1542.i
-  %.1049.us497.us.1544.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
-  %.1053.us498.us.1545.i = fmul double %.1049.us497.us.1544.i, %.828.us492.us.1543.i
-  %.1057.us499.us.1546.i = fadd double %.1053.us498.us.1545.i, 0.000000e+00
-  %.548.us483.us.1.1.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
-  %.604.us484.us.1.1.i = fmul double %.603.us.us.1.pre.i, %.548.us483.us.1.1.i
-  %.659.us486.us.1.1.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
-  %.715.us487.us.1.1.i = fmul double %.714.us.us.1.pre.i, %.659.us486.us.1.1.i
-  %.716.us488.us.1.1.i = fadd double %.604.us484.us.1.1.i, %.715.us487.us.1.1.i
-  %.771.us490.us.1.1.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
-  %.827.us491.us.1.1.i = fmul double %.826.us.us.1.pre.i, %.771.us490.us.1.1.i
-  %.828.us492.us.1.1.i = fadd double %.716.us488.us.1.1.i, %.827.us491.us.1.1.i
-  %.1049.us497.us.1.1.i = load double, ptr %scevgep6.i, align 8, !noalias !1
-  %.1053.us498.us.1.1.i = fmul double %.1049.us497.us.1.1.i, %.828.us492.us.1.1.i
-  %.1057.us499.us.1.1.i = fadd double %.1057.us499.us.1546.i, %.1053.us498.us.1.1.i
-  %.548.us483.us.2.1.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
-  %.604.us484.us.2.1.i = fmul double %.603.us.us.1.pre.i, %.548.us483.us.2.1.i
-  %.659.us486.us.2.1.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
-  %.715.us487.us.2.1.i = fmul double %.714.us.us.1.pre.i, %.659.us486.us.2.1.i
-  %.716.us488.us.2.1.i = fadd double %.604.us484.us.2.1.i, %.715.us487.us.2.1.i
-  %.771.us490.us.2.1.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
-  %.827.us491.us.2.1.i = fmul double %.826.us.us.1.pre.i, %.771.us490.us.2.1.i
-  %.828.us492.us.2.1.i = fadd double %.716.us488.us.2.1.i, %.827.us491.us.2.1.i
-  %.1049.us497.us.2.1.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
-  %.1053.us498.us.2.1.i = fmul double %.1049.us497.us.2.1.i, %.828.us492.us.2.1.i
-  %.1057.us499.us.2.1.i = fadd double %.1057.us499.us.1.1.i, %.1053.us498.us.2.1.i
+  %.1044.us497.us.2.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
+  %.1048.us498.us.2.i = fmul double %.1044.us497.us.2.i, %.825.us492.us.2.i
+  %.1052.us499.us.2.i = fadd double %.1052.us499.us.1.i, %.1048.us498.us.2.i
+  store double %.1052.us499.us.2.i, ptr %lsr.iv.i, align 8, !noalias !1
+  %.600.us.us.1.pre.i = load double, ptr %sunkaddr37.i, align 8, !noalias !1
+  %.711.us.us.1.pre.i = load double, ptr %sunkaddr42.i, align 8, !noalias !1
+  %.823.us.us.1.pre.i = load double, ptr %sunkaddr43.i, align 8, !noalias !1
+  %.545.us483.us.1536.i = load double, ptr %lsr.iv25, align 8, !noalias !1
+  %.601.us484.us.1537.i = fmul double %.600.us.us.1.pre.i, %.545.us483.us.1536.i
+  %.656.us486.us.1538.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
+  %.712.us487.us.1539.i = fmul double %.711.us.us.1.pre.i, %.656.us486.us.1538.i
+  %.713.us488.us.1540.i = fadd double %.601.us484.us.1537.i, %.712.us487.us.1539.i
+  %.768.us490.us.1541.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
+  %.824.us491.us.1542.i = fmul double %.823.us.us.1.pre.i, %.768.us490.us.1541.i
+  %.825.us492.us.1543.i = fadd double %.713.us488.us.1540.i, %.824.us491.us.1542.i
+  %.1044.us497.us.1544.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
+  %.1048.us498.us.1545.i = fmul double %.1044.us497.us.1544.i, %.825.us492.us.1543.i
+  %.1052.us499.us.1546.i = fadd double %.1048.us498.us.1545.i, 0.000000e+00
+  %.545.us483.us.1.1.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
+  %.601.us484.us.1.1.i = fmul double %.600.us.us.1.pre.i, %.545.us483.us.1.1.i
+  %.656.us486.us.1.1.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
+  %.712.us487.us.1.1.i = fmul double %.711.us.us.1.pre.i, %.656.us486.us.1.1.i
+  %.713.us488.us.1.1.i = fadd double %.601.us484.us.1.1.i, %.712.us487.us.1.1.i
+  %.768.us490.us.1.1.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
+  %.824.us491.us.1.1.i = fmul double %.823.us.us.1.pre.i, %.768.us490.us.1.1.i
+  %.825.us492.us.1.1.i = fadd double %.713.us488.us.1.1.i, %.824.us491.us.1.1.i
+  %.1044.us497.us.1.1.i = load double, ptr %scevgep6.i, align 8, !noalias !1
+  %.1048.us498.us.1.1.i = fmul double %.1044.us497.us.1.1.i, %.825.us492.us.1.1.i
+  %.1052.us499.us.1.1.i = fadd double %.1052.us499.us.1546.i, %.1048.us498.us.1.1.i
+  %.545.us483.us.2.1.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
+  %.601.us484.us.2.1.i = fmul double %.600.us.us.1.pre.i, %.545.us483.us.2.1.i
+  %.656.us486.us.2.1.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
+  %.712.us487.us.2.1.i = fmul double %.711.us.us.1.pre.i, %.656.us486.us.2.1.i
+  %.713.us488.us.2.1.i = fadd double %.601.us484.us.2.1.i, %.712.us487.us.2.1.i
+  %.768.us490.us.2.1.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
+  %.824.us491.us.2.1.i = fmul double %.823.us.us.1.pre.i, %.768.us490.us.2.1.i
+  %.825.us492.us.2.1.i = fadd double %.713.us488.us.2.1.i, %.824.us491.us.2.1.i
+  %.1044.us497.us.2.1.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
+  %.1048.us498.us.2.1.i = fmul double %.1044.us497.us.2.1.i, %.825.us492.us.2.1.i
+  %.1052.us499.us.2.1.i = fadd double %.1052.us499.us.1.1.i, %.1048.us498.us.2.1.i
   %scevgep2.i = getelementptr i8, ptr %lsr.iv.i, i64 %arg.room.6.1
-  store double %.1057.us499.us.2.1.i, ptr %scevgep2.i, align 8, !noalias !1
-  %.826.us.us.2.i = load double, ptr %sunkaddr45.i, align 8, !noalias !1
-  %.714.us.us.2.i = load double, ptr %sunkaddr47.i, align 8, !noalias !1
-  %.603.us.us.2.i = load double, ptr %sunkaddr49.i, align 8, !noalias !1
-  %.548.us483.us.2565.i = load double, ptr %lsr.iv27, align 8, !noalias !1
-  %.604.us484.us.2566.i = fmul double %.603.us.us.2.i, %.548.us483.us.2565.i
-  %.659.us486.us.2567.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
-  %.715.us487.us.2568.i = fmul double %.714.us.us.2.i, %.659.us486.us.2567.i
-  %.716.us488.us.2569.i = fadd double %.604.us484.us.2566.i, %.715.us487.us.2568.i
-  %.771.us490.us.2570.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
-  %.827.us491.us.2571.i = fmul double %.826.us.us.2.i, %.771.us490.us.2570.i
-  %.828.us492.us.2572.i = fadd double %.716.us488.us.2569.i, %.827.us491.us.2571.i
-  %.1049.us497.us.2573.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
-  %.1053.us498.us.2574.i = fmul double %.1049.us497.us.2573.i, %.828.us492.us.2572.i
-  %.1057.us499.us.2575.i = fadd double %.1053.us498.us.2574.i, 0.000000e+00
-  %.548.us483.us.1.2.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
-  %.604.us484.us.1.2.i = fmul double %.603.us.us.2.i, %.548.us483.us.1.2.i
-  %.659.us486.us.1.2.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
-  %.715.us487.us.1.2.i = fmul double %.714.us.us.2.i, %.659.us486.us.1.2.i
-  %.716.us488.us.1.2.i = fadd double %.604.us484.us.1.2.i, %.715.us487.us.1.2.i
-  %.771.us490.us.1.2.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
-  %.827.us491.us.1.2.i = fmul double %.826.us.us.2.i, %.771.us490.us.1.2.i
-  %.828.us492.us.1.2.i = fadd double %.716.us488.us.1.2.i, %.827.us491.us.1.2.i
-  %.1049.us497.us.1.2.i = load double, ptr %scevgep6.i, align 8, !noalias !1
-  %.1053.us498.us.1.2.i = fmul double %.1049.us497.us.1.2.i, %.828.us492.us.1.2.i
-  %.1057.us499.us.1.2.i = fadd double %.1057.us499.us.2575.i, %.1053.us498.us.1.2.i
-  %.548.us483.us.2.2.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
-  %.604.us484.us.2.2.i = fmul double %.603.us.us.2.i, %.548.us483.us.2.2.i
-  %.659.us486.us.2.2.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
-  %.715.us487.us.2.2.i = fmul double %.714.us.us.2.i, %.659.us486.us.2.2.i
-  %.716.us488.us.2.2.i = fadd double %.604.us484.us.2.2.i, %.715.us487.us.2.2.i
-  %.771.us490.us.2.2.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
-  %.827.us491.us.2.2.i = fmul double %.826.us.us.2.i, %.771.us490.us.2.2.i
-  %.828.us492.us.2.2.i = fadd double %.716.us488.us.2.2.i, %.827.us491.us.2.2.i
-  %.1049.us497.us.2.2.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
-  %.1053.us498.us.2.2.i = fmul double %.1049.us497.us.2.2.i, %.828.us492.us.2.2.i
-  %.1057.us499.us.2.2.i = fadd double %.1057.us499.us.1.2.i, %.1053.us498.us.2.2.i
+  store double %.1052.us499.us.2.1.i, ptr %scevgep2.i, align 8, !noalias !1
+  %.823.us.us.2.i = load double, ptr %sunkaddr45.i, align 8, !noalias !1
+  %.711.us.us.2.i = load double, ptr %sunkaddr47.i, align 8, !noalias !1
+  %.600.us.us.2.i = load double, ptr %sunkaddr49.i, align 8, !noalias !1
+  %.545.us483.us.2564.i = load double, ptr %lsr.iv25, align 8, !noalias !1
+  %.601.us484.us.2565.i = fmul double %.600.us.us.2.i, %.545.us483.us.2564.i
+  %.656.us486.us.2566.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
+  %.712.us487.us.2567.i = fmul double %.711.us.us.2.i, %.656.us486.us.2566.i
+  %.713.us488.us.2568.i = fadd double %.601.us484.us.2565.i, %.712.us487.us.2567.i
+  %.768.us490.us.2569.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
+  %.824.us491.us.2570.i = fmul double %.823.us.us.2.i, %.768.us490.us.2569.i
+  %.825.us492.us.2571.i = fadd double %.713.us488.us.2568.i, %.824.us491.us.2570.i
+  %.1044.us497.us.2572.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
+  %.1048.us498.us.2573.i = fmul double %.1044.us497.us.2572.i, %.825.us492.us.2571.i
+  %.1052.us499.us.2574.i = fadd double %.1048.us498.us.2573.i, 0.000000e+00
+  %.545.us483.us.1.2.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
+  %.601.us484.us.1.2.i = fmul double %.600.us.us.2.i, %.545.us483.us.1.2.i
+  %.656.us486.us.1.2.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
+  %.712.us487.us.1.2.i = fmul double %.711.us.us.2.i, %.656.us486.us.1.2.i
+  %.713.us488.us.1.2.i = fadd double %.601.us484.us.1.2.i, %.712.us487.us.1.2.i
+  %.768.us490.us.1.2.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
+  %.824.us491.us.1.2.i = fmul double %.823.us.us.2.i, %.768.us490.us.1.2.i
+  %.825.us492.us.1.2.i = fadd double %.713.us488.us.1.2.i, %.824.us491.us.1.2.i
+  %.1044.us497.us.1.2.i = load double, ptr %scevgep6.i, align 8, !noalias !1
+  %.1048.us498.us.1.2.i = fmul double %.1044.us497.us.1.2.i, %.825.us492.us.1.2.i
+  %.1052.us499.us.1.2.i = fadd double %.1052.us499.us.2574.i, %.1048.us498.us.1.2.i
+  %.545.us483.us.2.2.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
+  %.601.us484.us.2.2.i = fmul double %.600.us.us.2.i, %.545.us483.us.2.2.i
+  %.656.us486.us.2.2.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
+  %.712.us487.us.2.2.i = fmul double %.711.us.us.2.i, %.656.us486.us.2.2.i
+  %.713.us488.us.2.2.i = fadd double %.601.us484.us.2.2.i, %.712.us487.us.2.2.i
+  %.768.us490.us.2.2.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
+  %.824.us491.us.2.2.i = fmul double %.823.us.us.2.i, %.768.us490.us.2.2.i
+  %.825.us492.us.2.2.i = fadd double %.713.us488.us.2.2.i, %.824.us491.us.2.2.i
+  %.1044.us497.us.2.2.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
+  %.1048.us498.us.2.2.i = fmul double %.1044.us497.us.2.2.i, %.825.us492.us.2.2.i
+  %.1052.us499.us.2.2.i = fadd double %.1052.us499.us.1.2.i, %.1048.us498.us.2.2.i
   %sunkaddr51.i = getelementptr i8, ptr %lsr.iv.i, i64 %sunkaddr50.i
-  store double %.1057.us499.us.2.2.i, ptr %sunkaddr51.i, align 8, !noalias !1
-  %.826.us.us.3.i = load double, ptr %sunkaddr52.i, align 8, !noalias !1
-  %.714.us.us.3.i = load double, ptr %sunkaddr53.i, align 8, !noalias !1
-  %.603.us.us.3.i = load double, ptr %sunkaddr54.i, align 8, !noalias !1
-  %.548.us.us.us.3.i = load double, ptr %lsr.iv27, align 8, !noalias !1
-  %.604.us.us.us.3.i = fmul double %.603.us.us.3.i, %.548.us.us.us.3.i
-  %.659.us.us.us.3.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
-  %.715.us.us.us.3.i = fmul double %.714.us.us.3.i, %.659.us.us.us.3.i
-  %.716.us.us.us.3.i = fadd double %.604.us.us.us.3.i, %.715.us.us.us.3.i
-  %.771.us.us.us.3.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
-  %.827.us.us.us.3.i = fmul double %.826.us.us.3.i, %.771.us.us.us.3.i
-  %.828.us.us.us.3.i = fadd double %.716.us.us.us.3.i, %.827.us.us.us.3.i
-  %.893.us.us.us.3.i = load double, ptr %invariant.gep451.i, align 8, !noalias !1
-  %.948.us.us.us.3.i = load double, ptr %invariant.gep453.i, align 8, !noalias !1
-  %.949.us.us.us.3.i = fsub double %.893.us.us.us.3.i, %.948.us.us.us.3.i
-  %.981.us.us.us.3.i = load double, ptr %arg.ride.4, align 8, !noalias !1
-  %.983.us.us.us.3.i = fmul double %.1709, %.981.us.us.us.3.i
-  %.984.us.us.us.3.i = fsub double %.949.us.us.us.3.i, %.983.us.us.us.3.i
-  %.986.us.us.us.3.i = fadd double %.828.us.us.us.3.i, %.984.us.us.us.3.i
-  %.1049.us.us.us.3.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
-  %.1053.us.us.us.3.i = fmul double %.1049.us.us.us.3.i, %.986.us.us.us.3.i
-  %.1057.us.us.us.3.i = fadd double %.1053.us.us.us.3.i, 0.000000e+00
-  %.548.us.us.us.1.3.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
-  %.604.us.us.us.1.3.i = fmul double %.603.us.us.3.i, %.548.us.us.us.1.3.i
-  %.659.us.us.us.1.3.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
-  %.715.us.us.us.1.3.i = fmul double %.714.us.us.3.i, %.659.us.us.us.1.3.i
-  %.716.us.us.us.1.3.i = fadd double %.604.us.us.us.1.3.i, %.715.us.us.us.1.3.i
-  %.771.us.us.us.1.3.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
-  %.827.us.us.us.1.3.i = fmul double %.826.us.us.3.i, %.771.us.us.us.1.3.i
-  %.828.us.us.us.1.3.i = fadd double %.716.us.us.us.1.3.i, %.827.us.us.us.1.3.i
-  %.893.us.us.us.1.3.i = load double, ptr %sunkaddr.i, align 8, !noalias !1
-  %.948.us.us.us.1.3.i = load double, ptr %sunkaddr55.i, align 8, !noalias !1
-  %.949.us.us.us.1.3.i = fsub double %.893.us.us.us.1.3.i, %.948.us.us.us.1.3.i
-  %.981.us.us.us.1.3.i = load double, ptr %sunkaddr56.i, align 8, !noalias !1
-  %.983.us.us.us.1.3.i = fmul double %.1709, %.981.us.us.us.1.3.i
-  %.984.us.us.us.1.3.i = fsub double %.949.us.us.us.1.3.i, %.983.us.us.us.1.3.i
-  %.986.us.us.us.1.3.i = fadd double %.828.us.us.us.1.3.i, %.984.us.us.us.1.3.i
-  %.1049.us.us.us.1.3.i = load double, ptr %scevgep6.i, align 8, !noalias !1
-  %.1053.us.us.us.1.3.i = fmul double %.1049.us.us.us.1.3.i, %.986.us.us.us.1.3.i
-  %.1057.us.us.us.1.3.i = fadd double %.1057.us.us.us.3.i, %.1053.us.us.us.1.3.i
-  %.548.us.us.us.2.3.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
-  %.604.us.us.us.2.3.i = fmul double %.603.us.us.3.i, %.548.us.us.us.2.3.i
-  %.659.us.us.us.2.3.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
-  %.715.us.us.us.2.3.i = fmul double %.714.us.us.3.i, %.659.us.us.us.2.3.i
-  %.716.us.us.us.2.3.i = fadd double %.604.us.us.us.2.3.i, %.715.us.us.us.2.3.i
-  %.771.us.us.us.2.3.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
-  %.827.us.us.us.2.3.i = fmul double %.826.us.us.3.i, %.771.us.us.us.2.3.i
-  %.828.us.us.us.2.3.i = fadd double %.716.us.us.us.2.3.i, %.827.us.us.us.2.3.i
-  %.893.us.us.us.2.3.i = load double, ptr %sunkaddr58.i, align 8, !noalias !1
-  %.948.us.us.us.2.3.i = load double, ptr %sunkaddr60.i, align 8, !noalias !1
-  %.949.us.us.us.2.3.i = fsub double %.893.us.us.us.2.3.i, %.948.us.us.us.2.3.i
-  %.981.us.us.us.2.3.i = load double, ptr %sunkaddr62.i, align 8, !noalias !1
-  %.983.us.us.us.2.3.i = fmul double %.1709, %.981.us.us.us.2.3.i
-  %.984.us.us.us.2.3.i = fsub double %.949.us.us.us.2.3.i, %.983.us.us.us.2.3.i
-  %.986.us.us.us.2.3.i = fadd double %.828.us.us.us.2.3.i, %.984.us.us.us.2.3.i
-  %.1049.us.us.us.2.3.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
-  %.1053.us.us.us.2.3.i = fmul double %.1049.us.us.us.2.3.i, %.986.us.us.us.2.3.i
-  %.1057.us.us.us.2.3.i = fadd double %.1057.us.us.us.1.3.i, %.1053.us.us.us.2.3.i
-  %.1161.us.us.3.i = load double, ptr %sunkaddr63.i, align 8, !noalias !1
-  %.1217.us.us.3.i = fmul double %.1057.us499.us.2.2.i, %.1161.us.us.3.i
-  %.1219.us.us.3.i = fsub double %.1057.us.us.us.2.3.i, %.1217.us.us.3.i
-  store double %.1219.us.us.3.i, ptr %scevgep1.i, align 8, !noalias !1
-  %.223.us.i = add nuw nsw i64 %.216511521.us.i, 1
+  store double %.1052.us499.us.2.2.i, ptr %sunkaddr51.i, align 8, !noalias !1
+  %.823.us.us.3.i = load double, ptr %sunkaddr52.i, align 8, !noalias !1
+  %.711.us.us.3.i = load double, ptr %sunkaddr53.i, align 8, !noalias !1
+  %.600.us.us.3.i = load double, ptr %sunkaddr54.i, align 8, !noalias !1
+  %.545.us.us.us.3.i = load double, ptr %lsr.iv25, align 8, !noalias !1
+  %.601.us.us.us.3.i = fmul double %.600.us.us.3.i, %.545.us.us.us.3.i
+  %.656.us.us.us.3.i = load double, ptr %invariant.gep.i, align 8, !noalias !1
+  %.712.us.us.us.3.i = fmul double %.711.us.us.3.i, %.656.us.us.us.3.i
+  %.713.us.us.us.3.i = fadd double %.601.us.us.us.3.i, %.712.us.us.us.3.i
+  %.768.us.us.us.3.i = load double, ptr %invariant.gep449.i, align 8, !noalias !1
+  %.824.us.us.us.3.i = fmul double %.823.us.us.3.i, %.768.us.us.us.3.i
+  %.825.us.us.us.3.i = fadd double %.713.us.us.us.3.i, %.824.us.us.us.3.i
+  %.890.us.us.us.3.i = load double, ptr %invariant.gep451.i, align 8, !noalias !1
+  %.945.us.us.us.3.i = load double, ptr %invariant.gep453.i, align 8, !noalias !1
+  %.946.us.us.us.3.i = fsub double %.890.us.us.us.3.i, %.945.us.us.us.3.i
+  %.978.us.us.us.3.i = load double, ptr %lsr.iv27, align 8, !noalias !1
+  %.979.us.us.us.3.i = fsub double %.946.us.us.us.3.i, %.978.us.us.us.3.i
+  %.981.us.us.us.3.i = fadd double %.825.us.us.us.3.i, %.979.us.us.us.3.i
+  %.1044.us.us.us.3.i = load double, ptr %lsr.iv3.i, align 8, !noalias !1
+  %.1048.us.us.us.3.i = fmul double %.1044.us.us.us.3.i, %.981.us.us.us.3.i
+  %.1052.us.us.us.3.i = fadd double %.1048.us.us.us.3.i, 0.000000e+00
+  %.545.us.us.us.1.3.i = load double, ptr %sunkaddr2.i, align 8, !noalias !1
+  %.601.us.us.us.1.3.i = fmul double %.600.us.us.3.i, %.545.us.us.us.1.3.i
+  %.656.us.us.us.1.3.i = load double, ptr %sunkaddr3.i, align 8, !noalias !1
+  %.712.us.us.us.1.3.i = fmul double %.711.us.us.3.i, %.656.us.us.us.1.3.i
+  %.713.us.us.us.1.3.i = fadd double %.601.us.us.us.1.3.i, %.712.us.us.us.1.3.i
+  %.768.us.us.us.1.3.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
+  %.824.us.us.us.1.3.i = fmul double %.823.us.us.3.i, %.768.us.us.us.1.3.i
+  %.825.us.us.us.1.3.i = fadd double %.713.us.us.us.1.3.i, %.824.us.us.us.1.3.i
+  %.890.us.us.us.1.3.i = load double, ptr %sunkaddr.i, align 8, !noalias !1
+  %.945.us.us.us.1.3.i = load double, ptr %sunkaddr55.i, align 8, !noalias !1
+  %.946.us.us.us.1.3.i = fsub double %.890.us.us.us.1.3.i, %.945.us.us.us.1.3.i
+  %.978.us.us.us.1.3.i = load double, ptr %sunkaddr56.i, align 8, !noalias !1
+  %.979.us.us.us.1.3.i = fsub double %.946.us.us.us.1.3.i, %.978.us.us.us.1.3.i
+  %.981.us.us.us.1.3.i = fadd double %.825.us.us.us.1.3.i, %.979.us.us.us.1.3.i
+  %.1044.us.us.us.1.3.i = load double, ptr %scevgep6.i, align 8, !noalias !1
+  %.1048.us.us.us.1.3.i = fmul double %.1044.us.us.us.1.3.i, %.981.us.us.us.1.3.i
+  %.1052.us.us.us.1.3.i = fadd double %.1052.us.us.us.3.i, %.1048.us.us.us.1.3.i
+  %.545.us.us.us.2.3.i = load double, ptr %sunkaddr6.i, align 8, !noalias !1
+  %.601.us.us.us.2.3.i = fmul double %.600.us.us.3.i, %.545.us.us.us.2.3.i
+  %.656.us.us.us.2.3.i = load double, ptr %sunkaddr12.i, align 8, !noalias !1
+  %.712.us.us.us.2.3.i = fmul double %.711.us.us.3.i, %.656.us.us.us.2.3.i
+  %.713.us.us.us.2.3.i = fadd double %.601.us.us.us.2.3.i, %.712.us.us.us.2.3.i
+  %.768.us.us.us.2.3.i = load double, ptr %sunkaddr23.i, align 8, !noalias !1
+  %.824.us.us.us.2.3.i = fmul double %.823.us.us.3.i, %.768.us.us.us.2.3.i
+  %.825.us.us.us.2.3.i = fadd double %.713.us.us.us.2.3.i, %.824.us.us.us.2.3.i
+  %.890.us.us.us.2.3.i = load double, ptr %sunkaddr58.i, align 8, !noalias !1
+  %.945.us.us.us.2.3.i = load double, ptr %sunkaddr60.i, align 8, !noalias !1
+  %.946.us.us.us.2.3.i = fsub double %.890.us.us.us.2.3.i, %.945.us.us.us.2.3.i
+  %.978.us.us.us.2.3.i = load double, ptr %sunkaddr62.i, align 8, !noalias !1
+  %.979.us.us.us.2.3.i = fsub double %.946.us.us.us.2.3.i, %.978.us.us.us.2.3.i
+  %.981.us.us.us.2.3.i = fadd double %.825.us.us.us.2.3.i, %.979.us.us.us.2.3.i
+  %.1044.us.us.us.2.3.i = load double, ptr %sunkaddr35.i, align 8, !noalias !1
+  %.1048.us.us.us.2.3.i = fmul double %.1044.us.us.us.2.3.i, %.981.us.us.us.2.3.i
+  %.1052.us.us.us.2.3.i = fadd double %.1052.us.us.us.1.3.i, %.1048.us.us.us.2.3.i
+  %.1156.us.us.3.i = load double, ptr %sunkaddr63.i, align 8, !noalias !1
+  %.1212.us.us.3.i = fmul double %.1052.us499.us.2.2.i, %.1156.us.us.3.i
+  %.1214.us.us.3.i = fsub double %.1052.us.us.us.2.3.i, %.1212.us.us.3.i
+  store double %.1214.us.us.3.i, ptr %scevgep1.i, align 8, !noalias !1
+  %.220.us.i = add nuw nsw i64 %.213511521.us.i, 1
   %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 %arg.room.6.0
   %scevgep4.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WO.6.1
-  %exitcond.not.i = icmp eq i64 %.223.us.i, 3
-  br i1 %exitcond.not.i, label %part.0, label %B441.us.us.3.i
+  %exitcond.not.i = icmp eq i64 %.220.us.i, 3
+  br i1 %exitcond.not.i, label %part.0, label %B435.us.us.3.i
 
-part.0: ; preds = %B441.us.us.3.i
-  %.1796 = load double, ptr %sunkaddr, align 8
-  %.1798 = fcmp une double %.1796, 0.000000e+00
-  %.1832 = load i64, ptr %lsr.iv23, align 8
-  %.268973980.i = lshr i64 %.1832, 2
-  br i1 %.1798, label %B282, label %B352
+part.0: ; preds = %B435.us.us.3.i
+  %.1830 = load double, ptr %sunkaddr, align 8
+  %.1832 = fcmp une double %.1830, 0.000000e+00
+  %.1866 = load i64, ptr %lsr.iv23, align 8
+  %.268973980.i = lshr i64 %.1866, 2
+  br i1 %.1832, label %B280, label %B350
 
-B282:                                             ; preds = %part.0
+B280:                                             ; preds = %part.0
   call void @llvm.lifetime.start.p0(ptr nonnull %.2177.i)
-  %.1125976.i = and i64 %.1832, 1
-  %1 = and i64 %.1832, -9223372036854775806
-  %2 = icmp slt i64 %.1832, 0
+  %.1125976.i = and i64 %.1866, 1
+  %1 = and i64 %.1866, -9223372036854775806
+  %2 = icmp slt i64 %.1866, 0
   %3 = icmp eq i64 %1, 2
   %4 = icmp eq i64 %1, 0
   br label %B38.i
 
-B38.i:                                            ; preds = %B1005.i, %B282
-  %exitcond1137.not.i = phi i1 [ false, %B282 ], [ true, %B1005.i ]
-  %.347.not.i.i = phi i1 [ true, %B282 ], [ false, %B1005.i ]
-  %.21110321075.i = phi i64 [ 0, %B282 ], [ 1, %B1005.i ]
+B38.i:                                            ; preds = %B1005.i, %B280
+  %exitcond1137.not.i = phi i1 [ false, %B280 ], [ true, %B1005.i ]
+  %.347.not.i.i = phi i1 [ true, %B280 ], [ false, %B1005.i ]
+  %.21110321075.i = phi i64 [ 0, %B280 ], [ 1, %B1005.i ]
   %.291.not.i = icmp eq i64 %.268973980.i, %.21110321075.i
   %or.cond.i = or i1 %2, %.291.not.i
   br i1 %or.cond.i, label %B72.i, label %B1005.i
 
 B72.i:                                            ; preds = %B38.i
-  %.326.i = load double, ptr %.643, align 8, !noalias !4
+  %.326.i = load double, ptr %.635, align 8, !noalias !4
   %.356.i = load double, ptr %sunkaddr1.i, align 8, !noalias !4
   %.53.i.i = load double, ptr %sunkaddr.i10, align 8, !noalias !7
   %.59.i.i = fmul double %.326.i, %.326.i
@@ -377,14 +375,14 @@ B932.i.i:                                         ; preds = %B406.i
   %.1078.i.i = fmul double %.291.i.i, %.1077.i.i
   %.1083.i.i = fdiv double %.1078.i.i, %sqrt.i3.i
   %.1139.i.i = tail call double @atan2(double %sqrt.i3.i, double %.408.i.i)
-  %.1205.pre.i.i = load double, ptr %.1016, align 8, !noalias !10
+  %.1205.pre.i.i = load double, ptr %.1008, align 8, !noalias !10
   %.1263.pre.i.i = load double, ptr %26, align 8, !noalias !10
   br label %part.1
 
 B200.endif.endif.endif.endif.endif.i.i:           ; preds = %B406.i
   %.423.i.i = sitofp i64 %.1247.not.i to double
   %.424.i.i = fmul double %.409.i.i, %.423.i.i
-  %.480.i.i = load double, ptr %.1016, align 8, !noalias !10
+  %.480.i.i = load double, ptr %.1008, align 8, !noalias !10
   %.483.i.i = fmul double %.424.i.i, %.480.i.i
   %.485.i.i = sub nsw i64 0, %.1247.not.i
   %.487.i.i = sitofp i64 %.485.i.i to double
@@ -454,7 +452,7 @@ part.1: ; preds = %B932.i.i, %B916.i.i, %B900.i.i
   %.1431.i.i = fmul double %.90.i.i, %s.3.0.i.i
   %.1434.i.i = fsub double %.1426.i.i, %.1431.i.i
   %.1436.i.i = fsub double %.1245.i, %.1434.i.i
-  store double %.1421.i.i, ptr %.1218, align 8, !noalias !10
+  store double %.1421.i.i, ptr %.1210, align 8, !noalias !10
   store double %.1436.i.i, ptr %.1497.i.i, align 8, !noalias !10
   %.1501.i.i = tail call double @atan2(double %s.3.0.i.i, double %c.3.0.i.i)
   %.1509.i.i = fmul double %.1508.pre-phi.i.i, %t5.2.0.i.i
@@ -524,7 +522,7 @@ B766.i:                                           ; preds = %B742.i, %B766.i
 
 B816.i:                                           ; preds = %B766.i, %B742.i
   %t4.6.7.i = phi double [ %t4.4.7.i, %B742.i ], [ %.1739.i, %B766.i ]
-  store double %"$phi76.0.2.0.i.sink.i.i", ptr %.713, align 8, !noalias !4
+  store double %"$phi76.0.2.0.i.sink.i.i", ptr %.705, align 8, !noalias !4
   store double %.358.sink.i.i, ptr %sunkaddr9.i, align 8, !noalias !4
   store double %.413.sink.i.i, ptr %sunkaddr10.i17, align 8, !noalias !4
   store double %t4.6.7.i, ptr %sunkaddr11.i18, align 8, !noalias !4
@@ -533,11 +531,11 @@ B816.i:                                           ; preds = %B766.i, %B742.i
   %6 = mul i64 %.2088.i, %arg.q.5.2
   %spec.select.i = select i1 %2, i64 %6, i64 0
   %.2134.i = getelementptr double, ptr %lsr.iv, i64 %spec.select.i
-  call fastcc void @part.2(ptr nonnull %.2177.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.713, ptr %.2134.i, i64 %arg.q.5.2)
+  call fastcc void @part.2(ptr nonnull %.2177.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.705, ptr %.2134.i, i64 %arg.q.5.2)
   br i1 %4, label %B1003.i, label %B816.B574.1_crit_edge.i
 
 B816.B574.1_crit_edge.i:                          ; preds = %B816.i
-  %.1587.1.pre.i = load double, ptr %.1218, align 8, !noalias !4
+  %.1587.1.pre.i = load double, ptr %.1210, align 8, !noalias !4
   %.1617.1.pre.i = load double, ptr %.1497.i.i, align 8, !noalias !4
   br label %B574.1.i
 
@@ -621,7 +619,7 @@ B816.1.i:                                         ; preds = %B766.1.i, %B742.1.i
   %t4.6.7.1.i = phi double [ %t4.4.7.1.i, %B742.1.i ], [ %.1739.1.i, %B766.1.i ]
   %.1778.1.i = load double, ptr %.1572.i.i, align 8, !noalias !4
   %.1808.1.i = load double, ptr %.1602.i.i, align 8, !noalias !4
-  store double %"$phi76.0.2.0.i.sink.i.i", ptr %.713, align 8, !noalias !4
+  store double %"$phi76.0.2.0.i.sink.i.i", ptr %.705, align 8, !noalias !4
   store double %.358.sink.i65.i, ptr %sunkaddr9.i, align 8, !noalias !4
   store double %.413.sink.i66.i, ptr %sunkaddr10.i17, align 8, !noalias !4
   store double %t4.6.7.1.i, ptr %sunkaddr11.i18, align 8, !noalias !4
@@ -631,7 +629,7 @@ B816.1.i:                                         ; preds = %B766.1.i, %B742.1.i
   %7 = mul i64 %.2090.1.i, %arg.q.5.2
   %.2132.1.i = select i1 %2, i64 %7, i64 0
   %.2134.1.i = getelementptr double, ptr %lsr.iv, i64 %.2132.1.i
-  call fastcc void @part.2(ptr nonnull %.2177.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.713, ptr %.2134.1.i, i64 %arg.q.5.2)
+  call fastcc void @part.2(ptr nonnull %.2177.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.705, ptr %.2134.1.i, i64 %arg.q.5.2)
   br label %B1003.i
 
 B1005.i:                                          ; preds = %B1003.i, %B38.i
@@ -642,7 +640,7 @@ B372.lr.ph.i:                                     ; preds = %B470.endif.i.i, %B4
   %.174.sink.i.i = phi double [ %.174.i.i, %B272.endif.endif.endif.i.i ], [ %.380.i.i, %B470.endif.i.i ], [ %"$phi426.0.2.sroa.0.0.i.i", %B426.endif.i.i ]
   %.195.sink.i.i = phi double [ %.195.i.i, %B272.endif.endif.endif.i.i ], [ %.384.i.i, %B470.endif.i.i ], [ %"$phi426.0.2.sroa.8.0.i.i", %B426.endif.i.i ]
   %"$phi272.0.2.0.sink.i.i" = phi double [ %"$phi272.0.2.0.i.i", %B272.endif.endif.endif.i.i ], [ %.388.i.i, %B470.endif.i.i ], [ %sqrt.i.i, %B426.endif.i.i ]
-  %.583.i = load double, ptr %.441132136, align 8, !noalias !4
+  %.583.i = load double, ptr %.433132136, align 8, !noalias !4
   %.585.i = fmul double %.174.sink.i.i, %.583.i
   %.639.i = load double, ptr %.147.i1.i, align 8, !noalias !4
   %.641.i = fmul double %.195.sink.i.i, %.639.i
@@ -651,7 +649,7 @@ B372.lr.ph.i:                                     ; preds = %B470.endif.i.i, %B4
   %.754.i = fmul double %.195.sink.i.i, %.583.i
   %.755.i = fsub double %.698.i, %.754.i
   %.809.i = load double, ptr %24, align 8, !noalias !4
-  store double %.642.i, ptr %.1016, align 8, !noalias !4
+  store double %.642.i, ptr %.1008, align 8, !noalias !4
   store double %.755.i, ptr %25, align 8, !noalias !4
   store double %.809.i, ptr %26, align 8, !noalias !4
   %.583.1.i = load double, ptr %.204.i.i, align 8, !noalias !4
@@ -691,28 +689,28 @@ B574.endif.i:                                     ; preds = %B266.endif.endif.i.
 
 part.3: ; preds = %B1005.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.2177.i)
-  br label %B419
+  br label %B417
 
-B352:                                             ; preds = %part.0
+B350:                                             ; preds = %part.0
   call void @llvm.lifetime.start.p0(ptr nonnull %.1468.i)
-  %.521600605.i = lshr i64 %.1832, 1
+  %.521600605.i = lshr i64 %.1866, 1
   %.562.i = and i64 %.521600605.i, 1
-  %8 = and i64 %.1832, -9223372036854775807
-  %9 = icmp slt i64 %.1832, 0
+  %8 = and i64 %.1866, -9223372036854775807
+  %9 = icmp slt i64 %.1866, 0
   %10 = icmp eq i64 %8, 1
   %11 = icmp eq i64 %8, 0
   br label %B38.us.i
 
-B38.us.i:                                         ; preds = %B673.us.i, %B352
-  %exitcond878.not.i = phi i1 [ true, %B673.us.i ], [ false, %B352 ]
-  %.347.not.i.i20 = phi i1 [ false, %B673.us.i ], [ true, %B352 ]
-  %.177666701.us.i = phi i64 [ 1, %B673.us.i ], [ 0, %B352 ]
+B38.us.i:                                         ; preds = %B673.us.i, %B350
+  %exitcond878.not.i = phi i1 [ true, %B673.us.i ], [ false, %B350 ]
+  %.347.not.i.i20 = phi i1 [ false, %B673.us.i ], [ true, %B350 ]
+  %.177666701.us.i = phi i64 [ 1, %B673.us.i ], [ 0, %B350 ]
   %.257.not.us.i = icmp eq i64 %.268973980.i, %.177666701.us.i
   %or.cond.us.i = or i1 %9, %.257.not.us.i
   br i1 %or.cond.us.i, label %B72.us.i, label %B673.us.i
 
 B72.us.i:                                         ; preds = %B38.us.i
-  %.292.us.i = load double, ptr %.643, align 8, !noalias !19
+  %.292.us.i = load double, ptr %.635, align 8, !noalias !19
   %.322.us.i = load double, ptr %sunkaddr1.i, align 8, !noalias !19
   %.53.i.i21 = load double, ptr %sunkaddr.i10, align 8, !noalias !22
   %.59.i.i22 = fmul double %.292.us.i, %.292.us.i
@@ -885,7 +883,7 @@ B214.endif.us.i:                                  ; preds = %B724.i.i, %B214.us.
   %.413.sink.i.i90 = phi double [ %.413.i.i86, %B724.i.i ], [ 0x7FF8000000000000, %B214.us.i ]
   %.424.sink.i.i = phi double [ %.424.i.i88, %B724.i.i ], [ 0x7FF8000000000000, %B214.us.i ]
   %.439.sink.i.i = phi double [ %.439.i.i, %B724.i.i ], [ 0x7FF8000000000000, %B214.us.i ]
-  %.91.i.i = load double, ptr %.441132136, align 8, !noalias !28
+  %.91.i.i = load double, ptr %.433132136, align 8, !noalias !28
   %.95.i.i = fmul double %.174.sink.i.i46, %.91.i.i
   %.149.i.i = load double, ptr %.147.i1.i, align 8, !noalias !28
   %.151.i2.i = fmul double %.195.sink.i.i47, %.149.i.i
@@ -989,7 +987,7 @@ B672.us.i:                                        ; preds = %B636.thread.us.1.i,
   br i1 %exitcond.not.i49, label %B673.us.i, label %B174.us.i
 
 B576.us.i:                                        ; preds = %part.5
-  store double %"$phi76.0.2.0.i.sink.i.i45", ptr %.713, align 8, !noalias !19
+  store double %"$phi76.0.2.0.i.sink.i.i45", ptr %.705, align 8, !noalias !19
   store double %.358.sink.i.i89, ptr %sunkaddr9.i, align 8, !noalias !19
   store double %.413.sink.i.i90, ptr %sunkaddr10.i17, align 8, !noalias !19
   store double %t4.2.0.sink.i.i, ptr %sunkaddr11.i18, align 8, !noalias !19
@@ -1007,11 +1005,11 @@ B636.us.i:                                        ; preds = %B576.us.i
 B636.thread.us.i:                                 ; preds = %B636.us.i, %B576.us.i
   %.1423.us.i = phi i64 [ 0, %B576.us.i ], [ %13, %B636.us.i ]
   %.1425.us.i = getelementptr double, ptr %lsr.iv, i64 %.1423.us.i
-  call fastcc void @part.2(ptr nonnull %.1468.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.713, ptr %.1425.us.i, i64 %arg.q.5.2)
+  call fastcc void @part.2(ptr nonnull %.1468.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.705, ptr %.1425.us.i, i64 %arg.q.5.2)
   br i1 %11, label %B672.us.i, label %B576.us.1.i
 
 B576.us.1.i:                                      ; preds = %B636.thread.us.i, %part.5
-  store double %"$phi76.0.2.0.i.sink.i.i45", ptr %.713, align 8, !noalias !19
+  store double %"$phi76.0.2.0.i.sink.i.i45", ptr %.705, align 8, !noalias !19
   store double %.358.sink.i.i89, ptr %sunkaddr9.i, align 8, !noalias !19
   store double %.413.sink.i.i90, ptr %sunkaddr10.i17, align 8, !noalias !19
   %.9.i.i = fcmp ogt double %t4.2.0.sink.i.i, 0.000000e+00
@@ -1040,82 +1038,82 @@ B636.us.1.i:                                      ; preds = %B576.us.1.i
 B636.thread.us.1.i:                               ; preds = %B636.us.1.i, %B576.us.1.i
   %.1423.us.1.i = phi i64 [ 0, %B576.us.1.i ], [ %14, %B636.us.1.i ]
   %.1425.us.1.i = getelementptr double, ptr %lsr.iv, i64 %.1423.us.1.i
-  call fastcc void @part.2(ptr nonnull %.1468.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.713, ptr %.1425.us.1.i, i64 %arg.q.5.2)
+  call fastcc void @part.2(ptr nonnull %.1468.i, ptr nonnull readonly %arg.arm.4, ptr nonnull %.705, ptr %.1425.us.1.i, i64 %arg.q.5.2)
   br label %B672.us.i
 
 part.4: ; preds = %B673.us.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.1468.i)
-  br label %B419
+  br label %B417
 
-B418:                                             ; preds = %B419, %B0.endif.endif.endif.endif.endif.else.endif
+B416:                                             ; preds = %B417, %B0.endif.endif.endif.endif.endif.else.endif
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B419:                                             ; preds = %part.4, %part.3
+B417:                                             ; preds = %part.4, %part.3
   %scevgep = getelementptr i8, ptr %lsr.iv, i64 %21
   %scevgep24 = getelementptr i8, ptr %lsr.iv23, i64 %arg.cfx.6.0
-  %scevgep26 = getelementptr i8, ptr %lsr.iv25, i64 %arg.rail.6.0
-  %scevgep28 = getelementptr i8, ptr %lsr.iv27, i64 %arg.X_WF.6.0
+  %scevgep26 = getelementptr i8, ptr %lsr.iv25, i64 %arg.X_WF.6.0
+  %scevgep28 = getelementptr i8, ptr %lsr.iv27, i64 %arg.way.6.0
   %lsr.iv.next = add nsw i64 %lsr.iv29, -1
   %exitcond.not = icmp eq i64 %lsr.iv.next, 0
-  br i1 %exitcond.not, label %B418, label %B188
+  br i1 %exitcond.not, label %B416, label %B188
 
 B0.endif.else.endif.endif.endif:                  ; preds = %B0.else.endif
-  %.357 = icmp samesign ult i64 %arg.room.5.1, 4
-  %.437129144 = mul i64 %.219.sroa.0.3665, %arg.room.5.1
-  %15 = getelementptr double, ptr %arg.room.4, i64 %.437129144
+  %.349 = icmp samesign ult i64 %arg.room.5.1, 4
+  %.429129144 = mul i64 %.211.sroa.0.3669, %arg.room.5.1
+  %15 = getelementptr double, ptr %arg.room.4, i64 %.429129144
   br label %B0.endif.endif.endif.else.endif
 
 B0.endif.endif.else.endif.endif.endif.thread:     ; preds = %B0.else.endif
-  %.437 = mul i64 %.219.sroa.0.3665, %arg.room.5.1
-  %16 = getelementptr double, ptr %arg.room.4, i64 %.437
-  %.441 = getelementptr double, ptr %16, i64 %arg.room.5.1
+  %.429 = mul i64 %.211.sroa.0.3669, %arg.room.5.1
+  %16 = getelementptr double, ptr %arg.room.4, i64 %.429
+  %.433 = getelementptr double, ptr %16, i64 %arg.room.5.1
   br label %B0.endif.endif.endif.else.endif
 
 B0.endif.endif.endif.else.endif:                  ; preds = %B0.endif.else.endif.endif.endif, %B0.endif.endif.else.endif.endif.endif.thread
-  %.522.sroa.0.3140 = phi i64 [ 0, %B0.endif.else.endif.endif.endif ], [ %arg.room.5.1, %B0.endif.endif.else.endif.endif.endif.thread ]
-  %.357673131138 = phi i1 [ %.357, %B0.endif.else.endif.endif.endif ], [ true, %B0.endif.endif.else.endif.endif.endif.thread ]
-  %.441132136 = phi ptr [ %15, %B0.endif.else.endif.endif.endif ], [ %.441, %B0.endif.endif.else.endif.endif.endif.thread ]
+  %.514.sroa.0.3140 = phi i64 [ 0, %B0.endif.else.endif.endif.endif ], [ %arg.room.5.1, %B0.endif.endif.else.endif.endif.endif.thread ]
+  %.349677131138 = phi i1 [ %.349, %B0.endif.else.endif.endif.endif ], [ true, %B0.endif.endif.else.endif.endif.endif.thread ]
+  %.433132136 = phi ptr [ %15, %B0.endif.else.endif.endif.endif ], [ %.433, %B0.endif.endif.else.endif.endif.endif.thread ]
   %.idx = mul i64 %arg.room.5.1, 24
   %17 = getelementptr i8, ptr %arg.room.4, i64 %.idx
-  %.643 = getelementptr double, ptr %17, i64 %.522.sroa.0.3140
-  %.713.idx = shl i64 %arg.room.5.1, 5
-  %.713 = getelementptr i8, ptr %arg.room.4, i64 %.713.idx
-  br i1 %.239, label %B0.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.else.endif.endif.endif, !prof !0
+  %.635 = getelementptr double, ptr %17, i64 %.514.sroa.0.3140
+  %.705.idx = shl i64 %arg.room.5.1, 5
+  %.705 = getelementptr i8, ptr %arg.room.4, i64 %.705.idx
+  br i1 %.231, label %B0.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.else.endif.endif.endif, !prof !0
 
 B0.endif.endif.endif.else.endif.if:               ; preds = %B0.endif.endif.endif.else.endif
   %18 = mul i64 %arg.room.5.1, %arg.room.5.0
   br label %B0.endif.endif.endif.else.endif.endif.endif
 
 B0.endif.endif.endif.else.endif.endif.endif:      ; preds = %B0.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.else.endif
-  %.794.sroa.0.3 = phi i64 [ %18, %B0.endif.endif.endif.else.endif.if ], [ 0, %B0.endif.endif.endif.else.endif ]
-  br i1 %.357673131138, label %B0.endif.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.endif.endif.else.endif, !prof !0
+  %.786.sroa.0.3 = phi i64 [ %18, %B0.endif.endif.endif.else.endif.if ], [ 0, %B0.endif.endif.endif.else.endif ]
+  br i1 %.349677131138, label %B0.endif.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.endif.endif.else.endif, !prof !0
 
 B0.endif.endif.endif.endif.else.endif.if:         ; preds = %B0.endif.endif.endif.else.endif.endif.endif
   br label %B0.endif.endif.endif.endif.endif.else.endif
 
 B0.endif.endif.endif.endif.endif.else.endif:      ; preds = %B0.endif.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.else.endif.endif.endif
-  %.895.sroa.0.3 = phi i64 [ %arg.room.5.1, %B0.endif.endif.endif.endif.else.endif.if ], [ 3, %B0.endif.endif.endif.else.endif.endif.endif ]
-  %19 = getelementptr double, ptr %arg.room.4, i64 %.794.sroa.0.3
-  %.1016 = getelementptr double, ptr %19, i64 %.895.sroa.0.3
-  %.1097.sroa.0.3677 = select i1 %.340, i64 %arg.room.5.1, i64 0, !prof !0
-  %.idx647 = mul i64 %arg.room.5.1, 40
-  %20 = getelementptr i8, ptr %arg.room.4, i64 %.idx647
-  %.1218 = getelementptr double, ptr %20, i64 %.1097.sroa.0.3677
-  %.1548656.not = icmp slt i64 %arg.X_WF.5.0, 1
-  br i1 %.1548656.not, label %B418, label %B188.lr.ph
+  %.887.sroa.0.3 = phi i64 [ %arg.room.5.1, %B0.endif.endif.endif.endif.else.endif.if ], [ 3, %B0.endif.endif.endif.else.endif.endif.endif ]
+  %19 = getelementptr double, ptr %arg.room.4, i64 %.786.sroa.0.3
+  %.1008 = getelementptr double, ptr %19, i64 %.887.sroa.0.3
+  %.1089.sroa.0.3681 = select i1 %.332, i64 %arg.room.5.1, i64 0, !prof !0
+  %.idx651 = mul i64 %arg.room.5.1, 40
+  %20 = getelementptr i8, ptr %arg.room.4, i64 %.idx651
+  %.1210 = getelementptr double, ptr %20, i64 %.1089.sroa.0.3681
+  %.1540660.not = icmp slt i64 %arg.X_WF.5.0, 1
+  br i1 %.1540660.not, label %B416, label %B188.lr.ph
 
 B188.lr.ph:                                       ; preds = %B0.endif.endif.endif.endif.endif.else.endif
-  %.2062 = shl i64 %arg.q.5.1, 3
-  %21 = mul i64 %.2062, %arg.q.5.2
+  %.2096 = shl i64 %arg.q.5.1, 3
+  %21 = mul i64 %.2096, %arg.q.5.2
   %22 = getelementptr i8, ptr %arg.X_FK.4, i64 %arg.X_FK.6.0
-  %.766.i = shl i64 %arg.X_WF.6.2, 1
-  %.820.i = shl i64 %arg.X_FK.6.0, 1
-  %23 = getelementptr i8, ptr %arg.X_FK.4, i64 %.820.i
-  %.888.i = mul i64 %arg.X_WF.6.2, 3
-  %.943.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep453.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.943.i
-  %.598.us.us.3.i = mul i64 %arg.X_FK.6.1, 3
+  %.763.i = shl i64 %arg.X_WF.6.2, 1
+  %.817.i = shl i64 %arg.X_FK.6.0, 1
+  %23 = getelementptr i8, ptr %arg.X_FK.4, i64 %.817.i
+  %.885.i = mul i64 %arg.X_WF.6.2, 3
+  %.940.i = mul i64 %arg.X_WO.6.1, 3
+  %invariant.gep453.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.940.i
+  %.595.us.us.3.i = mul i64 %arg.X_FK.6.1, 3
   %sunkaddr5.i = shl i64 %arg.X_WF.6.1, 1
   %sunkaddr25.i = shl i64 %arg.X_WO.6.0, 1
   %sunkaddr37.i = getelementptr i8, ptr %arg.X_FK.4, i64 %arg.X_FK.6.1
@@ -1126,52 +1124,50 @@ B188.lr.ph:                                       ; preds = %B0.endif.endif.endi
   %sunkaddr47.i = getelementptr i8, ptr %22, i64 %sunkaddr44.i
   %sunkaddr49.i = getelementptr i8, ptr %arg.X_FK.4, i64 %sunkaddr44.i
   %sunkaddr50.i = shl i64 %arg.room.6.1, 1
-  %sunkaddr52.i = getelementptr i8, ptr %23, i64 %.598.us.us.3.i
-  %sunkaddr53.i = getelementptr i8, ptr %22, i64 %.598.us.us.3.i
-  %sunkaddr54.i = getelementptr i8, ptr %arg.X_FK.4, i64 %.598.us.us.3.i
+  %sunkaddr52.i = getelementptr i8, ptr %23, i64 %.595.us.us.3.i
+  %sunkaddr53.i = getelementptr i8, ptr %22, i64 %.595.us.us.3.i
+  %sunkaddr54.i = getelementptr i8, ptr %arg.X_FK.4, i64 %.595.us.us.3.i
   %sunkaddr55.i = getelementptr i8, ptr %invariant.gep453.i, i64 %arg.X_WO.6.0
-  %sunkaddr56.i = getelementptr i8, ptr %arg.ride.4, i64 %arg.ride.6.0
   %sunkaddr60.i = getelementptr i8, ptr %invariant.gep453.i, i64 %sunkaddr25.i
-  %sunkaddr61.i = shl i64 %arg.ride.6.0, 1
-  %sunkaddr62.i = getelementptr i8, ptr %arg.ride.4, i64 %sunkaddr61.i
+  %sunkaddr61.i = shl i64 %arg.way.6.1, 1
   %sunkaddr63.i = getelementptr i8, ptr %arg.arm.4, i64 56
   %sunkaddr = getelementptr i8, ptr %arg.arm.4, i64 80
-  %sunkaddr1.i = getelementptr i8, ptr %.643, i64 8
+  %sunkaddr1.i = getelementptr i8, ptr %.635, i64 8
   %sunkaddr.i10 = getelementptr i8, ptr %arg.arm.4, i64 8
-  %sunkaddr2.i11 = getelementptr i8, ptr %.643, i64 16
+  %sunkaddr2.i11 = getelementptr i8, ptr %.635, i64 16
   %sunkaddr3.i12 = getelementptr i8, ptr %arg.arm.4, i64 16
   %sunkaddr4.i13 = getelementptr i8, ptr %arg.arm.4, i64 24
   %sunkaddr5.i14 = getelementptr i8, ptr %arg.arm.4, i64 40
   %sunkaddr6.i15 = getelementptr i8, ptr %arg.arm.4, i64 48
-  %.147.i1.i = getelementptr i8, ptr %.441132136, i64 %arg.room.6.0
-  %.204.i.i = getelementptr i8, ptr %.441132136, i64 %arg.room.6.1
+  %.147.i1.i = getelementptr i8, ptr %.433132136, i64 %arg.room.6.0
+  %.204.i.i = getelementptr i8, ptr %.433132136, i64 %arg.room.6.1
   %.262.i.i = getelementptr i8, ptr %.147.i1.i, i64 %arg.room.6.1
-  %.321.i.i = getelementptr i8, ptr %.441132136, i64 %sunkaddr50.i
+  %.321.i.i = getelementptr i8, ptr %.433132136, i64 %sunkaddr50.i
   %.377.i.i = getelementptr i8, ptr %.147.i1.i, i64 %sunkaddr50.i
   %.553.i.i = shl i64 %arg.room.6.0, 1
-  %24 = getelementptr i8, ptr %.441132136, i64 %.553.i.i
+  %24 = getelementptr i8, ptr %.433132136, i64 %.553.i.i
   %.557.i.i = getelementptr i8, ptr %24, i64 %sunkaddr50.i
   %.737.i.i16 = getelementptr i8, ptr %24, i64 %arg.room.6.1
-  %sunkaddr9.i = getelementptr i8, ptr %.713, i64 8
-  %sunkaddr10.i17 = getelementptr i8, ptr %.713, i64 16
-  %sunkaddr11.i18 = getelementptr i8, ptr %.713, i64 24
-  %sunkaddr12.i19 = getelementptr i8, ptr %.713, i64 32
-  %sunkaddr13.i = getelementptr i8, ptr %.713, i64 40
-  %25 = getelementptr i8, ptr %.1016, i64 %arg.room.6.0
-  %26 = getelementptr i8, ptr %.1016, i64 %.553.i.i
-  %sunkaddr34.i = getelementptr i8, ptr %.1016, i64 %arg.room.6.1
+  %sunkaddr9.i = getelementptr i8, ptr %.705, i64 8
+  %sunkaddr10.i17 = getelementptr i8, ptr %.705, i64 16
+  %sunkaddr11.i18 = getelementptr i8, ptr %.705, i64 24
+  %sunkaddr12.i19 = getelementptr i8, ptr %.705, i64 32
+  %sunkaddr13.i = getelementptr i8, ptr %.705, i64 40
+  %25 = getelementptr i8, ptr %.1008, i64 %arg.room.6.0
+  %26 = getelementptr i8, ptr %.1008, i64 %.553.i.i
+  %sunkaddr34.i = getelementptr i8, ptr %.1008, i64 %arg.room.6.1
   %sunkaddr35.i3 = getelementptr i8, ptr %25, i64 %arg.room.6.1
   %sunkaddr36.i = getelementptr i8, ptr %26, i64 %arg.room.6.1
-  %sunkaddr44.i7 = getelementptr i8, ptr %.1016, i64 %sunkaddr50.i
+  %sunkaddr44.i7 = getelementptr i8, ptr %.1008, i64 %sunkaddr50.i
   %sunkaddr46.i = getelementptr i8, ptr %25, i64 %sunkaddr50.i
   %sunkaddr48.i = getelementptr i8, ptr %26, i64 %sunkaddr50.i
   %.89.i.i = getelementptr i8, ptr %arg.arm.4, i64 64
   %.119.i.i = getelementptr i8, ptr %arg.arm.4, i64 72
   %.638.i.i = getelementptr i8, ptr %arg.arm.4, i64 32
-  %.1497.i.i = getelementptr i8, ptr %.1218, i64 8
-  %.1542.i.i = getelementptr i8, ptr %.1218, i64 16
-  %.1572.i.i = getelementptr i8, ptr %.1218, i64 24
-  %.1602.i.i = getelementptr i8, ptr %.1218, i64 32
+  %.1497.i.i = getelementptr i8, ptr %.1210, i64 8
+  %.1542.i.i = getelementptr i8, ptr %.1210, i64 16
+  %.1572.i.i = getelementptr i8, ptr %.1210, i64 24
+  %.1602.i.i = getelementptr i8, ptr %.1210, i64 32
   br label %B188
 }
 

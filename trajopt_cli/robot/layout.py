@@ -1,8 +1,8 @@
-"""Where a robot's axes stand in its vectors of n axes: the one place that knows whether there is a rail, and where."""
+"""Where a robot's axes stand in its vectors of n axes: the one place that knows how many rails there are, and where."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -15,19 +15,20 @@ Number = TypeVar("Number", bound=np.generic)
 
 @dataclass(frozen=True)
 class AxisLayout:
-    """rail: the axis that carries the arm along, an empty range where there is none; arm: the arm's joints.
+    """rail: the axes that carry the arm along, an empty range where there are none; arm: the arm's joints; sought: the
+    rail whose place is looked for while the others are held, by number.
 
-    With a rail there is r = 1 of it, without one r = 0: arrays (..., r) of rail values then have no element, and what
-    is computed with them has no rail in it.
+    There are r = 0 to 3 rails. With none arrays (..., r) of rail values have no element, and what is computed with them
+    has no rail in it.
     """
 
     rail: slice
     arm: slice
+    sought: int = 0
 
     @classmethod
-    def rail_first(cls, joints: int, has_rail: bool) -> AxisLayout:
-        """An arm of so many joints, the rail before them if there is one."""
-        r = int(has_rail)
+    def rail_first(cls, joints: int, r: int) -> AxisLayout:
+        """An arm of so many joints, r rails before them."""
         return cls(slice(0, r), slice(r, r + joints))
 
     @property
@@ -37,7 +38,7 @@ class AxisLayout:
 
     @property
     def r(self) -> int:
-        """Rails: 1 or 0."""
+        """Rails: 0 to 3."""
         return int(self.rail.stop - self.rail.start)
 
     @property
@@ -50,18 +51,30 @@ class AxisLayout:
         """All axes."""
         return self.r + self.joints
 
+    def seeking(self, i: int) -> AxisLayout:
+        """The same that seeks rail number i."""
+        return replace(self, sought=i)
+
+    @property
+    def others(self) -> list[int]:
+        """The rails that are held while one is sought, as numbers in vectors of all axes."""
+        return [i for i in range(*self.rail.indices(self.n)) if i != self.rail.start + self.sought]
+
     def place(self, q: Array) -> Array:
-        """The rail's value (...) in vectors of all axes (..., n); 0 without a rail."""
-        return self.value(q[..., self.rail])
+        """The sought rail's value (...) in vectors of all axes (..., n); 0 without a rail."""
+        return q[..., self.rail.start + self.sought] if self.r else np.zeros(q.shape[:-1])
 
     def value(self, d: Array) -> Array:
-        """Plain rail values (...) of (..., r); 0 without a rail."""
-        return d[..., 0] if self.r else np.zeros(d.shape[:-1])
+        """Rail values (..., r) as a robot's inverse takes them: of one rail, and 0 without one, plain (...)."""
+        return d if self.r > 1 else d[..., 0] if self.r else np.zeros(d.shape[:-1])
 
     def join(self, d: Array | float, arm: Array) -> Array:
-        """All axes (..., n) from rail values (...) and joints (..., m), or their rates; without a rail the joints."""
-        d = np.broadcast_to(np.asarray(d, dtype=np.float64), arm.shape[:-1])
-        return self.merge(np.repeat(d[..., None], self.r, axis=-1), arm)
+        """All axes (..., n) from values (...) of the sought rail and joints (..., m), or their rates, other rails at 0;
+        without a rail the joints."""
+        rails = np.zeros((*arm.shape[:-1], self.r))
+        if self.r:
+            rails[..., self.sought] = d
+        return self.merge(rails, arm)
 
     def merge(self, d: NDArray[Number], arm: NDArray[Number]) -> NDArray[Number]:
         """All axes (..., n) from rail values (..., r) and joints (..., m), or anything else that comes by axis."""

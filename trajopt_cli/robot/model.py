@@ -1,7 +1,7 @@
 """RobotModel: where a robot's flange is, how it moves with the joints, and what its axes may do.
 
-Axis order: the rail first (where there is one), then joint_1..joint_6. Frames: W world, R the URDF's root, B the arm's
-base, F the flange (tool0), T the tool centre point.
+Axis order: the rails first (where there are some), then joint_1..joint_6. Frames: W world, R the URDF's root, B the
+arm's base, F the flange (tool0), T the tool centre point.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, of_kind
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose, readonly
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose, moved_by, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot import inverse as closed_form
 from trajopt_cli.robot.arm import Arm, elbow_angle
 from trajopt_cli.robot.arm_chain import arm_from_chain
-from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
+from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model, pin_model_on_axes
 from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.enclosure import Enclosure, enclose
 from trajopt_cli.robot.layout import AxisLayout
@@ -43,10 +43,10 @@ _WINDING = [0, 3, 5]  # joints that nothing keeps from coming round as their bra
 
 @dataclass(frozen=True, eq=False)
 class RobotModel:
-    """A six-axis arm, on a rail or not, mounted at X_WR.
+    """A six-axis arm, on up to three rails or none, mounted at X_WR.
 
-    arm: lengths, read from the URDF. X_RB: the arm's base in the root frame with the rail at 0. rail_axis (3,): the
-    direction of rail travel in the root frame, None without a rail. tcp: the documented caps. profiles: limits of all
+    arm: lengths, read from the URDF. X_RB: the arm's base in the root frame with the rails at 0. rail_axes
+    (r, 3): directions of their travel in the root frame. tcp: the documented caps. profiles: limits of all
     axes by profile name, each number with its source; the rail's range there is a placeholder for the cell's stroke.
     notes: sources of what is not a limit, by name. chain: the arm's six joints and the fixed one to the flange, as the
     URDF has them. bodies: around the links that have some, by link name, in the link's frame. self_pairs: the links
@@ -55,7 +55,8 @@ class RobotModel:
     confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at. linkage: of an
     arm with a parallel linkage 1 or -1: the URDF's joint_3 is axis 3 - linkage * axis 2; 0 for others. All axes, their
     limits and motions are the controller's; chain_axes makes joints of the URDF of them. settle: how long they settle
-    at stops, None where nobody says. colour: of its paint as "#rrggbb", None where nobody says.
+    at stops, None where nobody says. colour: of its paint as "#rrggbb", None where nobody says. X_UB: the arm's base in
+    the root of its URDF, where the rails are not the URDF's.
     """
 
     name: str
@@ -64,7 +65,7 @@ class RobotModel:
     arm: Arm
     X_WR: Array
     X_RB: Array
-    rail_axis: Array | None
+    rail_axes: Array
     tcp: TcpCaps
     profiles: Mapping[str, JointLimits]
     notes: Mapping[str, str]
@@ -79,6 +80,7 @@ class RobotModel:
     default_profile: str = "default"
     settle: Settling | None = None
     colour: str | None = None
+    X_UB: Array | None = None
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -99,13 +101,13 @@ class RobotModel:
 
     @property
     def has_rail(self) -> bool:
-        """Whether the first axis is a rail."""
+        """Whether the first axes are rails."""
         return self.layout.has_rail
 
     @cached_property
     def layout(self) -> AxisLayout:
         """Which axes are the rail's and the arm's."""
-        return AxisLayout.rail_first(6, self.rail_axis is not None)
+        return AxisLayout.rail_first(6, len(self.rail_axes))
 
     def chain_axes(self, q: Any) -> Any:
         """Positions, speeds or accelerations (..., n) of the URDF's joints, of those of the controller's axes (..., n),
@@ -159,11 +161,11 @@ class RobotModel:
             reach = np.maximum(reach, self.arm.b**2 / (self.arm.b**2 + before**2))
         return reach, np.abs(np.sin(bent))
 
-    def solutions(self, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
+    def solutions(self, X_WF: Array, rail: Array | float | None, limits: JointLimits) -> list[tuple[int, Array]]:
         """Every (cfx, joints (6,)) within limits of one flange pose (4, 4), turns included."""
         return closed_form.solutions(self, X_WF, rail, limits)
 
-    def why_unreachable(self, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
+    def why_unreachable(self, X_WF: Array, rail: Array | float | None, limits: JointLimits) -> str:
         """The reason, in one clause, why there are none. Raises ValueError for a pose that has some."""
         return closed_form.why_unreachable(self, X_WF, rail, limits)
 
@@ -185,10 +187,10 @@ class RobotModel:
         return closed_form.confdata_admits(self, conf, arm)
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
-        """The first three joints and their rates over the intervals between rail positions (k + 1,); twist (6,): of the
-        flange on its way through the pose, world axes."""
+        """The first three joints and their rates over the intervals between positions (k + 1,) of one rail at most;
+        twist (6,): of the flange on its way through the pose, world axes."""
         X_OW = inverse_pose(self.X_WO0)
-        e = np.zeros(3) if self.rail_axis_W is None else X_OW[:3, :3] @ self.rail_axis_W
+        e = X_OW[:3, :3] @ self.rail_axes_W[0] if self.has_rail else np.zeros(3)
         lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
         R_OW = X_OW[:3, :3]
         twist_O = None if twist is None else np.concatenate([R_OW @ twist[:3], R_OW @ twist[3:]])
@@ -227,37 +229,49 @@ class RobotModel:
         return readonly(self.X_WB0 @ self.arm.X_BO)
 
     @cached_property
-    def rail_axis_W(self) -> Array | None:
-        """Unit direction (3,) of rail travel in the world, None without a rail."""
-        return None if self.rail_axis is None else readonly(self.X_WR[:3, :3] @ self.rail_axis)
+    def rail_axes_W(self) -> Array:
+        """Unit directions (r, 3) of the rails' travel in the world."""
+        return readonly(np.array([self.X_WR[:3, :3] @ axis for axis in self.rail_axes]).reshape(-1, 3))
+
+    def way(self, rail: Array | float | None) -> Array:
+        """How far (..., 3) [m] rails at positions (..., r) have taken the base in the world; those of one rail may be
+        plain, (n,) or a number. 0 without a rail, whatever is given."""
+        d, r = np.asarray(0.0 if rail is None else rail, dtype=np.float64), self.layout.r
+        plain = d.ndim == 0 or (r < 2 and d.ndim == 1 and len(d) != r)
+        return self.way_at(d[..., None] if plain else d)
+
+    def way_at(self, q: Array) -> Array:
+        """The same at axes q (..., k), of speeds how fast [m/s]."""
+        out = np.zeros((*q.shape[:-1], 3))
+        for i, axis in enumerate(self.rail_axes_W):
+            out += q[..., i, None] * axis
+        return out
 
     def base(self, rail: Array | float = 0.0) -> Array:
-        """The arm's base X_WB (..., 4, 4) at rail positions (...) [m]; without a rail the value does not matter."""
-        return self._carried(self.X_WB0, rail)
+        """The arm's base X_WB (..., 4, 4) at rail positions as in `way`."""
+        return moved_by(self.X_WB0, self.way(rail))
 
-    def canonical_base(self, rail: Array | float = 0.0) -> Array:
-        """The arm's canonical base X_WO (..., 4, 4) at rail positions (...) [m]."""
-        return self._carried(self.X_WO0, rail)
+    def base_at(self, q: Array) -> Array:
+        """The same at axes q (..., k)."""
+        return moved_by(self.X_WB0, self.way_at(q))
 
-    def _carried(self, X_W0: Array, rail: Array | float) -> Array:
-        rail = np.asarray(rail, dtype=np.float64)
-        X = np.array(np.broadcast_to(X_W0, (*rail.shape, 4, 4)))
-        if self.rail_axis_W is not None:
-            X[..., :3, 3] += rail[..., None] * self.rail_axis_W
-        return X
+    def canonical_base_at(self, q: Array) -> Array:
+        """The arm's canonical base X_WO (..., 4, 4) at axes q (..., k)."""
+        return moved_by(self.X_WO0, self.way_at(q))
 
     def forward(self, q: Array) -> Array:
         """Flange poses X_WF (..., 4, 4) of axis positions q (..., k)."""
         return self.differential(q).pose()
 
-    def rail_within(self, X_WF: Array) -> Array:
-        """Rail positions (k, 2) [m] outside which the arm is too short for flange poses (k, 4, 4), whatever its joints;
-        both where the base is abreast of a pose that is out of reach everywhere. Without a rail they do not matter."""
-        if self.rail_axis_W is None:
+    def rail_within(self, X_WF: Array, i: int = 0) -> Array:
+        """Positions (k, 2) [m] of rail i, the others at 0, outside which the arm is too short for flange poses (k, 4,
+        4), whatever its joints; both where the base is abreast of a pose that is out of reach everywhere. Without a
+        rail they do not matter."""
+        if not self.has_rail:
             return np.zeros((len(X_WF), 2))
         arm = self.arm
         away = X_WF[:, :3, 3] - self.X_WO0[:3] @ np.array([0.0, 0.0, arm.c1, 1.0])
-        along = away @ self.rail_axis_W
+        along = away @ self.rail_axes_W[i]
         aside = np.sum(away**2, axis=1) - along**2
         flange = float(np.linalg.norm(arm.X_KF[:3, 3] + [0.0, 0.0, arm.c4]))  # from the wrist centre
         longest = float(np.hypot(abs(arm.a1) + arm.c2 + arm.upper, arm.b) + np.linalg.norm(arm.wrist)) + flange
@@ -281,12 +295,14 @@ class RobotModel:
         q, k = np.asarray(q, dtype=np.float64), len(self.axis_names)
         if q.ndim == 0 or q.shape[-1] != k:
             raise ValueError(f"q has shape {q.shape}, wanted (..., {k}) for {', '.join(self.axis_names)}")
-        return Differential.of(self.arm, q, X_FT, self.X_WO0, self.rail_axis_W)
+        return Differential.of(self.arm, q, X_FT, self.X_WO0, self.rail_axes_W)
 
     @cached_property
     def pin_model(self) -> Any:
         """pin.Model of the URDF, mounted at X_WR; built once, on first use."""
-        return pin_model(self.urdf, self.X_WR)
+        if self.X_UB is None:
+            return pin_model(self.urdf, self.X_WR)
+        return pin_model_on_axes(self.urdf, self.X_WB0 @ inverse_pose(self.X_UB), self.axis_names, self.rail_axes_W)
 
 
 def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
@@ -308,11 +324,11 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
     data, path, raw = description.read_six_axis(name_or_path)
     urdf, whole = description.urdf_chain(data, path, raw)
     mount, arm_chain = split_chain(whole, str(urdf))
-    X_RB, rail_axis = np.eye(4), None
+    X_RB, rail_axes = np.eye(4), np.zeros((0, 3))
     for joint in mount:
         X_RB = X_RB @ joint.X
         if joint.kind == "prismatic":
-            rail_axis = readonly(X_RB[:3, :3] @ joint.axis)
+            rail_axes = readonly(X_RB[:3, :3] @ joint.axis)[None]
     axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
     tables = description.acceleration_tables(data, path, raw, axes)
     description.check(data, path, raw, axes, arm_chain, tables)
@@ -324,7 +340,7 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         arm=arm_from_chain(arm_chain, str(urdf), coupled=linkage != 0),
         X_WR=checked_pose(X_WR, "X_WR"),
         X_RB=readonly(X_RB),
-        rail_axis=rail_axis,
+        rail_axes=rail_axes,
         tcp=TcpCaps(data.tcp.speed.value, data.tcp.acceleration.value),
         tcp_spread={
             "speed": data.tcp.speed.spread("velocity"),

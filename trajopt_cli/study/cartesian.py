@@ -32,7 +32,7 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.along_path import SmoothPath, timed_by_parts
-from trajopt_cli.study.case import Answer, Case
+from trajopt_cli.study.case import Answer, Case, NotApplicable
 from trajopt_cli.study.fixed_rail import BaselineLeg, StopToStop, caps_of, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, attempt_of, hold
 from trajopt_cli.timing.point_to_point import PointToPoint, bang_bang
@@ -47,6 +47,8 @@ _ATTEMPTS = 250  # so that a move is lengthened by a millisecond at most
 def bang_bang_row(case: Case) -> Answer:
     """The program by the thesis' generator. Infeasible where the Cartesian motion leaves the workspace or would have to
     change the configuration on its way, where a programmed time is too short, or where there is no fixed-rail plan."""
+    if case.plant.layout.r > 1:
+        return NotApplicable("the robot rides several rails")
     given = fixed_rail(case)
     if isinstance(given, Infeasible):
         return given
@@ -264,8 +266,7 @@ class _Space:
             s = self.motion.at(t[i : i + 1])[0]
             rail = float(robot.layout.place(leg.q_0) + s[0, 4]) if robot.has_rail else None
             X_WT = self.tool(s)[0]
-            if robot.rail_axis_W is not None:
-                X_WT[:3, 3] += (rail or 0.0) * robot.rail_axis_W
+            X_WT[:3, 3] += robot.way(rail)
             X_WF = X_WT @ inverse_pose(leg.X_FT)
             others = robot.solutions(X_WF, rail, self.plant.limits)
             missing = robot.why_unreachable(X_WF, rail, self.plant.limits)

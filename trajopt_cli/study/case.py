@@ -43,10 +43,8 @@ class Case:
     @property
     def gives_rail(self) -> bool:
         """Whether the program itself says where the rail stands; a robot without a rail needs no word of it."""
-        if self.plant.rail_eax is None:
-            return True
         moves = (motion for motion in self.program.motions if isinstance(motion, Move))
-        return any(self.plant.rail_value(move.extax) is not None for move in moves)
+        return not self.plant.rail_eaxes or any(self.plant.asks_rail(move.extax) for move in moves)
 
 
 @dataclass(frozen=True, eq=False)

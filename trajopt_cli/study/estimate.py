@@ -24,6 +24,7 @@ from trajopt_cli.report.stepwise import StepMove, analyse
 from trajopt_cli.runs.summary import Settled, motion_label, settled
 from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.units import slides
 
 _STANDS = 1e-9  # m
 _RESTS = 1e-6  # m and parts of a turn: what is written to 0.001 mm
@@ -138,7 +139,7 @@ def _naive(job: Job, move: StepMove) -> float:
     way = abs(move.rail_1 - move.rail_0)
     if motion.duration is not None or not job.plant.robot.has_rail or way < _STANDS:
         return move.duration
-    return max(move.t_arm, way / min(motion.speed.v_leax, float(limits.velocity[limits.names.index("rail")])))
+    return max(move.t_arm, way / min(motion.speed.v_leax, float(limits.velocity[job.plant.layout.rail].min())))
 
 
 def _rests_on(job: Job, motions: list[EstimatedMotion]) -> Iterator[RestsOn]:
@@ -152,9 +153,9 @@ def _rests_on(job: Job, motions: list[EstimatedMotion]) -> Iterator[RestsOn]:
         values = getattr(limits, _KEY[kind])
         source = limits.sources.get(f"{axis}.{_KEY[kind]}", "")
         grade = _GRADE.search(source)
-        base = "m" if axis == "rail" else "rad"
+        base = "m" if slides(axis) else "rad"
         powers = {"speed": "", "acceleration": "²", "jerk": "³"}
-        unit = f"{base}/s{powers[kind]}" if kind in powers else "N" if axis == "rail" else "Nm"
+        unit = f"{base}/s{powers[kind]}" if kind in powers else "N" if slides(axis) else "Nm"
         guess = grade is not None and grade[1] in "CD"
         yield RestsOn(name, float(values[limits.names.index(axis)]), unit, source, guess, seconds[name])
 

@@ -196,7 +196,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
 def _branch(plant: Plant, q: Array) -> tuple[int, float]:
     """The branch (cfx) that axes (k,) are nearest to, and how far they are off it [rad]."""
     layout = plant.robot.layout
-    found = plant.robot.branches(plant.robot.forward(q)[None], layout.place(q[None]))[0]
+    found = plant.robot.branches(plant.robot.forward(q)[None], q[None, layout.rail])[0]
     off = found - q[layout.arm]
     apart = np.nan_to_num(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1), nan=np.inf)
     return int(np.argmin(apart)), float(apart.min())

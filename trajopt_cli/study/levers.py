@@ -28,6 +28,7 @@ from trajopt_cli.motion import (
     instruction_name,
 )
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.units import slides
 
 SHARE = 0.1
 """By how much a limit is changed."""
@@ -149,15 +150,14 @@ def _axis_levers(program: Program, plant: Plant) -> Iterator[Lever]:
         return Lever(kind, f"{limits.names[i]} {what}", unit, now, now + step, text, True, change)
 
     for i, name in enumerate(limits.names):
-        length = "m" if name == "rail" else "rad"
+        length = "m" if slides(name) else "rad"
         for kind, what, column, per in (
             (LeverKind.SPEED, "speed", "velocity", "s"),
             (LeverKind.ACCELERATION, "acceleration", "acceleration", "s²"),
         ):
             step = SHARE * float(getattr(limits, column)[i])
             yield lever(kind, what, column, i, step, f"{length}/{per}", _PERCENT)
-    if plant.robot.has_rail and not plant.rail_fixed:
-        i = limits.names.index("rail")
+    for i in range(0 if plant.rail_fixed else plant.layout.r):
         longer = SHARE * float(limits.upper[i] - limits.lower[i])
         by = f"{longer * 1e3:.4g} mm"
         yield lever(LeverKind.STROKE, "stroke, lower end", "lower", i, -longer, "m", by)

@@ -22,7 +22,6 @@ from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned
-from trajopt_cli.units import MM
 
 _STOP = Zone("fine", True)
 _FLANGE = Tool("tool0", np.eye(4))
@@ -37,6 +36,8 @@ def practice(case: Case) -> Answer:
     """
     if not case.plant.robot.has_rail:
         return NotApplicable("the robot rides no rail")
+    if case.plant.layout.r > 1:
+        return NotApplicable("the robot rides several rails")
     program = case.program
     if not case.gives_rail:
         best = case.solve(program, Target.STREAM, FIXED_RAIL)
@@ -68,7 +69,8 @@ def with_detours(program: Program, plant: Plant) -> Program:
     folded = bool(np.abs(plant.start[layout.arm] - home).max() <= _SAME)
     for motion in program.motions:
         if isinstance(motion, Move):
-            given = plant.rail_value(motion.extax)
+            asked = plant.rail_value(motion.extax)
+            given = None if asked is None else float(asked[0])
             moves = given is not None and abs(given - rail) > _SAME
             ends_folded = isinstance(motion, MoveAbsJ) and bool(np.abs(motion.q - home).max() <= _SAME)
             if moves and not isinstance(motion, PathMove):
@@ -101,8 +103,4 @@ def _ride(before: Move, plant: Plant, rail: float) -> MoveExtJ:
 
 
 def _extax(extax: ExternalAxes, plant: Plant, rail: float) -> ExternalAxes:
-    assert plant.rail_eax is not None
-    values = list(extax)
-    values[plant.rail_eax] = rail / MM
-    a, b, c, d, e, f = values
-    return (a, b, c, d, e, f)
+    return plant.with_rail(extax, np.array([rail]))

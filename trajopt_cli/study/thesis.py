@@ -55,6 +55,8 @@ def thesis(case: Case) -> Answer:
     """
     if not case.plant.robot.has_rail:
         return NotApplicable("the robot rides no rail")
+    if case.plant.layout.r > 1:
+        return NotApplicable("the robot rides several rails")
     if any(isinstance(motion, Move) and motion.hold for motion in case.program.motions):
         return NotApplicable("the heuristic drives the rail in moves in which it must stand still")
     rule = case.rule
@@ -89,7 +91,7 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
         if not isinstance(motion, Move) or i in detours:
             continue
         given = plant.rail_value(motion.extax)
-        rail = rail if given is None else given
+        rail = rail if given is None else float(given[0])
         if not isinstance(motion, PathMove):
             station += 1
         if isinstance(motion, PoseMove):

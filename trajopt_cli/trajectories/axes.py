@@ -42,7 +42,7 @@ class AxisLimits:
 @dataclass(frozen=True, eq=False)
 class Axes:
     """Limits and names (n,) of all axes of a plant in the robot's order. X_WB0: the arm's base in the world with the
-    rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings: ranges of sums of axes. What
+    rails at 0; rail_axis (3, r): the rails' directions in the arm's base frame. couplings: ranges of sums of axes. What
     of it motions must keep are `limits_of` the axes."""
 
     plant: Plant
@@ -63,7 +63,7 @@ class Axes:
         limits = plant.limits
         robot = plant.robot
         X_WB0 = robot.X_WB0
-        axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
+        axis = X_WB0[:3, :3].T @ robot.rail_axes_W.T
         return cls(
             plant, robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration,
             X_WB0, axis, limits.couplings,
@@ -130,12 +130,21 @@ class Axes:
         return inverse_pose(self.X_WB0) @ X_W
 
     def inverse(self, X_WF: Array, rail: Array) -> Array:
-        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,)."""
-        return self.robot.branches(X_WF, rail)
+        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k, r), or (k,) of the sought
+        one, the others at 0."""
+        return self.robot.branches(X_WF, self._rails(rail))
 
     def branch(self, X_WF: Array, rail: Array, cfx: IndexArray | int) -> Array:
         """Joints (k, m) of one branch each, cfx (k,), or the same one."""
-        return self.robot.branch(X_WF, rail, cfx)
+        return self.robot.branch(X_WF, self._rails(rail), cfx)
+
+    def _rails(self, rail: Array) -> Array:
+        r = self.layout.r
+        return rail[:, None] * (np.arange(r) == self.layout.sought) if r > 1 and rail.ndim == 1 else rail
+
+    def seeking(self, i: int) -> Axes:
+        """The same where rail number i is sought while the others are held."""
+        return replace(self, layout=self.layout.seeking(i))
 
     def forward(self, q: Array) -> Array:
         """Flange poses (..., 4, 4) of axes (..., n)."""

@@ -75,14 +75,12 @@ class PlanSeries:
     @property
     def rail(self) -> Array:
         """Where the carriage stands in the world (n, 3) [m], from the rail's 0; zeros without a rail."""
-        axis = self.plant.robot.rail_axis_W
-        return np.zeros((len(self.t), 3)) if axis is None else self.q[:, :1] * axis
+        return self.plant.robot.way_at(self.q)
 
     @property
     def rail_speed(self) -> Array:
         """The carriage's velocity in the world (n, 3) [m/s]."""
-        axis = self.plant.robot.rail_axis_W
-        return np.zeros((len(self.t), 3)) if axis is None else self.qd[:, :1] * axis
+        return self.plant.robot.way_at(self.qd)
 
     @property
     def moves(self) -> list[TimedMotion]:

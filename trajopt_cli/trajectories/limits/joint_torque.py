@@ -17,6 +17,7 @@ from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits.limit import Limit, MotionSamples, NodeMotion, PathRows, PathSamples, Row
+from trajopt_cli.units import slides
 
 
 class JointTorque(Limit):
@@ -68,7 +69,7 @@ class JointTorque(Limit):
         if abs(tau[worst]) < self.limit[worst]:
             return None
         name = self.axes.names[worst]
-        unit = "N" if name == "rail" else "Nm"
+        unit = "N" if slides(name) else "Nm"
         return f"{name} cannot hold the arm, {abs(tau[worst]):.4g} {unit} of {self.limit[worst]:.4g} {unit}"
 
     def ratios(self, motion: MotionSamples) -> Array:
