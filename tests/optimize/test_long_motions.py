@@ -31,6 +31,17 @@ def test_rows_of_long_motions_and_cycles_stand_farther_apart(T: float, apart: fl
     assert {0.0, 0.25 * T, 0.75 * T, T} <= set(rows.t.tolist())
 
 
+def test_times_that_differ_by_rounding_alone_are_one_row() -> None:
+    """Two units that switch in the middle of one move, each by a sum of its own."""
+    grid = np.array([0.0, 0.25, 0.75, 1.0])
+    q, v, a = ([0.0, 0.05, 0.25, 0.3], [0.0, 0.4, 0.4, 0.0], [1.6, 0.0, -1.6])
+    way = JointNodes(1.0, grid, *(np.repeat(np.array(x)[:, None], 7, axis=1) for x in (q, v, a)))
+    more = [0.50037, float(np.nextafter(0.50037, 1.0)), 0.50137]
+    rows, _ = output_rows(Axes.of(plant_with_rail()), [way], np.full(7, 0.3), more)
+    assert np.diff(rows.t).min() > 1e-6
+    assert {0.50037, 0.50137} <= set(rows.t.tolist())
+
+
 def test_a_motion_of_more_than_an_hour_is_refused_with_its_line() -> None:
     program = rapid(
         "MoveAbsJ j_home,v1000,fine,tool0;\nMoveJ p_in,v1000,fine,tool0;\nMoveL p_low,v5\\T:=4000,fine,tool0;"

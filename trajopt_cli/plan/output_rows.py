@@ -54,6 +54,7 @@ def output_rows(
     grids = busy or [False] * len(legs)
     long = float(bounds[-1]) / _LONG_CYCLE
     ordered = np.sort(np.array(more, dtype=np.float64))
+    ordered = ordered[np.diff(ordered, prepend=-np.inf) > _SAME_TIME]  # two units may switch at once but for rounding
     inside = np.split(ordered, np.searchsorted(ordered, bounds))[1:-1]
     times = [
         _leg_rows(leg, bounds[i : i + 2], inside[i], grids[i], max(leg.T / _LONG_MOTION, long), axes.settings)[:-1]
