@@ -21,6 +21,7 @@ from trajopt_cli.collision.collision_scene import CollisionScene
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import CLEARANCE, Finding
 from trajopt_cli.geometry import Array
+from trajopt_cli.judge.clearance import check_clearance
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.plan import optimize
@@ -31,6 +32,7 @@ from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scene import WORLD, plan_cycle, scene_of_plant
 from trajopt_cli.shapes import Box, Capsule, Mesh
+from trajopt_cli.trajectory import Trajectory
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")
 
@@ -45,6 +47,7 @@ obstacles:
 """
 FIN = "fin: {on: STN1, box: {size: [0.1, 0.04, 0.36], position: [0.25, 0, 0.18]}}"
 """A post 250 mm from the table's axis: beside the arm's way while the table is at 0, in it at -90 degrees."""
+PASSING = FIN.replace("[0.25, 0,", "[0, -0.25,")
 
 
 @pytest.fixture(autouse=True)
@@ -64,7 +67,14 @@ def job(body: str, obstacles: str = FIN, cell: str = CELL) -> tuple[Plant, Progr
     plant, scenario = cell_of(obstacles, cell)
     targets = "".join(
         f"CONST robtarget p{name}:=[[550,{y},400],[0,0,1,0],[0,0,0,0],[9E9,{turn},9E9,9E9,9E9,9E9]];\n"
-        for name, y, turn in (("A", -150, 0), ("B", 100, 0), ("T", -150, -90), ("H", 100, -90), ("R", -150, 0))
+        for name, y, turn in (
+            ("A", -150, 0),
+            ("B", 100, 0),
+            ("T", -150, -90),
+            ("H", 100, -90),
+            ("R", -150, 0),
+            ("S", 100, 90),
+        )
     )
     text = "MODULE T\n" + targets + f"PROC main()\nConfJ \\Off; ConfL \\Off;\n{body}\nENDPROC\nENDMODULE"
     return plant, run_program([TextFile("t.mod", text, "utf-8")], scenario)
@@ -84,11 +94,11 @@ def nearest(plant: Plant, program: Program, plan: Plan, name: str) -> Finding:
     return next(one for one in report.findings if one.check == CLEARANCE and name in one.message)
 
 
-def truth(plant: Plant, q: Array, theta: Array, name: str = "fin") -> Array:
-    """Least distance (m,) of the links from a box on the table, by pin and coal at each place."""
+def truth(plant: Plant, q: Array, theta: Array, name: str = "fin", start: float = 0.0) -> Array:
+    """Least distance (m,) of the links from a box on the table, which starts at an angle, by pin and coal."""
     box = next(solid.loaded for solid in plant.obstacles if solid.name == name)
     assert isinstance(box, Box)
-    geometry, X_TB = coal.Box(*box.size), np.linalg.inv(table(0)) @ box.X
+    geometry, X_TB = coal.Box(*box.size), np.linalg.inv(table(start)) @ box.X
     out = np.full(len(q), np.inf)
     for i, (X, angle) in enumerate(zip(link_poses(plant.robot, q), theta, strict=True)):
         X_WB = table(angle) @ X_TB
@@ -170,7 +180,7 @@ def test_the_judge_sees_what_the_planner_was_not_told() -> None:
     found = nearest(plant, program, plan, "fin")
     assert not found.passed
     assert found.source is not None
-    assert (found.source.line, found.source.column) == (9, 55)
+    assert (found.source.line, found.source.column) == (10, 55)
     tables = plan.trajectory.tables
     assert tables is not None
     assert found.value == pytest.approx(truth(plant, plan.trajectory.q, tables.q[:, 0]).min(), abs=2e-3)
@@ -218,14 +228,19 @@ def test_two_tables_turn_their_own_bodies() -> None:
         assert isinstance(planned(plant, program), answer)
 
 
-def left_on_the_table() -> tuple[Plant, Program]:
+TURNED_LATER = (
+    "MoveJ pA,v1000,fine,tool0;\nWaitTime 0.2;\nMoveJ pB,v1000,fine,tool0;\nWaitTime 0.2;\n"
+    "MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0; MoveJ pT,v500,fine,tool0;"
+)
+
+
+def left_on_the_table(body: str = TURNED_LATER) -> tuple[Plant, Program]:
     """A cube is taken at pA and set down on the plate at pB, which then turns."""
     return job(
-        "MoveJ pA,v1000,fine,tool0;\nWaitTime 0.2;\nMoveJ pB,v1000,fine,tool0;\nWaitTime 0.2;\n"
-        "MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0; MoveJ pT,v500,fine,tool0;",
+        body,
         "plate: {on: STN1, box: {size: [0.5, 0.5, 0.02], position: [0, 0, 0.01]}}\n"
         "cube: {box: {size: [0.04, 0.04, 0.26], position: [0.55, -0.15, 0.25]}}",
-        CELL.replace("obstacles:", "attach: [{part: cube, at: 9, detach: 11}]\nobstacles:"),
+        CELL.replace("obstacles:", "attach: [{part: cube, at: 10, detach: 12}]\nobstacles:"),
     )
 
 
@@ -241,6 +256,20 @@ def test_a_part_that_is_left_on_a_table_turns_with_it() -> None:
     plan = planned(plant, program)
     assert isinstance(plan, Plan)
     assert nearest(plant, program, plan, "cube").passed
+
+
+def test_the_judge_finds_a_part_where_the_table_has_brought_it() -> None:
+    """Left at (550, 100), turned by -90 degrees to (350, 300), 380 mm high there; the flange comes down to 370."""
+    body = "MoveJ pA,v1000,fine,tool0;\nWaitTime 0.2;\nMoveJ pB,v1000,fine,tool0;\nWaitTime 0.2;\n"
+    body += "MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0; MoveJ Offs(pT,-200,450,-30),v500,fine,tool0;"
+    plant, program = left_on_the_table(body)
+    plan = planned(replace(plant, obstacles=(), grips=()), program)
+    assert isinstance(plan, Plan)
+    found = nearest(plant, program, plan, "cube")
+    assert not found.passed
+    assert found.source is not None
+    assert (found.source.line, found.source.column) == (14, 55)
+    assert -0.06 < found.value < -0.01
 
 
 # ----------------------------------------------------------------------------------------------------- the questions
@@ -265,6 +294,43 @@ def test_ways_beside_a_turning_body_are_free_where_no_place_on_them_is_not() -> 
         assert found or not alone or least < 2e-3
         seen += alone and not found
     assert seen > 3
+
+
+def test_a_body_that_passes_through_a_standing_arm_is_seen_by_planner_and_judge() -> None:
+    """Half a turn between two rows, the arm at rest: only how far the table moves its body can tell. The post comes
+    from (800, 300) to (300, 300) by (550, 50), where the arm is."""
+    cell = CELL.replace("source: a test", "start: 90 deg, source: a test")
+    plant, program = job("MoveJ pT,v1000,fine,tool0;", PASSING, cell)
+    around, theta = CollisionScene(plant, program), np.pi * np.linspace(0.5, -0.5, 81)
+    q = np.random.default_rng(7).uniform([-0.1, 0.4, -0.7, -0.1, 0.0, 0], [0.1, 1.0, 0.4, 0.1, 0.8, 0], (20, 6))
+    near = np.array([truth(plant, np.tile(one, (81, 1)), theta, start=np.pi / 2) for one in q])
+    some = (near[:, [0, -1]].min(axis=1) > 0.01) & (near.min(axis=1) < -0.01)
+    q, least = q[some], near[some].min(axis=1)
+    assert len(q) > 3
+    ways, first = np.repeat(q, 2, axis=0), 2 * np.arange(len(q))
+    assert around.ways_free(ways, first, first + 1, 0).all()  # it is left out
+    assert not around.ways_free(ways, first, first + 1, 0, np.tile([[0.0], [1.0]], (len(q), 1))).any()
+    rows, begin = np.repeat(q, 17, axis=0), 17 * np.arange(len(q))
+    assert not around.free_beside(rows, begin, begin + 16, 0).any()
+    for one, wanted in zip(q, least, strict=True):
+        t, angle = np.array([0.0, 0.2, 1.0]), np.pi / 2 * np.array([[1.0], [0.8], [-1.0]])
+        file = Trajectory(plant.limits.names, t, np.tile(one, (3, 1)), tables=Trajectory(("eax_b",), t, angle))
+        found = next(f for f in check_clearance(program, plant, file, lambda _: None) if f.check == CLEARANCE)
+        assert found.value == pytest.approx(wanted, abs=2e-3)
+
+
+@pytest.mark.parametrize("searched", [True, False])
+def test_a_post_that_passes_while_the_arm_moves_is_in_its_way(searched: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both ends are clear. What a search overlooks is seen in the motion it has found, at its true times."""
+    if not searched:
+        monkeypatch.setattr(CollisionScene, "free_beside", lambda self, q, first, *_: np.ones(len(first), bool))
+    cell = CELL.replace("source: a test", "start: 90 deg, source: a test")
+    plant, program = job("MoveJ pS,v1000,fine,tool0; MoveJ pH,v1000,fine,tool0;", PASSING, cell)
+    assert isinstance(planned(replace(plant, obstacles=()), program), Plan)
+    answer = planned(plant, program)
+    assert isinstance(answer, Infeasible)
+    assert "pH" in answer.message
+    assert searched or "fin" in answer.message
 
 
 def test_gradients_beside_a_turning_body_are_those_of_differences() -> None:
