@@ -68,8 +68,16 @@ class Loop:
                 continue
             if one.dtype != of or one.ndim != dimensions or not dimensions or dense > one.flags.c_contiguous:
                 raise TypeError(f"{one.dtype}, {one.ndim}d for {of}, {dimensions}d")
-            flat += (0, 0, one.size, one.itemsize, one.ctypes.data, *one.shape, *one.strides)
+            flat += (0, 0, one.size, one.itemsize, _address(one), *one.shape, *one.strides)
         return flat
+
+
+def _address(array: NDArray[np.generic]) -> int:
+    """Where its numbers begin. What the array itself says of that takes seven times as long: 5 us, of ten arrays as
+    long as a loop over a thousand numbers of each."""
+    if array.size and array.flags.carray:  # dense, aligned and writable
+        return ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    return array.ctypes.data
 
 
 @cache

@@ -104,7 +104,6 @@ class _System:
 
     def __init__(self, jacobian_at: Places, hessian_at: Places, free: BoolArray, equal: BoolArray):
         self.n, self.m = int(free.sum()), int(equal.sum())
-        self._loops = loops(_LOOPS)
         column = np.where(free, np.cumsum(free) - 1, -1)
         (rows, cols), (h_rows, h_cols) = jacobian_at, hessian_at
         entries = np.lexsort((cols, rows))
@@ -137,11 +136,23 @@ class _System:
         ends = np.cumsum([len(one) for one, _ in at])
         self._at_hessian, self._at_products, self._at_equations, self._diagonal = _unsigned(*np.split(bins, ends[:-1]))
         L_rows = L.tocsr()
-        self._L_at = [
-            one for half in (L, L_rows) for one in (half.indptr.astype(np.int64), half.indices.astype(np.uint64))
-        ]
-        self._L, self._D, self._y = np.empty(L.nnz), np.empty(total), np.zeros(total)
-        self._full = np.zeros(total, dtype=np.int64)
+        L_at = [one for half in (L, L_rows) for one in (half.indptr.astype(np.int64), half.indices.astype(np.uint64))]
+        self._D, self._eps = np.empty(total), np.where(self._order < self.n, 0.0, _EQUATION_EPS)
+        self._values, self._filled = np.empty((2, len(places)))
+        self._found, self._rest = np.empty((2, total))
+        self._hessian, self._weights = np.empty(len(self._of_hessian)), np.empty(len(self.J_I.begins) - 1)
+        # told once what they work on: that takes as long as the work itself where a program is short
+        run, matrix = loops(_LOOPS), (self._values, self._begins, self._rows)
+        factors = *L_at[:2], np.empty(L.nnz), self._D
+        self._condense = run["condense"].on(
+            self._hessian, self._at_hessian, self.J_I.data, self.J_I.begins, self._places, self._at_products,
+            self._weights, self._filled,
+        )  # fmt: skip
+        self._factorise = run["factorise"].on(
+            *matrix, *L_at, np.zeros(total, dtype=np.int64), np.zeros(total), *factors[2:]
+        )
+        self._substitute, self._substitute_rest = (run["substitute"].on(*factors, x) for x in (self._found, self._rest))
+        self._subtract_product = run["subtract_product"].on(*matrix, self._found, self._rest)
 
     def _ordered(self, row: IndexArray, col: IndexArray) -> tuple[Any, IndexArray]:
         """The pattern of L of the system with these places in its upper triangle, the diagonal among them; and the
@@ -157,38 +168,35 @@ class _System:
     def take(self, jacobian: Array) -> None:
         """The Jacobian's nonzeros."""
         for rows in (self.J_E, self.J_I):
-            rows.data = jacobian[rows.entries]
+            np.take(jacobian, rows.entries, out=rows.data, mode="clip")
 
     def fill(self, hessian: Array, weights: Array, diagonal: Array) -> None:
         """The Hessian's nonzeros, weights of the rows that are no equations, what else stands on the diagonal (n,)."""
-        self._filled = np.zeros(len(self._rows))
+        self._filled[:] = 0.0
         self._filled[self._diagonal] = np.concatenate([diagonal, np.full(self.m, -_EQUATION_EPS)])
         self._filled[self._at_equations] = self.J_E.data
-        self._loops["condense"](
-            hessian[self._of_hessian], self._at_hessian, self.J_I.data, self.J_I.begins, self._places,
-            self._at_products, weights, self._filled,
-        )  # fmt: skip
+        np.take(hessian, self._of_hessian, out=self._hessian, mode="clip")
+        self._weights[:] = weights
+        self._condense()
 
     def factorise(self, shift: float) -> bool:
         """With a multiple of the identity added for the variables; False where that is not convex enough."""
-        self._values = self._filled.copy()
+        self._values[:] = self._filled
         self._values[self._diagonal[: self.n]] += shift
-        self._loops["factorise"](
-            self._values, self._begins, self._rows, *self._L_at, self._full, self._y, self._L, self._D
-        )
+        self._factorise()
         return bool(np.all(np.isfinite(self._D)) and int((self._D > 0).sum()) == self.n)
 
     def solve(self, of_x: Array, of_y: Array) -> tuple[Array, Array]:
         """dx and dy, the equations met exactly up to rounding."""
-        wanted, factors = np.concatenate([of_x, of_y])[self._order], (*self._L_at[:2], self._L, self._D)
-        found = wanted.copy()
-        self._loops["substitute"](*factors, found)
+        wanted = np.concatenate([of_x, of_y])[self._order]
+        self._found[:] = wanted
+        self._substitute()
         for _ in range(_REFINEMENTS):
-            rest = wanted - np.where(self._order < self.n, 0.0, _EQUATION_EPS) * found
-            self._loops["subtract_product"](self._values, self._begins, self._rows, found, rest)
-            self._loops["substitute"](*factors, rest)
-            found += rest
-        found = found[self._found_at]
+            np.subtract(wanted, self._eps * self._found, out=self._rest)
+            self._subtract_product()
+            self._substitute_rest()
+            self._found += self._rest
+        found = self._found[self._found_at]
         return found[: self.n], found[self.n :]
 
 
