@@ -180,6 +180,38 @@ def test_the_start_that_leads_farthest_goes_on_and_the_first_that_gains_where_le
     assert set(found) == {(min(ratios) if few > len(found) else ratios[0]) / 10}
 
 
+@pytest.mark.parametrize(("ratios", "looked_at"), [([0.8, 0.9], 2), ([0.9, 0.8, 0.8, 0.9], 2), ([0.9, 0.9], 1)])
+def test_a_start_that_leads_where_another_did_is_left(
+    ratios: list[float], looked_at: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    legal, left, looks = base(0), iter(ratios), list[Stage]()
+    window = Window.of(legal.problem, legal.draft, (0, len(legal.problem.legs)))
+
+    def begun(_: MeshRefinement, draft: Iterate) -> Stage:
+        by = next(left)
+        legs = tuple(replace(motion, T=by) for motion in draft.legs if motion is not None)
+        return Stage(replace(draft, legs=legs), [], [])
+
+    stand_in(monkeypatch, quicker)
+    monkeypatch.setattr(MeshRefinement, "begun", begun)
+    monkeypatch.setattr(MeshRefinement, "rough", lambda _, stage: looks.append(stage) or stage)
+    sweeps = WindowSweeps(AXES, LONG, Patience(), {})
+    found = sweeps._first_answers(window.problem, [window.draft] * len(ratios), few=True, seconds={})
+    assert len(found) == len(looks) == looked_at
+
+
+@pytest.mark.parametrize("few", [48, 3])
+def test_a_rail_in_motion_at_stops_is_searched_where_legs_are_few(few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    set_defaults(monkeypatch, few_legs=few)
+    asked: list[Problem] = []
+    stand_in(monkeypatch, quicker)
+    monkeypatch.setattr(local_refinement, "search", lambda _, problem: asked.append(problem))
+    legal = base(0)
+    axes = replace(AXES, plant=replace(AXES.plant, settings=replace(AXES.plant.settings, few_legs=few)))
+    refine(axes, legal, Patience(), lambda _: None, {})
+    assert len(asked) == (few > len(legal.problem.legs))
+
+
 def test_equal_windows_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = stand_in(monkeypatch, quicker)
     legal = base(0, 0, home="MoveAbsJ j_home, v2500, fine, tool0;\n")
