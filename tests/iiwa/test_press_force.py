@@ -214,3 +214,29 @@ def test_the_edge_that_ships_is_pressed_and_told(tmp_path: Path, capsys: pytest.
     assert moving(section)[0]["largest_error"] <= 0.05
     assert run(["verify", str(tmp_path / "out"), "-q"]) == 0
     assert run(["export", "poses", str(tmp_path / "out"), "--for", "lbr", "-q"]) == 0
+
+
+@pytest.mark.parametrize("along", ["tool", "normal", "-z"])
+def test_the_judge_sees_an_equilibrium_that_presses_otherwise(
+    tmp_path: Path, along: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Fed the plan, the tool would press with nothing; fed 2 mm deeper with 1.6 N more."""
+    lanes = LANES.replace("[0, 0.04, 0,", "[0.04, 0, 0,")  # across the tilt the normal would change at once
+    (tmp_path / "task.yaml").write_text(f"{HEAD}{lanes}{PLATE}force: {{along: {along}, lead: true}}\n")
+    out = tmp_path / "out"
+    assert run(["iiwa", "segments", str(tmp_path / "task.yaml"), "--output", str(out), "-q"]) == 0
+    assert run(["verify", str(out), "-q"]) == 0
+    names = ("equilibrium.csv", "equilibrium_quaternion.csv")
+    kept = {name: (out / name).read_text() for name in names}
+    for name in names:
+        head, *rows = kept[name].splitlines()
+        cells = [row.split(",") for row in rows]
+        deeper = [",".join([*row[:3], repr(float(row[3]) - 2e-3), *row[4:]]) for row in cells]
+        (out / name).write_text("\n".join([head, *deeper]) + "\n")
+    capsys.readouterr()
+    assert run(["verify", str(out)]) == 1
+    assert "wished force" in capsys.readouterr().out
+    for name in names:
+        (out / name).write_text((out / name.replace("equilibrium", "plan")).read_text())
+    assert run(["verify", str(out)]) == 1
+    assert "wished force" in capsys.readouterr().out

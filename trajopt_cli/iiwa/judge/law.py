@@ -16,9 +16,9 @@ from trajopt_cli.iiwa.judge.written import METRE, PLAIN, RADIAN, SECOND, Written
 from trajopt_cli.native.loops import loops
 
 _FORCE = {"N": 1.0, "Nm": 1.0}
-_STIFFNESS = {"N/m": 1.0, "N/mm": 1e3, "Nm/rad": 1.0}
-_DAMPING = {"N s/m": 1.0, "Ns/m": 1.0, "N m s/rad": 1.0, "Nms/rad": 1.0}
-_INERTIA = {"kg": 1.0, "g": 1e-3, "kg m2": 1.0}
+STIFFNESS = {"N/m": 1.0, "N/mm": 1e3, "Nm/rad": 1.0}
+DAMPING = {"N s/m": 1.0, "Ns/m": 1.0, "N m s/rad": 1.0, "Nms/rad": 1.0}
+INERTIA = {"kg": 1.0, "g": 1e-3, "kg m2": 1.0}
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
 _SOON = 1e-9  # s: a change this little after a period's start begins with it
 _SETTLING, _LONGEST = 8, 10.0  # slowest time constants, and s: an arm is at rest after that
@@ -136,7 +136,7 @@ def read_controller(path: str, h: float, rows: Mapping[str, int], integration: s
     task = Written(path, "task file")
     exact = (integration or task.choice("integration", "euler", "exact")) == "exact"
     beyond, unfelt, changes = [], [], [{"at": 0.0}, *task.at("changes", [])]
-    units = {"K": _STIFFNESS, "D": _DAMPING, "M": _INERTIA}
+    units = {"K": STIFFNESS, "D": DAMPING, "M": INERTIA}
     now: dict[str, Any] = {}
     laws = []
     if task.at("controller", "admittance") != "admittance" or any(task.at(name) is None for name in units):
@@ -218,8 +218,8 @@ def _kept(task: Written, key: str, zero: Mapping[str, Any]) -> Array:
 
 def _shape(task: Written, key: str, one: Mapping[str, Any]) -> Array:
     """A row of law_loops.shapes."""
-    numbers = [task.number(f"{key}.stiffness", one.get("stiffness"), _STIFFNESS)]
-    numbers.append(task.number(f"{key}.damping", one.get("damping", 0.0), _DAMPING))
+    numbers = [task.number(f"{key}.stiffness", one.get("stiffness"), STIFFNESS)]
+    numbers.append(task.number(f"{key}.damping", one.get("damping", 0.0), DAMPING))
     numbers.append(task.number(f"{key}.friction", one.get("friction", 0.0), PLAIN))
     if "capsule" in one:
         a, b = (np.array(task.numbers(f"{key}.capsule", one["capsule"][end], METRE, 3)) for end in ("from", "to"))

@@ -80,3 +80,5 @@ REST = 1e-5
 SLACK = 2
 """Rows by which a dwell may seem longer than asked for: the first and the last row of a smooth ramp can lie within
 rounding of the pose."""
+PRESSED = 0.05
+"""Of a force by which an equilibrium may press otherwise: what the task's obstacle gives is taken up to here."""

@@ -16,6 +16,7 @@ from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.answer import FORCES, check_dosing, check_simulation, touches_known
 from trajopt_cli.iiwa.judge.joints import check_between, check_follows, check_limits, check_posture
 from trajopt_cli.iiwa.judge.law import Controller, read_controller
+from trajopt_cli.iiwa.judge.pressing import check_force
 from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, printed, read_table, unit, worst
 from trajopt_cli.iiwa.judge.sequence import check_sequence
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
@@ -90,7 +91,7 @@ def verify_folder(folder: Path) -> Judged:
             unchecked.append(f"{folder / _FED[0]}: lag and push, because of {why}")
         reports = {
             _FED[0]: _report([*_angle_file(run, _FED[0], fed, zero), *kept]),
-            _FED[1]: _report(_rows(fed, said.get("rows"), order)),
+            _FED[1]: _report([*_rows(fed, said.get("rows"), order), *check_force(order, path, fed)]),
         }
     reports[way[0]] = _report(_angle_file(run, way[0], path, zero))
     of_path = check_sequence(order, path, retimed="dosing" in sections)
