@@ -25,6 +25,7 @@ from scipy.linalg import solveh_banded
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, ArmTask, Blocked, NoPlan, arm_map, cheapest, margins, stages
+from trajopt_cli.iiwa.task.joint_checks import ELBOW
 from trajopt_cli.iiwa.task.joint_rows import accelerations, central_speeds, passes, speeds
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs_inverse import inverse_branch
@@ -263,7 +264,8 @@ class _Costs:
     def on_grid(self, chart: ArmMap, top: float, least: float) -> tuple[IndexArray, float] | Blocked:
         """Cells of the best path on a map, and the distance from limits [rad] that it keeps.
 
-        top: share of speed limits. least: distance from limits [rad] that is not given away again.
+        top: share of speed limits, joint_4's left out, which no arm angle changes. least: distance from limits [rad]
+        that is not given away again.
         """
         dt = np.diff(chart.rows) * self.task.h
         reserve = margins(chart.q, self.limits)
@@ -273,11 +275,14 @@ class _Costs:
             margin = margins(q, self.limits)
             return np.where(margin < 0, np.inf, -margin)
 
+        def fast(share: Array) -> BoolArray:
+            return np.asarray(np.maximum(share[:ELBOW].max(axis=0), share[ELBOW + 1 :].max(axis=0)) > top)
+
         def slow(share: Array) -> Array:
-            return np.where(share.max(axis=0) > top, np.inf, -np.inf)
+            return np.where(fast(share), np.inf, -np.inf)
 
         def drive(share: Array) -> Array:
-            return np.where(share.max(axis=0) > top, np.inf, self.moving * np.square(share).sum(axis=0))
+            return np.where(fast(share), np.inf, self.moving * np.square(share).sum(axis=0))
 
         def best(floor: float) -> IndexArray | Blocked:
             hold = partial(self._hold, floor=floor)
