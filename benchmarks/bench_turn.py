@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -36,30 +36,34 @@ TAUGHT = replace(EVERYTHING, turn=False)
 TRIES = 40
 
 
-def program_of(seed: int, attempt: int, confs: Sequence[ConfData] | None = None) -> tuple[str, str]:
-    """The program's text and its cell file's; attempt: which of the seed's taught angles. confs: of its targets; None:
-    confdata is off."""
+def program_of(seed: int, attempt: int, confs: Mapping[str, ConfData] | None = None) -> tuple[str, str]:
+    """The program's text and its cell file's; attempt: which of the seed's taught angles. confs: of its targets by
+    name; None: confdata is off."""
     rng = np.random.default_rng(seed)
     drills, rail, dome = seed % 2 == 0, seed % 5 > 2, bool(rng.integers(2))
     bend = float(rng.choice([0.0, 45.0, 90.0])) if seed else 90.0
     by_hand = drills and bool(rng.integers(2))
-    centre = np.array([0.52, rng.uniform(-0.15, 0.15) + (0.6 if rail else 0.0), 0.25])
-    size = np.array([0.16, 0.5 if rail else 0.2])
+    centre = np.array([0.5, rng.uniform(-0.1, 0.1) + (0.6 if rail else 0.0), 0.25])
+    size = np.array([0.12, 0.5 if rail else 0.2])
     spots = np.column_stack([rng.uniform(-1, 1, (HOLES, 2)) * size, np.zeros(HOLES)]) if drills else _bead(rng, size)
     taught = np.random.default_rng([seed, attempt])
     spin = taught.uniform(-np.pi, np.pi) + (taught.uniform(-0.7, 0.7, len(spots)) if by_hand else np.zeros(len(spots)))
-    targets = [_target(centre, spot, size, angle, dome) for spot, angle in zip(spots, spin, strict=True)]
+    places = [(centre, spot, size, angle, dome) for spot, angle in zip(spots, spin, strict=True)]
     head = wxyz_from_rotation(rotation_about([0, 1, 0], np.radians(bend)))
     x, z = 0.11 * np.sin(np.radians(bend)), 0.06 + 0.08 * np.cos(np.radians(bend))
-    external, home = (f"[{d},9E9,9E9,9E9,9E9,9E9]" if rail else "[9E9,9E9,9E9,9E9,9E9,9E9]" for d in (600, 0))
+    home, *external = (f"[{d if rail else '9E9'},9E9,9E9,9E9,9E9,9E9]" for d in [0, *_beside(centre, spots)])
     lines = [
         "MODULE Turn",
         f"PERS tooldata tHead:=[TRUE,[[{x * 1e3:.3f},0,{z * 1e3:.3f}],[{_text(head)}]],[1,[0,0,50],[1,0,0,0],0,0,0]];",
         f"CONST jointtarget j_home:=[[0,0,0,0,30,0],{home}];",
-        *(f"CONST robtarget p{i}:=[{target},{_conf(confs, i)},{external}];" for i, target in enumerate(targets)),
+        *(
+            f"CONST robtarget {name}{i}:=[{_target(*place, lift)},{_conf(confs, f'{name}{i}')},{external[i]}];"
+            for i, place in enumerate(places)
+            for name, lift in (("p", 0.0), ("above", 0.04))
+        ),
         "PROC main()",
         *([r"ConfJ\Off;", r"ConfL\Off;"] if confs is None else []),
-        *(_drilling(len(targets)) if drills else _dispensing(len(targets))),
+        *(_drilling(len(places)) if drills else _dispensing(len(places))),
         r"MoveAbsJ j_home\NoEOffs,v1000,fine,tHead;",
         "ENDPROC",
         "ENDMODULE",
@@ -75,6 +79,11 @@ def program_of(seed: int, attempt: int, confs: Sequence[ConfData] | None = None)
     return "\n".join(lines) + "\n", "\n".join(cell) + "\n"
 
 
+def _beside(centre: Array, spots: Array) -> list[str]:
+    """Where a rail along y stands beside each spot [mm]."""
+    return [f"{y * 1e3:.0f}" for y in centre[1] + spots[:, 1]]
+
+
 def _bead(rng: np.random.Generator, size: Array) -> Array:
     """A closed bead (POINTS + 1, 3) around the middle [m]."""
     phi = np.linspace(0, 2 * np.pi, POINTS + 1)
@@ -83,18 +92,18 @@ def _bead(rng: np.random.Generator, size: Array) -> Array:
     return np.column_stack([radius * np.cos(phi) * size[0], radius * np.sin(phi) * size[1], 0 * phi])
 
 
-def _target(centre: Array, spot: Array, size: Array, angle: float, dome: bool) -> str:
-    """trans and rot of a spot on a table or a dome, the tool against its normal and turned by an angle."""
+def _target(centre: Array, spot: Array, size: Array, angle: float, dome: bool, lift: float) -> str:
+    """trans and rot of a spot on a table or a dome, the tool against its normal, turned by an angle, and lifted [m]."""
     tilt = spot[:2] / size * np.radians(25.0) if dome else np.zeros(2)
     R = rotation_about([0, 1, 0], tilt[0]) @ rotation_about([1, 0, 0], -tilt[1]) @ rotation_about([0, 1, 0], np.pi)
-    p = centre + spot + [0, 0, -0.12 * float((tilt**2).sum()) if dome else 0.0]
+    p = centre + spot + [0, 0, -0.12 * float((tilt**2).sum())] - lift * R[:, 2]
     return (
         f"[{','.join(f'{v * 1e3:.3f}' for v in p)}],[{_text(wxyz_from_rotation(R @ rotation_about([0, 0, 1], angle)))}]"
     )
 
 
-def _conf(confs: Sequence[ConfData] | None, i: int) -> str:
-    return "[0,0,0,0]" if confs is None else f"[{','.join(map(str, confs[i].numbers))}]"
+def _conf(confs: Mapping[str, ConfData] | None, name: str) -> str:
+    return "[0,0,0,0]" if confs is None or name not in confs else f"[{','.join(map(str, confs[name].numbers))}]"
 
 
 def _text(wxyz: Array) -> str:
@@ -103,18 +112,18 @@ def _text(wxyz: Array) -> str:
 
 def _drilling(count: int) -> Iterator[str]:
     for i in range(count):
-        yield f"MoveJ RelTool(p{i},0,0,-40),v1000,fine,tHead;"
+        yield f"MoveJ above{i},v1000,fine,tHead;"
         yield f"MoveL p{i},v50,fine,tHead;"
         yield "WaitTime 0.1;"
-        yield f"MoveL RelTool(p{i},0,0,-40),v200,fine,tHead;"
+        yield f"MoveL above{i},v200,fine,tHead;"
 
 
 def _dispensing(count: int) -> Iterator[str]:
-    yield "MoveJ RelTool(p0,0,0,-40),v1000,fine,tHead;"
+    yield "MoveJ above0,v1000,fine,tHead;"
     yield "MoveL p0,v100,fine,tHead;"
     for i in range(1, count):
         yield f"MoveL p{i},v300,{'z5' if i < count - 1 else 'fine'},tHead;"
-    yield f"MoveL RelTool(p{count - 1},0,0,-40),v200,fine,tHead;"
+    yield f"MoveL above{count - 1},v200,fine,tHead;"
 
 
 def job_of(seed: int, folder: Path) -> Job | None:
@@ -123,9 +132,8 @@ def job_of(seed: int, folder: Path) -> Job | None:
         try:
             job = _read(folder, seed, program_of(seed, attempt))
             plan = _planned(job, Target.RAPID, AS_WRITTEN)
-            arms = {job.program.motions[one.index].target: one.q_1[-6:] for one in plan.motions[:-1]
-                    if isinstance(job.program.motions[one.index], PoseMove)}  # fmt: skip
-            confs = [confdata(job.plant.robot, arms[f"p{i}"]) for i in range(sum("Rel" not in name for name in arms))]
+            ends = [(job.program.motions[one.index], one.q_1[-6:]) for one in plan.motions]
+            confs = {one.target: confdata(job.plant.robot, arm) for one, arm in ends if isinstance(one, PoseMove)}
             job = _read(folder, seed, program_of(seed, attempt, confs))
             for freedom in (AS_WRITTEN, TAUGHT):
                 _planned(job, Target.RAPID, freedom)

@@ -52,3 +52,16 @@ def test_tilt_and_turn_count_whichever_is_farther() -> None:
     assert off_taught(tilted[None], R, SECTOR)[0] == pytest.approx(1e-3, rel=1e-6)
     assert off_taught(turned_by(R, SECTOR, np.array(0.7))[None], R, SECTOR)[0] == pytest.approx(0.2)
     assert off_taught(tilted[None], R, None)[0] == pytest.approx(0.2, rel=1e-4)
+
+
+def test_a_turn_made_in_a_corner_bends_the_way_of_the_axis_by_no_more_than_is_granted() -> None:
+    """Two lines about one corner: on the first the tool turns by a, on the second it tilts by b; rounded as whole
+    orientations, exp(-x A) exp(y B) with 4 x y <= 1, against the taught corner, in which nothing turns."""
+    a, b = 0.05, 0.02
+    A, B = np.array([0.0, 0.0, a]), np.array([b, 0.0, 0.0])
+    shares = np.linspace(0.0, 1.0, 21)
+    R = np.array([pin.exp3(-((1 - u) ** 2) / 2 * A) @ pin.exp3(u**2 / 2 * B) for u in shares])
+    swings = np.array([pin.log3(one) for one in swing_of(R, SECTOR)])
+    off = np.abs(swings[:, 1]).max()  # the taught axis tilts about x alone
+    made = np.ptp(turn_of(R, SECTOR))
+    assert 1e-5 < off <= 2 * made * b / 2

@@ -200,11 +200,14 @@ def _off_turns(run: StopInterval, here: Indices, visits: Indices) -> Array:
     for k in edges:
         if (free := run.free(k - 1) or run.free(k)) is None:
             continue
-        # A turn z about the tool's axis before a swing s bends the swing's vector by |z| |s| / 2 at most.
+        # A turn z about the tool's axis before a swing s bends the swing's vector by |z| |s| / 2 at most; one that is
+        # made in the zone bends the way of the axis itself as much, as the controller rounds the whole orientation.
         at, both = visits == k, np.stack([R_P[k].T @ run.edge(leg, k, "turning")[1] for leg in (k - 1, k)])
         swings, turns = rotation_vectors(swing_of(both, free)), np.abs(turn_of(both, free))
+        made = turn_of(found[at], free)
+        made = np.abs(np.angle(np.exp(1j * (made - made[:1]))))
         found[at], entry[at], leave[at] = swing_of(found[at], free), swings[0], swings[1]
-        twisted[at] = turns.max() * lengths(swings).max() / 2
+        twisted[at] = (turns.max() / 2 + 2 * made.max()) * lengths(swings).max()
     found = rotation_vectors(found)
     granted = twisted + lengths(np.cross(entry, leave)) / 16 + run.places.doubt_angle[here]
     granted += np.array([_sag(run, k) for k in edges])[np.searchsorted(list(edges), visits)]

@@ -291,6 +291,12 @@ def solve(
                 job.program, job.plant, target, progress=tell, bounded=False, changes=changes, memory=memory,
                 patience=patience, max_workers=max_workers, objective=objective,
             )  # fmt: skip
+            if target is Target.RAPID and isinstance(plan, Plan) and (why := _unwritable(job, plan)):
+                taught = optimize(
+                    job.program, job.plant, target, replace(EVERYTHING, turn=False), progress=tell, bounded=False,
+                    changes=changes, memory=memory, patience=patience, max_workers=max_workers, objective=objective,
+                )  # fmt: skip
+                plan = taught if isinstance(taught, Infeasible) else replace(taught, notes=(why, *taught.notes))
         if isinstance(plan, Infeasible):
             return plan
         if plan.duration == 0.0:
@@ -309,6 +315,22 @@ def solve(
     for phase, spent in judged.plan.seconds.items():
         clock.seconds[f"{label}: {phase}"] = spent
     return judged
+
+
+def _unwritable(job: Job, plan: Plan) -> str | None:
+    """Why the program's text cannot carry turned tools; None where it can, or where none is turned."""
+    from trajopt_cli.exporters.rapid import export_rapid
+
+    loops = (Loops.KEEP, Loops.UNROLL) if plan.turns else ()
+    whys = list[str]()
+    for one in loops:
+        try:
+            export_rapid(job.program, plan, job.plant, scenario=job.scenario, loops=one)
+        except InputError as error:
+            whys.append(f"tools stay as taught (free): {error}")
+        else:
+            return None
+    return next(iter(whys), None)
 
 
 def _bounded_and_judged(
