@@ -63,6 +63,8 @@ def test_path_and_arm_show_them() -> None:
         space = arm(course)
         faces = [one for one in space.axes[0].collections if one.get_gid() == "obstacle"]
         assert len(faces) == count
+        arms = [one for one in space.axes[0].collections if one.get_gid() == "bodies"]
+        assert len(arms) == len([text for text in space.legends[0].get_texts() if ": " in text.get_text()])  # stations
         assert ("obstacles" in [text.get_text() for text in space.legends[0].get_texts()]) == bool(count)
     table = next(one for one in pictures[0].axes[0].patches if one.get_gid() == "obstacle")
     y, z = table.get_xy().T  # mm; the side view

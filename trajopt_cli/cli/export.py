@@ -285,7 +285,7 @@ def gltf(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """An animation of the arm's capsules, of what it carries, and of the cell's obstacles.
+    """An animation of the arm's bodies, of what it carries, and of the cell's obstacles.
 
     \b
     Example:

@@ -15,6 +15,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
+from trajopt_cli.problem.plant import Plant
 from trajopt_cli.report import obstacles
 from trajopt_cli.report.names import short
 from trajopt_cli.report.skeleton import skeleton
@@ -32,11 +33,13 @@ from trajopt_cli.report.style import (
     WIDTH,
     new_figure,
 )
-from trajopt_cli.scene import rail_ends
+from trajopt_cli.scene import LINK, rail_ends, scene_of_plant
+from trajopt_cli.shapes import Mesh
 from trajopt_cli.trajectories.plan_series import PlanSeries
 from trajopt_cli.units import MM
 
 _TAG = 45.0  # mm from an elbow up to its number
+_SOLID = 0.06  # opacity of a face of the bodies around the links
 _GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
 
 
@@ -48,13 +51,15 @@ def arm(course: PlanSeries) -> Figure:
     axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d", computed_zorder=False)
     stations = _stations(course)
     shapes = [skeleton(course.plant, course.q[i], X_FT) / MM for i, _, X_FT in stations]
+    bodies = [_solids(course.plant, course.q[i]) / MM for i, _, _ in stations]
     p = course.X_WT[:, :3, 3] / MM
     beam = rail_ends(course.plant) / MM
     if len(beam):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)
     halo = [withStroke(linewidth=3, foreground="white")]
-    for order, (shape, color) in enumerate(zip(shapes, _GHOSTS, strict=False)):
+    for order, (shape, solids, color) in enumerate(zip(shapes, bodies, _GHOSTS, strict=False)):
+        axes.add_collection3d(Poly3DCollection(solids, facecolor=color, alpha=_SOLID, zorder=1.5, gid="bodies"))
         axes.plot(*shape[:2].T, color=color, linewidth=9, alpha=0.45, solid_capstyle="round", zorder=2 + order)
         axes.plot(*shape[1:5].T, color=color, linewidth=6, alpha=0.6, solid_joinstyle="round", zorder=2 + order)
         axes.plot(*shape[4:].T, color=color, linewidth=3, zorder=2 + order)
@@ -69,7 +74,7 @@ def arm(course: PlanSeries) -> Figure:
             path_effects=halo,
         )
     axes.plot(*p.T, color=BLACK, linewidth=1.5, zorder=20)
-    everything = np.vstack([p, beam, *shapes])
+    everything = np.vstack([p, beam, *shapes, *(solids.reshape(-1, 3) for solids in bodies)])
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)
@@ -88,6 +93,18 @@ def arm(course: PlanSeries) -> Figure:
     _fit(figure, axes, span, low=0.4 + 0.28 * -(-len(handles) // ncols))
     _tags_apart(figure, axes)
     return figure
+
+
+def _solids(plant: Plant, q: Array) -> Array:
+    """Faces (m, 3, 3) [m] of the polytopes around the links, in the world at axes q (k,)."""
+    scene = scene_of_plant(plant)
+    poses = [*scene.poses(q[None])[0], scene.base]  # the last one is BASE's
+    faces = [np.empty((0, 3, 3))]
+    for body in scene.bodies:
+        if body.role == LINK and isinstance(body.shape, Mesh):
+            X = poses[body.frame] @ body.shape.X
+            faces.append((body.shape.vertices @ X[:3, :3].T + X[:3, 3])[body.shape.triangles])
+    return np.concatenate(faces)
 
 
 def _tags_apart(figure: Figure, axes: Any) -> None:
