@@ -579,7 +579,7 @@ def test_obstacles_that_nothing_is_held_against_are_told_first(
     Path("tiny.yaml").write_text(CELL.replace("irb140", "bare.yaml") + post)
     wanted = (
         "WARNING: tiny.yaml: collisions of the robot are not checked: irb140 has no collision shapes, and the cell "
-        "gives 1 obstacle; give the robot's links capsules in its file (collision.links)"
+        "gives 1 obstacle; give the robot's links bodies in its file (collision.links)"
     )
     for command in (["optimize", str(program), "--output", "out"], ["verify", "out"], ["parse", str(program)]):
         assert run(command) == 0, capsys.readouterr().err
