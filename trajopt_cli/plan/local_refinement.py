@@ -60,11 +60,10 @@ def refine(
     """The initial plan made faster by the nonlinear program.
 
     Where the rail may be in motion at the stops of a short program, the chain of a search with such a rail is a start,
-    too: of 200 moves of a pallet it led elsewhere in two windows of 17, to 0.01 % of the cycle, in a sixth of all
-    processor time. Runs with
-    corners are opened, so that their points are passed in motion; where that gains nothing, or a window of it fails,
-    they stay as they are, and so do their ends, but stops beside joint moves are tried, too. Joint moves by points that
-    were added are one leg each, without the points.
+    too: of 200 moves of a pallet it led to something better in two windows of 17, for 0.01 % of the cycle and a sixth
+    of all processor time. Runs with corners are opened, so that their points are passed in motion; where that gains
+    nothing, or a window of it fails, they stay as they are, and so do their ends, but stops beside joint moves are
+    tried, too. Joint moves by points that were added are one leg each, without the points.
 
     Args:
         axes: of the plant.
