@@ -135,3 +135,14 @@ def test_changes_that_do_not_move_with_the_path(tmp_path: Path, first: str, seco
         assert run(["iiwa", "segments", str(tmp_path / "task.yaml"), "--output", str(tmp_path / "out")]) == 2
         return
     assert run(["iiwa", "dose", str(made(tmp_path, text)), "--max-lag", "2mm"]) == 1
+
+
+def test_what_a_schedule_does_not_regard_is_told_in_one_line_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pushes = "pushes: [{from: 0.1, to: 0.3, force: [5, 0, 0, 0, 0, 0]}]\n"
+    folder = made(tmp_path, CORNERS[: CORNERS.index("changes:")] + pushes)
+    capsys.readouterr()
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "2mm", "--max-lead", "50N", "-q"]) == 0
+    (line,) = capsys.readouterr().out.splitlines()
+    assert "pushes" in line

@@ -28,7 +28,7 @@ from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob, schedule_feed
 from trajopt_cli.iiwa.job.pages import feed_page, simulation_page
 from trajopt_cli.iiwa.job.simulation import simulate
 from trajopt_cli.iiwa.judge.verify import Judged, verify_folder
-from trajopt_cli.iiwa.task.model import AngleMeaning
+from trajopt_cli.iiwa.task.model import AngleMeaning, Feed
 
 REPOSITORY = Path(__file__).parents[2]
 FAR = """
@@ -100,6 +100,53 @@ def bases(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
 def test_what_is_spoiled_here_was_legal(name: str, bases: Callable[[str], Path]) -> None:
     judged = verify_folder(bases(name))
     assert messages(judged) == []
+
+
+CHANGING = """
+pushes: [{from: 0.1, to: 0.3, force: [5, -3, 8, 0.2, 0, -0.1]}, {from: 0.2001, to: 0.25, force: [0, 10, 0, 0, 0, 0]}]
+zero: {components: [fx, mz], frame: [10 deg, 20 deg, 0]}
+changes:
+  - {at: b, K: [500, 600, 700, 20, 30, 40], zero: {components: [fz], frame: [0.3, 0.2, 0.1]}}
+  - {at: a, D: [300, 300, 300, 10, 10, 10], clamps: {force: [4, 4, 4, 1, 1, 1]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("rotation", "more", "feed", "engine"),
+    [
+        ("slerp", CHANGING, Feed.POSITION, "spring"),
+        ("tait-bryan", CHANGING, Feed.POSITION, "spring"),
+        (
+            "slerp",
+            "integration: exact\n" + CHANGING.replace("at: b", "at: 0.4").replace("at: a", "at: 0.2"),
+            None,
+            "spring",
+        ),
+        ("tait-bryan", "integration: exact\n", Feed.VELOCITY, None),
+        ("slerp", "", Feed.VELOCITY, None),
+    ],
+)
+def test_what_the_controller_makes_of_everything_is_legal(
+    rotation: str, more: str, feed: Feed | None, engine: str | None, tmp_path: Path
+) -> None:
+    folder = make_folder(tmp_path / "out", task_text("trapezoid", rotation, more=more), joints=False)
+    simulate(folder, simulation_page, feed=feed, engine=engine, settle=0.1)
+    judged = verify_folder(folder)
+    assert messages(judged) == []
+    checks = {finding.check for finding in judged.reports["simulation.csv"].findings}
+    assert {"law", "joints", "believed force"} <= checks
+
+
+@pytest.mark.parametrize("digits", [15, 12, 10])
+def test_a_sequence_of_fewer_digits_is_legal(digits: int, bases: Callable[[str], Path], tmp_path: Path) -> None:
+    folder = copied(bases("s-curve"), tmp_path / "short")
+    for name in ("equilibrium.csv", "equilibrium_quaternion.csv"):
+        head, *rows = (folder / name).read_text().splitlines()
+        short = (",".join(f"{float(field):.{digits}g}" for field in row.split(",")) for row in rows)
+        (folder / name).write_text("\n".join([head, *short]) + "\n")
+    assert messages(verify_folder(folder)) == []
+    edit_table(folder, "equilibrium.csv", lambda rows: np.where(np.arange(rows.shape[1]) == 2, rows + 1e-8, rows))
+    assert failed(verify_folder(folder)) == {"position"}
 
 
 @pytest.mark.parametrize("name", sorted(SPOILED))

@@ -133,7 +133,9 @@ def dose(
             f"{_named(allowed)} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more, or give more stiffness or less damping"
         )
-    question, rest = _Question(path, law, h, integration, acceleration, changes), resting_time(path.moves, laws, h)
+    question = _Question(path, law, h, integration, acceleration, changes)
+    slowest = (law.slowest for law, there in zip(laws, cycle(path.moves), strict=False) if there)
+    rest = _REST * min(max(filter(isfinite, slowest), default=h), SLOWEST * h)
     tried = allowed
     for _ in range(_CORRECTIONS):
         schedule = _inverse(question, tried)
@@ -145,12 +147,6 @@ def dose(
             return replace(found, least=least if found.duration <= _USEFUL * least else None)
         tried = tighter
     return CannotDose(f"{_named(allowed)} is too small for the rounding of positions; allow more")
-
-
-def resting_time(moves: Sequence[bool], laws: Sequence[AxisStability], h: float) -> float:
-    """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
-    slowest = (law.slowest for law, there in zip(laws, cycle(moves), strict=False) if there and isfinite(law.slowest))
-    return _REST * min(max(slowest, default=h), SLOWEST * h)
 
 
 @dataclass(frozen=True, eq=False)

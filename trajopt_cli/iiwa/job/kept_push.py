@@ -112,24 +112,3 @@ def _slower(task: Task, sequence: Equilibrium, at_rest: tuple[Array, Array, Arra
     steps = np.sum(np.diff(sequence.pose[:, :3], axis=0) * normal[1:], axis=1) / sequence.h
     force = np.abs(steps) * np.sum(D * normal[1:] ** 2, axis=1)
     return np.where((depth[1:] > -_NEARLY) & (force > most), most / np.maximum(force, 1e-300), 1.0)
-
-
-def _pushed(opened: Opened) -> KeptPush | Refused:
-    """What a sequence pushes with on what the task lets it touch, springs for obstacles; programmed is its own."""
-    task = replace(opened.task, pushes=(), sensor=None)
-    run = run_controller(replace(opened, task=task), task.contact, Engine.SPRING.value, Feed.POSITION, None, None)
-    if isinstance(run, Refused):
-        return run
-    assert run.loop is not None
-    if run.loop.stop is not None:
-        return Refused("no sequence", [f"where the tool touches, {run.loop.stop.message}", "NOTHING WRITTEN"])
-    plan, force = opened.plan or opened.equilibrium, run.loop.contact_true[:, :3]
-    largest = float(np.linalg.norm(force, axis=1).max())
-    depth, normal, wanted = _at_rest(task, plan)
-    legs = []
-    for one in plan.pieces:
-        rows = slice(one.first, one.last + 1)
-        if depth[rows].min() > 0 and (normal[rows] @ normal[one.first]).min() > _LEVEL:
-            mean = float(np.mean(np.sum(force[rows] * normal[rows], axis=1)))
-            legs.append((one.origin, one.goal, float(wanted[rows].mean()), mean))
-    return KeptPush(largest, largest, tuple(legs))
