@@ -310,11 +310,11 @@ def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: R
         ),
         (
             route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, v_max=np.nan)),
-            "cube.yaml:8: segment a -> b: v_max is nan m/s; a cap is a number above zero",
+            "cube.yaml:8: segment a -> b: v_max is nan m/s with 0.2 m to go; give a finite cap above zero",
         ),
         (
             route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, omega_max=-1.0)),
-            "cube.yaml:8: segment a -> b: omega_max is -1 rad/s; a cap is a number above zero",
+            "cube.yaml:8: segment a -> b: omega_max is -1 rad/s with 0 rad to go; give a finite cap above zero",
         ),
         (
             route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, a_max=None), profile=TRAPEZOID),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import ceil, floor, inf, isfinite, isnan
+from dataclasses import dataclass, replace
+from math import ceil, floor, isfinite
 
 import numpy as np
 
@@ -79,7 +79,8 @@ def legs(route: Route) -> tuple[StraightSegment, ...]:
         start = out[-1].end if out else origin.pose
         leg, turns = _leg(origin, goal, speeds, start, turns, route)
         out.append(leg)
-    return tuple(out)
+    caps = _caps(route, (np.array([leg.L_p for leg in out]), np.array([leg.L_theta for leg in out])))
+    return tuple(_rates(leg, row) for leg, row in zip(out, caps, strict=True))
 
 
 def check_waypoint(waypoint: Waypoint, law: RotationLaw) -> None:
@@ -119,13 +120,10 @@ def _leg(
         L_theta = _length(end[3:] - start[3:])
         angles = zip(("alpha", "beta", "gamma"), plain, more, start[3:], end[3:], strict=True)
         notes += [f"{name}: {_way(*angle)}" for angle in angles if angle[2]]
-    rates = (UNCAPPED,) * 3
-    if L_p or L_theta:
-        rates = _rates(name, goal.place, speeds, (L_p, L_theta), route.profile)
-    elif goal.dwell == 0:
+    if not (L_p or L_theta or goal.dwell):
         message = f"pose {goal.name} repeats pose {origin.name}: give it a dwell, or remove it"
         raise InputError(message, file=goal.place)
-    return StraightSegment(origin, goal, start, end, L_p, L_theta, turn, speeds, rates, tuple(notes)), turns
+    return StraightSegment(origin, goal, start, end, L_p, L_theta, turn, speeds, (UNCAPPED,) * 3, tuple(notes)), turns
 
 
 def _length(way: Array) -> float:
@@ -160,24 +158,16 @@ def _way(name: str, plain: float, turns: float, start: float, end: float) -> str
     )
 
 
-def _rates(
-    name: str, place: str, speeds: SegmentSpeeds, ways: tuple[float, float], profile: Profile
-) -> tuple[Rate, Rate, Rate]:
-    """The caps of the common share: of both parts the one that allows less, per derivative."""
-    out = [UNCAPPED] * 3
-    for order, caps in enumerate(CAPS[: _ORDERS[profile]]):
-        rates = []
-        for (cap, unit), way, of in zip(caps, ways, ("m", "rad"), strict=True):
-            value: float | None = getattr(speeds, cap)
-            if value is not None and (isnan(value) or value < 0):
-                raise InputError(f"{name}: {cap} is {value:g} {unit}; a cap is a number above zero", file=place)
-            if way == 0:
-                continue
-            if value is None or not 0 < value < inf:
-                raise unusable_cap(name, place, cap, unit, value, f"{way:.6g} {of} to go", profile)
-            rates.append(Rate(cap, value / way))
-        out[order] = min(rates, key=lambda rate: rate.value)
-    return out[0], out[1], out[2]
+def _rates(leg: StraightSegment, caps: Array) -> StraightSegment:
+    """The leg with the caps (6,) of its common share: of both parts the one that allows less, per derivative."""
+    if leg.stands:
+        return leg
+    pairs = zip(CAPS, caps.reshape(3, 2).tolist(), strict=True)
+    ways = leg.L_p, leg.L_theta
+    parts = ([*zip(names, values, ways, strict=True)] for names, values in pairs)
+    rates = ([Rate(name, cap / way) for (name, _), cap, way in part if way] for part in parts)
+    speed, acceleration, jerk = (min(some, key=lambda rate: rate.value) for some in rates)
+    return replace(leg, rates=(speed, acceleration, jerk))
 
 
 def unusable_cap(
