@@ -135,6 +135,7 @@ def test_the_equilibrium_is_moved_by_force_over_stiffness(tmp_path: Path) -> Non
         (HEAD + LANES.replace("0.5, force: 20 N", "0.5, force: -3"), 16),
         (HEAD + LANES + PLATE.replace("plate: {", ROUND), 23),
         (HEAD + LANES + "pushes: nowhere.csv\n", 20),
+        (HEAD + LANES.replace(", force: 20 N", "") + "force: {along: z}\n", 20),
     ],
 )
 def test_what_is_wrong_is_told_by_line(task: str, line: int) -> None:

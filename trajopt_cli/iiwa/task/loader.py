@@ -225,6 +225,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         ]
         waypoints = tuple(replace(one, force=force) for one, force in zip(waypoints, forces, strict=True))
         speeds = _speeds(document, waypoints, at, None)
+    said = (document.force, *(one.force for one in document.poses or ()))
+    if document.force is not None and all(one is None or one.value is None for one in said):
+        raise at.wrong("force", "force: nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
     if document.force is not None and document.poses is None:
         force = _force(None, document.force, f"{file}:{line_of('force', lines)}")
         if isinstance(waypoints, PathPoints):
