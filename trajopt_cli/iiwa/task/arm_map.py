@@ -80,15 +80,10 @@ class ArmMap:
 def arm_map(task: ArmTask, rows: IndexArray, cells: int) -> ArmMap:
     """The map of what the arm follows at rows, one turn in cells, from the arm angle of the start joints on."""
     delta = np.asarray(task.begin + 2 * pi / cells * np.arange(cells), dtype=np.float64)
-    q = np.array(list(fans(task, rows, delta)))
+    how = delta[:, None], task.definition, task.configuration
+    q = np.array([inverse_branch(task.robot, X[None], *how)[:, 0] for X in task.X_WF[rows]])
     wrist = task.robot.axes_and_points(q[:, 0])[2][:, 6]
     return ArmMap(rows, delta, q, np.asarray(np.hypot(wrist[0], wrist[1])))
-
-
-def fans(task: ArmTask, rows: IndexArray, delta: Array) -> Iterator[Array]:
-    """The joints (m, 7) at every arm angle of delta (m,), pose after pose."""
-    for X in task.X_WF[rows]:
-        yield inverse_branch(task.robot, X[None], delta[:, None], task.definition, task.configuration)[:, 0]
 
 
 def stages(n: int, count: int) -> IndexArray:
