@@ -78,7 +78,8 @@ def verify_folder(folder: Path) -> Judged:
         unchecked.append(f"{folder / _FED[0]}: its angles, because they count from the program's tool")
     reports = {}
     law = _controller(order, said)
-    u = _equilibrium(run, fed, order, said)
+    tables = {name: _table(run, name, (*_PLACE, *_ANGLES)) for name in {_FED[0], way[0]}}
+    u = _equilibrium(tables[_FED[0]], fed, order, said)
     if way is _LED:
         unchecked.append(f"{folder / _FED[0]}: its way and speeds, because it leads the arm along {_LED[0]}")
         kept: Iterator[Finding] = iter(())
@@ -90,10 +91,10 @@ def verify_folder(folder: Path) -> Judged:
             why = " and ".join(law.beyond) or "the program's tool"
             unchecked.append(f"{folder / _FED[0]}: lag and push, because of {why}")
         reports = {
-            _FED[0]: _report([*_angle_file(run, _FED[0], fed, zero), *kept]),
+            _FED[0]: _report([*_angle_file(run, _FED[0], tables, fed, zero), *kept]),
             _FED[1]: _report([*_rows(fed, said.get("rows"), order), *check_force(order, path, fed)]),
         }
-    reports[way[0]] = _report(_angle_file(run, way[0], path, zero))
+    reports[way[0]] = _report(_angle_file(run, way[0], tables, path, zero))
     of_path = check_sequence(order, path, retimed="dosing" in sections)
     reports[way[1]] = _report([*_rows(path, said.get("rows"), order), *of_path])
     if JOINTS_FILE in run.contents:
@@ -182,9 +183,11 @@ def _rows(rows: Poses, reported: Any, order: Order) -> Iterator[Finding]:
     yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
 
 
-def _angle_file(run: ResultsFolder[_Record], name: str, wanted: Poses, zero: Array | None) -> Iterator[Finding]:
+def _angle_file(
+    run: ResultsFolder[_Record], name: str, tables: dict[str, dict[str, Array]], wanted: Poses, zero: Array | None
+) -> Iterator[Finding]:
     """The file with angles against the one with quaternions: the same rows; and angles without jumps."""
-    table = _table(run, name, (*_PLACE, *_ANGLES))
+    table = tables[name]
     t, p, angles = table["t [s]"], columns(table, _PLACE), columns(table, _ANGLES)
     same = len(t) == len(wanted.t)
     yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
@@ -246,10 +249,9 @@ def _controller(order: Order, said: dict[str, Any], integration: str | None = No
     return read_controller(order.file, order.h, rows, integration)
 
 
-def _equilibrium(run: ResultsFolder[_Record], fed: Poses, order: Order, said: dict[str, Any]) -> Array:
+def _equilibrium(table: dict[str, Array], fed: Poses, order: Order, said: dict[str, Any]) -> Array:
     """What the controller is fed (n, 6): position and angles from the start."""
     if order.start is None or said.get("angles") == "relative":
-        table = _table(run, _FED[0], (*_PLACE, *_ANGLES))
         angles = columns(table, _ANGLES)[: len(fed.p)]
         return np.column_stack([fed.p, np.pad(angles, ((0, len(fed.p) - len(angles)), (0, 0)), mode="edge")])
     q = turns.product(fed.q, np.broadcast_to(turns.conjugate(order.start.q), fed.q.shape))
