@@ -158,3 +158,14 @@ def test_held_axes_shift_what_is_seen() -> None:
         X_WF = leg.segment.pose(np.array([0.25]))
         np.testing.assert_allclose(middle, axes.inverse(X_WF, (0.75 * q[1] + 0.25 * q[2])[None, :3]), atol=1e-12)
         assert own.seeking((i + 1) % 3, q).seeking(i).waypoints[2].ranges(own.layout)[0] == pytest.approx(q[2, :3])
+
+
+def test_held_rails_stand_where_axes_have_them_and_the_sought_one_stays_free() -> None:
+    problem = build_problem(program(gantry()), gantry())
+    assert isinstance(problem, Problem)
+    q = np.tile(np.r_[0.1, 0.2, 0.3, np.zeros(6)], (len(problem.waypoints), 1))
+    free = problem.waypoints[1].ranges(problem.layout)
+    held = problem.seeking(1).with_rails_held(q)
+    low, high = held.waypoints[1].ranges(held.layout)
+    assert low == pytest.approx([0.1, free[0][1], 0.3])
+    assert high == pytest.approx([0.1, free[1][1], 0.3])

@@ -95,9 +95,14 @@ def refine(
             base = None
             if axes.jerk is None and (runs := _opened(axes, legal, problem, merged)) is not None:
                 found = sweeps.run(*runs, report, partial(_tell_best, tell, duration(best)))
-                gained = duration(found) < duration(best) - axes.settings.least_gain
-                if gained and clear(axes, problem, runs[0].closed(axes, found)):
-                    solved, best = runs[0], found
+                tried = [(runs[0], found)]
+                if axes.layout.r > 1 and report.failed and not report.stopped:
+                    held = runs[0].with_rails_held(runs[1].q)
+                    tried.append((held, sweeps.run(held, runs[1], report, partial(_tell_best, tell, duration(best)))))
+                for own, found in tried:
+                    gained = duration(found) < duration(best) - axes.settings.least_gain
+                    if gained and clear(axes, problem, own.closed(axes, found)):
+                        solved, best = own, found
             if not report.stopped and (best is merged or report.failed):
                 base = _stopping_start(axes, legal)
         elif axes.layout.has_rail and problem.freedom.through_stops and len(problem.legs) <= axes.settings.few_legs:

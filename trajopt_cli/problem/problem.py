@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -280,6 +280,11 @@ class Problem:
         each = q if q is not None else [None] * len(self.waypoints)
         points = [one.seeking(self.layout, sought, own) for one, own in zip(self.waypoints, each, strict=True)]
         return replace(self, waypoints=tuple(points), sought=sought)
+
+    def with_rails_held(self, q: Array) -> Self:
+        """The same whose rails but the sought one stand at the waypoints where axes q (M, n) have them."""
+        points = [one.seeking(self.layout, self.sought, own) for one, own in zip(self.waypoints, q, strict=True)]
+        return replace(self, waypoints=tuple(points))
 
     def seen(self, k: int) -> Array:
         """The flange pose at waypoint k as the base sees it that only the sought rail carries."""
