@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from trajopt_cli.cell.loader import parse_cell
+from trajopt_cli.cli.export import _begins
 from trajopt_cli.errors import InputError
 from trajopt_cli.problem.plant import Plant, build_plant
+from trajopt_cli.trajectory import Trajectory
 
 GANTRY = """robot: irb140
 base: {position: [0, 0, 3], rpy: ["180 deg", 0, 0]}
@@ -98,3 +100,9 @@ def test_a_rails_direction_is_seen_from_the_arm() -> None:
     text = 'robot: irb140_rail\nrail: {eax: a, stroke: [0, 1], direction: [0, -1, 0], frame: {rpy: [0, 0, "90 deg"]}}\n'
     robot = plant(text + 'start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}\n').robot
     np.testing.assert_allclose(robot.rail_axes_W, [[1, 0, 0]], atol=1e-12)
+
+
+def test_where_a_motion_begins_tells_every_axis_in_its_unit() -> None:
+    names = ("rail_a", "rail_c", *(f"joint_{i}" for i in range(1, 7)))
+    rows = Trajectory(names, np.array([0.0, 1.0]), np.tile([0.5, 0.1, 0, 0, 0, 0, np.pi / 6, 0], (2, 1)))
+    assert _begins(rows).startswith("begins at rail_a 0.5000 m, rail_c 0.1000 m, joints 0.00 0.00 0.00 0.00 30.00 0.00")

@@ -13,6 +13,7 @@ import typer
 from trajopt_cli.cli.options import AsJson, Quiet, ResultsFolder
 from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
+from trajopt_cli.units import slides
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -446,9 +447,9 @@ def _record(output: Path, motion: Recorded, rows: int, duration: float, rate: fl
 def _begins(trajectory: Trajectory) -> str:
     """Where the machine has to be before the first row."""
     at = dict(zip(trajectory.names, map(float, trajectory.q[0]), strict=True))
-    rail = f"rail {at.pop('rail'):.4f} m, " if "rail" in at else ""
-    joints = " ".join(f"{math.degrees(value):.2f}" for value in at.values())
-    return f"begins at {rail}joints {joints} deg: drive there first"
+    rails = "".join(f"{name} {value:.4f} m, " for name, value in at.items() if slides(name))
+    joints = " ".join(f"{math.degrees(value):.2f}" for name, value in at.items() if not slides(name))
+    return f"begins at {rails}joints {joints} deg: drive there first"
 
 
 def _holds(motion: Recorded) -> list[str]:
