@@ -8,6 +8,8 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli.export import _begins
 from trajopt_cli.errors import InputError
+from trajopt_cli.exporters.egm import stream_of
+from trajopt_cli.exporters.recorded import Recorded
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.trajectory import Trajectory
 
@@ -106,3 +108,10 @@ def test_where_a_motion_begins_tells_every_axis_in_its_unit() -> None:
     names = ("rail_a", "rail_c", *(f"joint_{i}" for i in range(1, 7)))
     rows = Trajectory(names, np.array([0.0, 1.0]), np.tile([0.5, 0.1, 0, 0, 0, 0, np.pi / 6, 0], (2, 1)))
     assert _begins(rows).startswith("begins at rail_a 0.5000 m, rail_c 0.1000 m, joints 0.00 0.00 0.00 0.00 30.00 0.00")
+
+
+def test_egm_has_every_axis_in_the_place_of_its_letter() -> None:
+    names = ("rail_a", "rail_c", *(f"joint_{i}" for i in range(1, 7)))
+    rows = np.tile([0.5, 0.1, 0, 0, 0, 0, 0, 0], (2, 1))
+    stream = stream_of(Recorded("m", Trajectory(names, np.array([0.0, 0.1]), rows, np.zeros((2, 8)))))
+    np.testing.assert_allclose(stream.q[0], [0, 0, 0, 0, 0, 0, 500, 0, 100])

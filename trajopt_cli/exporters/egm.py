@@ -99,15 +99,15 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     t = np.minimum(trajectory.t[0] + np.arange(steps + 1) / rate, trajectory.t[-1])
     q, qd = between_rows(trajectory, t)
     q[-1], qd[-1] = trajectory.q[-1], 0.0
-    arm, rail = layout
+    arm, rails = layout
     tables = trajectory.tables
     turns = () if tables is None else tuple(_LETTERS.index(name[len(TABLE)]) for name in tables.names)
     if len({*turns}) < len(turns):
         raise InputError("has two units on one external axis, and EGM has one place for it; export a CSV file")
-    letters = [*turns, *([] if rail is None else [eax or 0])]
+    own = [trajectory.names[i] for i in rails]
+    letters = [*turns, *(eax or 0 if name == _RAIL else _LETTERS.index(name[-1]) for name in own)]
     beside = np.zeros((2, len(t), max(letters, default=-1) + 1))
-    if rail is not None:
-        beside[:, :, letters[-1]] = q[:, rail] / MM, qd[:, rail] / MM
+    beside[:, :, letters[len(turns) :]] = np.stack([q[:, rails], qd[:, rails]]) / MM
     if tables is not None:
         beside[:, :, [*turns]] = np.array(between_rows(tables, t)) / [unit_of(name)[0] for name in tables.names]
     places, speeds = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
@@ -117,11 +117,11 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     return Stream(1 / rate, _JOINTS, places, speeds, turning, tuple(f"eax_{_LETTERS[i]}" for i in letters))
 
 
-def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:
-    """Columns of six joints and of the rail; None for another robot's."""
-    names = trajectory.names
-    arm = [i for i, name in enumerate(names) if name != _RAIL]
-    return (arm, names.index(_RAIL) if _RAIL in names else None) if len(arm) == _JOINTS else None
+def _layout(trajectory: Trajectory) -> tuple[list[int], list[int]] | None:
+    """Columns of six joints and of the rails; None for another robot's."""
+    rails = [i for i, name in enumerate(trajectory.names) if slides(name)]
+    arm = [i for i in range(len(trajectory.names)) if i not in rails]
+    return (arm, rails) if len(arm) == _JOINTS else None
 
 
 def stream_parts(stream: Stream) -> Iterator[bytes]:
