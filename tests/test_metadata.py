@@ -43,7 +43,7 @@ def test_the_built_metadata_is_complete(wheel: zipfile.ZipFile) -> None:
     assert found.classifiers == PROJECT["classifiers"]
     assert sorted(found.keywords or []) == sorted(PROJECT["keywords"])
     assert str(found.requires_python) == ">=3.11"
-    assert sorted(found.provides_extra or []) == ["docs", "mcap", "parquet", "sim", "study", "test"]
+    assert sorted(found.provides_extra or []) == ["docs", "mcap", "parquet", "sim", "step", "study", "test"]
     assert not found.project_urls, "name no address that nobody has looked at"
 
 
