@@ -328,7 +328,7 @@ SHARED: dict[str, tuple[str, ...]] = {
     "motion": (),
     "warnings": (),
     "problem.plan": ("Target",),
-    "scenario": ("PositionerAxis",),
+    "scenario": ("Follower", "PositionerAxis"),
     "shapes": (),
     "trajectory": ("Trajectory",),
     "units": (),

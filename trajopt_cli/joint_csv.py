@@ -135,13 +135,14 @@ def check_reach(
 ) -> None:
     """Raise InputError for a position that is no robot's, more than ABSURD times the range (k,) beside it [rad or m],
     and for a speed more than ABSURD times its limit (k,). lines (n,): of the file, None for rows from its second on.
+    Axes behind the first k are not looked at.
 
     What lies outside by less is a motion that is not legal, and for the judge to say.
     """
     far, fast = ABSURD * (upper - lower), ABSURD * velocity
     lines = np.arange(len(trajectory.t)) + 2 if lines is None else lines
     for first in range(0, len(trajectory.t), _ROWS):
-        q = trajectory.q[first : first + _ROWS]
+        q = trajectory.q[first : first + _ROWS, : len(lower)]
         wrong = np.argwhere((q < lower - far) | (q > upper + far))
         if len(wrong):
             i, k = (int(x) for x in wrong[0])
@@ -151,7 +152,7 @@ def check_reach(
             raise InputError(message, file=file, line=int(lines[first + i]))
         if trajectory.qd is None:
             continue
-        wrong = np.argwhere(np.abs(qd := trajectory.qd[first : first + _ROWS]) > fast)
+        wrong = np.argwhere(np.abs(qd := trajectory.qd[first : first + _ROWS, : len(lower)]) > fast)
         if len(wrong):
             i, k = (int(x) for x in wrong[0])
             name, unit = trajectory.names[k], "m/s" if slides(trajectory.names[k]) else "rad/s"

@@ -124,6 +124,11 @@ class Follower(NamedTuple):
     ratio: float = 1.0
     offset: float = 0.0
 
+    @property
+    def column(self) -> str:
+        """Its name in joint CSV: "rail_f"."""
+        return f"rail_{'abcdef'[self.eax]}"
+
 
 class Settling(NamedTuple):
     r"""How long [s] the axes take from the end of a move until all are in position, where the controller waits for it:

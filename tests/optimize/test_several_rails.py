@@ -10,11 +10,16 @@ import pytest
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
-from trajopt_cli.exporters.rapid import intents_of
+from trajopt_cli.exporters.files import export
+from trajopt_cli.exporters.joint import with_followers
+from trajopt_cli.exporters.rapid import export_rapid, intents_of
+from trajopt_cli.exporters.rapid_check import mismatches, read_again
 from trajopt_cli.findings import Report
 from trajopt_cli.graph_search.by_rails import check_reach
+from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.motion import Program, TextFile
+from trajopt_cli.motion import MoveL, Program, TextFile
+from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -23,6 +28,7 @@ from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import Follower, Scenario
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectory import Trajectory
 
@@ -117,6 +123,68 @@ def test_targets_of_a_plan_say_all_axes_and_what_follows() -> None:
     for index, intent in intents_of(own, plan, plant, frozenset()).items():
         end = next(one for one in plan.motions if one.index == index).q_1[:3] * 1e3
         assert intent.rail == pytest.approx((*end, end[0]), abs=1e-9)
+
+
+LED = [Follower(5, 0), Follower(4, 1, -2.0, 0.1)]
+
+
+@pytest.mark.parametrize("led", LED)
+@pytest.mark.parametrize("digits", [17, 7])
+def test_a_followers_column_is_held_against_its_leader(led: Follower, digits: int) -> None:
+    plant, own, plan = planned("abc", Target.STREAM)
+    plant = replace(plant, followers=(led,))
+    head, *lines = export(plan, plant=plant)["joints.csv"].decode().splitlines()
+    heads = head.split(",")
+    place, speed = heads.index(f"{led.column} [m]"), heads.index(f"{led.column} speed [m/s]")
+    assert heads[place - 1] == f"{plant.limits.names[led.leader]} [m]"
+    table = np.array([line.split(",") for line in lines], float)
+    leader = plan.trajectory.q[[0, -1], led.leader]
+    np.testing.assert_allclose(table[[0, -1], place], led.ratio * leader + led.offset, atol=1e-15)
+
+    def told(column: int | None = None, over: float = 0.0, order: slice = slice(None)) -> list[tuple[str, bool]]:
+        rows = table.copy()
+        if column is not None:
+            rows[len(rows) // 2, column] += over
+        body = [",".join(f"{x:.{digits}g}" for x in row) for row in rows]
+        report = judge(plant, own, "\n".join([head, *body]) + "\n", "j.csv", advice=False)
+        assert led != LED[0] or column is not None or digits < 17 or report.legal, report.violations
+        return [(one.check, one.passed) for one in report.findings if one.subject == led.column]
+
+    assert told()[:2] == [("follower", True), ("follower speed", True)]
+    assert told(place, 1.1e-6 if digits == 17 else 3e-6)[:2] == [("follower", False), ("follower speed", True)]
+    assert told(speed, -1.1e-5 if digits == 17 else -3e-5)[:2] == [("follower", True), ("follower speed", False)]
+
+
+def test_columns_of_a_followers_file_stand_in_any_order() -> None:
+    plant, own, plan = planned("abc", Target.STREAM)
+    rows = with_followers(plan.trajectory, plant.followers, {0: "rail_a"})
+    assert rows.qd is not None
+    turned = replace(rows, names=rows.names[::-1], q=rows.q[:, ::-1], qd=rows.qd[:, ::-1])
+    assert judge(plant, own, write_csv_text(turned), "j.csv", advice=False).legal
+
+
+def test_the_judge_tells_a_target_that_has_a_follower_apart() -> None:
+    plant, own, plan = planned("abc", Target.RAPID)
+    spoiled = program(plant, BODY.replace("50,9E9,9E9,400]]", "50,9E9,9E9,399]]", 1))
+    for one, line in ((own, None), (spoiled, 5)):
+        report = judged(one, plant, plan.trajectory, Target.RAPID)
+        found = [f for f in report.findings if f.check == "follower in target"]
+        assert {f.subject for f in found} == {"rail_f"}
+        assert [f.source and f.source.line for f in found if not f.passed] == ([line] if line else [])
+
+
+def test_a_text_whose_target_has_a_follower_apart_is_no_export() -> None:
+    plant, own, plan = planned("abc", Target.RAPID)
+    texts = export_rapid(own, plan, plant, frozenset()).texts
+    read = read_again(own, plant, Scenario(), texts)
+    assert [*mismatches(own, plan, plant, read)] == []
+    i = next(i for i, one in enumerate(read.motions) if isinstance(one, MoveL))
+    move = read.motions[i]
+    assert isinstance(move, MoveL)
+    assert move.extax[5] is not None
+    apart = replace(move, extax=(*move.extax[:5], move.extax[5] + 1))
+    spoiled = replace(read, motions=(*read.motions[:i], apart, *read.motions[i + 1 :]))
+    assert len([*mismatches(own, plan, plant, spoiled)]) == 1
 
 
 def test_a_follower_that_stands_apart_is_refused_with_its_place() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from trajopt_cli.exporters.faster import faster_than_programmed
-from trajopt_cli.exporters.joint import resample
+from trajopt_cli.exporters.joint import resample, with_followers
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.motion import Program
@@ -27,15 +27,18 @@ def export(
 ) -> dict[str, bytes]:
     """A plan's files, content by name, for a machine that follows a joint stream or for the RAPID controller.
 
-    joint: joints.csv, rows at rate [Hz] and the exact end as last row. rapid: the modules of program, by the path they
-    were read from and in their own encoding, with the plan in them; needs the program and the plant that the plan was
-    made for, and the scenario the program was read with.
+    joint: joints.csv, rows at rate [Hz] and the exact end as last row; given a plant, axes that follow too. rapid: the
+    modules of program, by the path they were read from and in their own encoding, with the plan in them; needs the
+    program and the plant that the plan was made for, and the scenario the program was read with.
 
     Raises InputError for a rate outside (0, 1e5] Hz and for what cannot be written as RAPID, with its place; ValueError
     for a kind that there is not, a plan of the other target, or a missing program or plant.
     """
     if kind == "joint":
-        return {JOINTS: write_csv_text(resample(plan.trajectory, rate)).encode("ascii")}
+        rows = plan.trajectory
+        if plant is not None:
+            rows = with_followers(rows, plant.followers, dict(zip(plant.rail_eaxes, rows.names, strict=False)))
+        return {JOINTS: write_csv_text(resample(rows, rate)).encode("ascii")}
     if kind != "rapid":
         raise ValueError(f"no export is called {kind!r}: joint or rapid")
     if program is None or plant is None:

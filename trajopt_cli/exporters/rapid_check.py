@@ -26,6 +26,7 @@ from trajopt_cli.motion import (
 from trajopt_cli.problem.editable_text import confdata_counts
 from trajopt_cli.problem.nearest import is_nearest
 from trajopt_cli.problem.plan import Plan, PlannedMotion
+from trajopt_cli.problem.plannable import STILL
 from trajopt_cli.problem.plant import Plant, shown_rail
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
@@ -173,6 +174,7 @@ def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move)
         if not stays and (given is None or not _same_rail(wanted, given)):
             shown = "open" if given is None else shown_rail(given, ".6f")
             yield f"the rail at {shown_rail(wanted, '.6f')}, and the target says {shown}"
+    yield from _led_apart(planned, plant, read)
     yield from _elsewhere(motion, read)
     if isinstance(motion, PoseMove) and isinstance(read, PoseMove):
         if confdata_counts(read):
@@ -181,6 +183,15 @@ def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move)
                 yield f"another configuration than the target's [{conf.cf1},{conf.cf4},{conf.cf6},{conf.cfx}]"
         elif read is not motion and not is_nearest(plant, planned, motion):
             yield "a configuration that is not the nearest, which the controller takes with confdata switched off"
+
+
+def _led_apart(planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
+    """Axes that a target has elsewhere than where the plan's rails take them."""
+    there = plant.with_rail(read.extax, planned.q_1[plant.layout.rail])
+    for one in plant.followers:
+        value, wanted = read.extax[one.eax], there[one.eax] or 0.0
+        if value is not None and abs(value - wanted) > STILL:
+            yield f"eax_{'abcdef'[one.eax]} at {wanted:.6f} mm, and the target says {value:.6f}"
 
 
 def _check_move(
@@ -199,7 +210,7 @@ def _check_dwell(
     if not isinstance(read, MoveL) or before is None:
         return [_mismatch(wait, "a MoveL there that takes the rail along")]
     wanted, given = planned.q_1[plant.layout.rail], plant.rail_value(read.extax)
-    if given is None or not _same_rail(wanted, given):
+    if given is None or not _same_rail(wanted, given) or any(_led_apart(planned, plant, read)):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]

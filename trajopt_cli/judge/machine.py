@@ -11,7 +11,7 @@ from typing import Protocol
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits, TcpCaps
-from trajopt_cli.scenario import PositionerAxis
+from trajopt_cli.scenario import Follower, PositionerAxis
 from trajopt_cli.shapes import Grip, LinkShape, Solid
 
 
@@ -78,6 +78,10 @@ class Machine(Protocol):
     @property
     def rail_eaxes(self) -> tuple[int, ...]:
         """Which eax_x drive the rails, 0 for eax_a."""
+
+    @property
+    def followers(self) -> tuple[Follower, ...]:
+        """External axes that the rails lead."""
 
     @property
     def rail_fixed(self) -> bool:

@@ -54,8 +54,12 @@ NEAREST = 1e-6
 near rounding decides."""
 
 HELD = 1e-6
-"""Way of a rail that must stand still, m, from its least to its greatest position: that of a stop's drift, a thirtieth
-of the robot's repeatability (0.03 mm); plans keep it to their printed digits."""
+"""Way of a rail that must stand still, m, from its least to its greatest position, and of an axis off where its
+leader takes it: that of a stop's drift, a thirtieth of the robot's repeatability (0.03 mm); plans keep it to their
+printed digits."""
+
+FOLLOWER_TARGET = 1e-4
+"""Distance of an axis in a target from where the one that leads it takes it, m: backups hold measured values."""
 
 DWELL = 1e-9
 """What may be missing from a programmed wait, s: rounding of sums of times."""

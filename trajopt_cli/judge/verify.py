@@ -15,6 +15,7 @@ from trajopt_cli.judge.caps import check_caps
 from trajopt_cli.judge.clearance import check_clearance
 from trajopt_cli.judge.demands import check_demands
 from trajopt_cli.judge.findings import finding, in_step
+from trajopt_cli.judge.followers import check_targets, without_followers
 from trajopt_cli.judge.joints import check_joints
 from trajopt_cli.judge.lines import check_shapes
 from trajopt_cli.judge.machine import Machine
@@ -58,10 +59,11 @@ def verify(
     Raises InputError when the file's axes are not the robot's, or its rows are no motion: fewer than two, a time that
     does not follow the one before, a number that is not finite.
     """
-    names = mechanism_of(plant).names
+    names, given = mechanism_of(plant).names, trajectory
+    trajectory, resolution, led = without_followers(plant, given, resolution)
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
-    _check_rows(trajectory.whole)
+    _check_rows(given.whole)
     check_columns(program, trajectory, dropped or (), plant)
     points = points_of(program, plant, dropped or (), optional=dropped is None)
     rows = look(plant, trajectory, resolution, marks=len(points) - 1)
@@ -88,6 +90,8 @@ def verify(
         *shapes,
         *(check_nearest(line) if as_written else ()),
         *check_held(line, frames),
+        *led,
+        *check_targets(program, plant),
         *check_joints(rows, line.source_at),
         *check_torques(program, line),
         *check_tables(program, line),

@@ -434,13 +434,14 @@ def judge(
     from trajopt_cli.judge.verify import verify
 
     trajectory, resolution = read_csv_text(text, file)
-    if sorted(trajectory.names) == sorted(plant.limits.names) and trajectory.names != plant.limits.names:
-        order = [trajectory.names.index(name) for name in plant.limits.names]  # columns may stand in any order
+    names = (*plant.limits.names, *(one.column for one in plant.followers if one.column in trajectory.names))
+    if sorted(trajectory.names) == sorted(names) and trajectory.names != names:
+        order = [trajectory.names.index(name) for name in names]  # columns may stand in any order
         q, qd = trajectory.q[:, order], None if trajectory.qd is None else trajectory.qd[:, order]
-        trajectory = replace(trajectory, names=plant.limits.names, q=q, qd=qd)
+        trajectory = replace(trajectory, names=names, q=q, qd=qd)
         qd_step = resolution.qd if qd is None else resolution.qd[:, order]
         resolution = replace(resolution, q=resolution.q[:, order], qd=qd_step)
-    if trajectory.names == plant.limits.names:
+    if trajectory.names == names:
         limits = plant.limits
         check_reach(trajectory, limits.lower, limits.upper, limits.velocity, file, resolution.lines)
     try:
