@@ -56,7 +56,7 @@ def short_target(text: str) -> str:
         first, *_, external = [[float(value) for value in group.split(",")] for group in groups]
     except ValueError:  # names or expressions in it
         return text
-    shown = (first, [value for value in external if value < _OPEN])
+    shown = [[value for value in group if value < _OPEN] for group in (first, external)]
     figures = (", ".join(f"{round(x, 1) + 0.0:.1f}" for x in values) for values in shown if values)
     return " ".join(f"[{one}]" for one in figures) + text.rpartition("]")[2]
 
