@@ -6,23 +6,23 @@ from pathlib import Path
 
 import pytest
 
+from trajopt_cli import urdf_text
 from trajopt_cli.errors import InputError
-from trajopt_cli.robot import xml
 
 
 def test_a_file_too_large_is_refused_as_such(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(xml, "MAX_BYTES", 3_000_000)
+    monkeypatch.setattr(urdf_text, "MAX_BYTES", 3_000_000)
     file = tmp_path / "a.urdf"
     file.write_text("<robot name='a'>" + " " * 2_999_976 + "</robot>")
     assert file.stat().st_size == 3_000_000
-    assert xml.read_robot_element(file).get("name") == "a"
+    assert urdf_text.read_robot_element(file).get("name") == "a"
     file.write_text(file.read_text() + " ")
     with pytest.raises(InputError, match=r"a\.urdf: is larger than 3 MB: keep meshes in files of their own"):
-        xml.read_robot_element(file)
+        urdf_text.read_robot_element(file)
 
 
 def test_elements_without_end_are_refused_before_they_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(xml, "MAX_ELEMENTS", 100)
+    monkeypatch.setattr(urdf_text, "MAX_ELEMENTS", 100)
     file = tmp_path / "a.urdf"
     for depth, many, what in (
         (50, 0, None),
@@ -32,10 +32,10 @@ def test_elements_without_end_are_refused_before_they_are_kept(tmp_path: Path, m
     ):
         file.write_text(f"<robot name='a'>{'<a>' * (depth - 1)}{'</a>' * (depth - 1)}{'<b/>' * many}</robot>")
         if what is None:
-            assert xml.read_robot_element(file).tag == "robot"
+            assert urdf_text.read_robot_element(file).tag == "robot"
         else:
             with pytest.raises(InputError, match=rf"a\.urdf: has {what}: no robot has; give the URDF of one robot"):
-                xml.read_robot_element(file)
+                urdf_text.read_robot_element(file)
 
 
 @pytest.mark.parametrize(
@@ -54,4 +54,4 @@ def test_xacro_is_told(tmp_path: Path, inside: str, what: str) -> None:
     file = tmp_path / "a.urdf"
     file.write_text(f"<robot name='a'>{inside}</robot>")
     with pytest.raises(InputError, match=what):
-        xml.read_robot_element(file)
+        urdf_text.read_robot_element(file)

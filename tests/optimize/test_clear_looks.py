@@ -71,9 +71,9 @@ def test_places_in_parts_answer_as_all_at_once() -> None:
     around = CollisionScene(plant, rapid("MoveAbsJ j_home,v1000,fine,tool0;"))
     q = np.random.default_rng(4).uniform(plant.limits.lower, plant.limits.upper, ((DEFAULT.batch // 2) + 50, 7))
     tail = slice((DEFAULT.batch // 2) - 20, None)
-    np.testing.assert_array_equal(around.distances(q, 0)[tail], around.distances(q[tail], 0))
+    np.testing.assert_allclose(around.distances(q, 0)[tail], around.distances(q[tail], 0), rtol=0, atol=1e-15)
     found, wanted = around.contacts(q, 0, 0.05), around.contacts(q[tail], 0, 0.05)
     here = found.row >= tail.start
     np.testing.assert_array_equal(found.row[here] - tail.start, wanted.row)
-    np.testing.assert_array_equal(found.distance[here], wanted.distance)
+    np.testing.assert_allclose(found.distance[here], wanted.distance, rtol=0, atol=1e-15)
     assert [found.names[i] for i in found.pair[here]] == [wanted.names[i] for i in wanted.pair]

@@ -15,7 +15,7 @@ from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.workspace import reachable
 from trajopt_cli.study.case import Case, NotApplicable, RailRule
-from trajopt_cli.study.causes import CAUSES, asked, causes
+from trajopt_cli.study.causes import CAUSES, TOOL_TURN, asked, causes
 from trajopt_cli.study.practice import practice, with_detours
 from trajopt_cli.study.thesis import (
     WorkPoint,
@@ -172,7 +172,7 @@ def test_areas_are_as_long_as_one_rail_position_serves_them() -> None:
 def test_each_cause_frees_something_and_takes_nothing_back() -> None:
     order = [RailFreedom.PROGRAMMED, RailFreedom.STATION, RailFreedom.STOP]
     for before, after in pairwise(CAUSES[1:]):
-        fields = ("lines", "dwells", "through_stops", "configuration", "drop")
+        fields = ("lines", "dwells", "through_stops", "configuration", "turn", "drop")
         less = [
             (order.index(one.freedom.rail), *(getattr(one.freedom, name) for name in fields)) for one in (before, after)
         ]
@@ -183,7 +183,8 @@ def test_each_cause_frees_something_and_takes_nothing_back() -> None:
 
 def test_causes_that_can_make_no_difference_are_left_out() -> None:
     rail, bench = (read_job(PROGRAMS / f"{name}.mod").plant for name in ("hinge_cell", "bench_irb140"))
-    assert [cause.name for cause in causes(rail, True)] == [cause.name for cause in CAUSES]
+    assert causes(rail, True, free=True) == CAUSES
+    assert [cause.name for cause in causes(rail, True)] == [c.name for c in CAUSES if c.name != TOOL_TURN]
     assert [cause.name for cause in causes(bench, False)] == [cause.name for cause in CAUSES[:3]]
     last = causes(bench, False)[-1]
     assert asked(last.freedom, bench, False) == asked(EVERYTHING, bench, False)

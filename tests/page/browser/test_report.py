@@ -31,7 +31,7 @@ tool: {position: [0, 0, 0.1]}
 contact:
   tip: 0.02
   obstacles:
-    wall: {box: {size: [1, 0.2, 1], position: [0.5, 0.17, 0.3]}, stiffness: 10 N/mm, damping: 50, friction: 0.2}
+    wall: {box: {size: [0.4, 0.2, 0.4], position: [0.6, 0.17, 0.05]}, stiffness: 10 N/mm, damping: 50, friction: 0.2}
 """
 PAGES = ("plan", "iiwa")
 LEVELS = ("light", "dark")

@@ -51,6 +51,7 @@ ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
 QUATERNION_HEAD = "t [s],x [m],y [m],z [m],qw [1],qx [1],qy [1],qz [1]"
 
 _TIME_DIGITS = 15
+_UNIT = 1e-6  # by which a quaternion's norm may differ from 1
 
 
 def write_angles_csv(equilibrium: Equilibrium) -> str:
@@ -83,9 +84,15 @@ def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
 def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
     """Times (n,) [s], positions (n, 3) [m] and orientations (n, 3, 3) of a text as write_quaternion_csv gives it.
 
-    Raises InputError as read_angles_csv does.
+    Raises InputError as read_angles_csv does, and for a quaternion that is not of norm 1.
     """
     table = _read(text, file, QUATERNION_HEAD)
+    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
+        norms = np.linalg.norm(table[:, 4:], axis=1)
+    wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
+    if wrong.size:
+        told = f"the quaternion's norm is {norms[wrong[0]]:.9g}; it must be 1 within 1e-6"
+        raise InputError(told, file=file, line=int(wrong[0]) + 2)
     return table[:, 0], table[:, 1:4], rotation_from_wxyz(table[:, 4:])
 
 
