@@ -69,9 +69,8 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         return ik_tables.check_reach(axes, problem)
     for first, last in problem.stations:
         why: Infeasible | None = None
-        for i, d in product(range(axes.layout.r), _tries(axes, problem)):
-            own = problem.seeking(i, _with_rails(axes, d))
-            found = ik_tables.unserved(axes.seeking(i), own, first, last)
+        for one, own in one_sought(axes, problem):
+            found = ik_tables.unserved(one, own, first, last)
             if found is None:
                 why = None
                 break
@@ -79,6 +78,19 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
         if why is not None:
             return why
     return ik_tables.dead_end(problem)
+
+
+def one_sought(axes: Axes, problem: Problem) -> Iterator[tuple[Axes, Problem]]:
+    """Each rail sought while the others are held, in places all over their strokes; what is given where there is one
+    rail or none."""
+    tried = set[tuple[int, bytes]]()
+    for i, d in product(range(axes.layout.r), _tries(axes, problem)) if axes.layout.r > 1 else ():
+        held = i, np.delete(d, i, axis=1).tobytes()
+        if held not in tried:
+            tried.add(held)
+            yield axes.seeking(i), problem.seeking(i, _with_rails(axes, d))
+    if not tried:
+        yield axes, problem
 
 
 def _sought(axes: Axes, problem: Problem, i: int, d: Array, avoid: EdgeChecks | None) -> Route | None:

@@ -10,6 +10,7 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import CollisionScene, Hit, collision_scene_of
 from trajopt_cli.collision.motion_collision import hit_on
 from trajopt_cli.geometry import Array
+from trajopt_cli.graph_search.by_rails import one_sought
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, station_table
 from trajopt_cli.motion import Move, motion_name
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs
@@ -17,6 +18,7 @@ from trajopt_cli.plan.detour_planner import NoClearPath, coordinated, timed_clea
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.detours import radii, zone_of
 from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plant import shown_rail
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.iterate import Iterate
@@ -38,18 +40,34 @@ def blocked_place(axes: Axes, problem: Problem) -> Infeasible | None:
 
 
 def _blocked_station(axes: Axes, problem: Problem, around: CollisionScene, first: int, last: int) -> Infeasible | None:
+    """Of several rails each is sought with the others held in places all over their strokes; the first such schedule
+    from which the arm is long enough says what is touched."""
     settings = axes.settings
     if first == last and problem.waypoints[first].q is not None:
         return _blocked_joints(problem, around, first)
-    d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
-    if _serves_all(station_table(axes, problem, first, last, d, around)):
+    touched: list[tuple[Axes, Problem, Array, IkTable]] = []
+    for one, own in one_sought(axes, problem):
+        d = grid_in_reach(one, own, first, last, settings.coarse_grid, settings.coarse_spacing)
+        if _serves_all(station_table(one, own, first, last, d, around)):
+            return None
+        free = station_table(one, own, first, last, d)
+        if _serves_all(free):  # else for another reason
+            touched.append((one, own, d, free))
+    if not touched:
         return None
-    free = station_table(axes, problem, first, last, d)
-    if not _serves_all(free):  # for another reason
-        return None
+    found = _what_blocks(*touched[0], around, first, last)
+    if axes.layout.r < 2:
+        return found
+    held = f"the same in {len(touched)} such rows, one axis tried and the others held"
+    return replace(found, message=f"{found.message}; {held}")
+
+
+def _what_blocks(
+    axes: Axes, problem: Problem, d: Array, free: IkTable, around: CollisionScene, first: int, last: int
+) -> Infeasible:
     for k in range(first, last + 1):
         if not station_table(axes, problem, k, k, d, around).labels if problem.waypoints[k].q is None else False:
-            q = _all_axes(axes, d, free.waypoints[k - first])
+            q = _all_axes(axes, problem, k, d, free.waypoints[k - first][:, None])
             return _deepest_of_least(
                 axes, problem, around, max(problem.waypoints[k].motion, 0), _beside(problem, k), q, d
             )
@@ -57,7 +75,7 @@ def _blocked_station(axes: Axes, problem: Problem, around: CollisionScene, first
         line = free.line(k - first) if leg is not None else None
         if leg is None or line is None:
             continue
-        q = _all_axes(axes, d, line)
+        q = _all_axes(axes, problem, k, d, line)
         clear = around.free(q, leg.motion).reshape(line.shape[:3]) | np.isnan(line[..., 0])
         had = ~np.isnan(line[..., 0]).any(axis=1)
         if not (clear.all(axis=1) & had).any():
@@ -72,9 +90,12 @@ def _serves_all(table: IkTable) -> bool:
     return bool(table.labels) and table.serves_lines
 
 
-def _all_axes(axes: Axes, d: Array, arm: Array) -> Array:
-    """All axes (k, n) of joints (..., n rail positions, m)."""
-    return axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
+def _all_axes(axes: Axes, problem: Problem, k: int, d: Array, arm: Array) -> Array:
+    """All axes (i, n) of joints (..., nodes, rail positions, m) on the way from waypoint k, other rails as held."""
+    q = axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm)
+    before, behind = (np.array(one.held) for one in (problem.waypoints[k : k + 2] * 2)[:2])
+    q[..., axes.layout.others] = before + np.linspace(0, 1, arm.shape[-3])[:, None, None] * (behind - before)
+    return q.reshape(-1, axes.n)
 
 
 def _blocked_joints(problem: Problem, around: CollisionScene, k: int) -> Infeasible | None:
@@ -114,7 +135,8 @@ def _deepest_of_least(
         return Infeasible(index, problem.motion(index).source, f"{motion_name(problem.motion(index))} {_NOWHERE}")
     tried = ""
     if axes.layout.has_rail and len(d) > 1:
-        tried = f"; tried {_rail_positions(d)}, least so at {float(axes.layout.place(best.q)) * 1e3:.0f} mm"
+        name = problem.plant.limits.names[axes.layout.sought]
+        tried = f"; tried {_rail_positions(d, name)}, least so at {shown_rail(best.q[axes.layout.rail], '.0f')}"
     motion = problem.motion(index)
     return Infeasible(index, motion.source, f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}")
 
@@ -134,13 +156,14 @@ def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None)
         said += f"; {zones}"
     elif axes.layout.has_rail and len(d) > 1:
         no = "no way around was found" if leg.kind is LegKind.JOINT else "nothing clear was found"
-        said += f"; {no}, tried {_rail_positions(d)}"
+        one = _rail_positions(d, "rail") if axes.layout.r < 2 else "each axis under the base with the others held"
+        said += f"; {no}, tried {one}"
     return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
 
 
-def _rail_positions(d: Array) -> str:
-    """Rail positions [m] that were tried."""
-    return f"from rail {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations"
+def _rail_positions(d: Array, name: str) -> str:
+    """Positions [m] of a rail that were tried."""
+    return f"from {name} {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations"
 
 
 def _zones_that_do(axes: Axes, failure: NoClearPath, runs: Runs | None) -> str:

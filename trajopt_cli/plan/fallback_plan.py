@@ -3,7 +3,7 @@
 From point to point in order, each time the axes nearest to those before that the arm can be driven to, going back a
 point where it cannot be; each leg from rest to rest along a parabola of its own, as slow as its limits ask for. No
 search over all points, no course, no TOPP, no nonlinear program has a say, so it stands where one of them fails. The
-rail is where the program has it, where it is already, or in the middle or at the ends of what it may have.
+rails are where the program has them, where they are already, or in the middle or at the ends of what they may have.
 """
 
 from __future__ import annotations
@@ -74,16 +74,15 @@ def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int)
     if point.q is not None:
         yield point.q, -1
         return
-    low, high = point.rail
-    now = float(q_0[layout.rail][0]) if axes.layout.has_rail else 0.0
-    wanted = [point.written, now, (low + high) / 2, low, high] if moves else [now]
-    rails = [*dict.fromkeys(float(np.clip(one, low, high)) for one in wanted)]
-    if not moves and abs(rails[0] - now) > _SAME:
+    low, high = point.ranges(layout)
+    now, written = q_0[layout.rail], np.insert(point.also, layout.sought, point.written)[: layout.r]
+    wanted = [written, now, (low + high) / 2, low, high] if moves else [now]
+    rails = [*{one.tobytes(): one for one in (np.clip(rail, low, high) for rail in wanted)}.values()]
+    if not moves and np.abs(rails[0] - now).max(initial=0.0) > _SAME:
         return
-    for rail in rails if axes.layout.has_rail else [None]:
-        at_rail = np.zeros(0) if rail is None else np.array([rail])
-        found = axes.robot.solutions(point.X_WF, rail, problem.plant.limits)
-        options: list[State] = [(layout.merge(at_rail, arm), cfx) for cfx, arm in found
+    for rail in rails:
+        found = axes.robot.solutions(point.X_WF, layout.value(rail) if layout.has_rail else None, problem.plant.limits)
+        options: list[State] = [(layout.merge(rail, arm), cfx) for cfx, arm in found
                                 if point.conf is None or axes.robot.admits(point.conf, arm)]  # fmt: skip
         options.sort(key=lambda one: float(np.max(np.abs(one[0] - q_0) / axes.velocity)))
         for q, cfx in options:
