@@ -22,6 +22,7 @@ pytestmark = pytest.mark.usefixtures("coarse")
 DOWN = "[0,0,1,0],[0,0,0,0]"
 BETWEEN = "post: {box: {size: [0.12, 0.12, 0.7], position: [0.75, 0, 0.35]}}"
 WALL = "wall: {box: {size: [3, 0.1, 2], position: [0.75, 0.1, 1.0]}}"  # through which the arm reaches from small b
+BOX = "box: {box: {size: [0.12, 0.12, 0.6], position: [0.75, 0.4, 0.3]}}"
 AROUND_THE_POINT = "block: {box: {size: [0.3, 0.3, 0.6], position: [0.9, 0.25, 0.3]}}"
 
 
@@ -61,6 +62,15 @@ def test_a_point_that_another_axis_frees_is_not_blocked() -> None:
     plant, program = case(WALL, "[600,550,400]")
     assert blocked_place(Axes.of(plant), problem_of(plant, program)) is None
     assert isinstance(optimize(program, plant, Target.STREAM, bounded=False), Plan)
+
+
+def test_axes_are_sought_all_over_their_strokes_where_nothing_near_is_clear() -> None:
+    """Neither as written, in the wall, nor abreast of the points is there a way around the box."""
+    plant, program = case(f"{WALL}, {BOX}", "[600,550,400]")
+    plan = optimize(program, plant, Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan), plan
+    report = verify(program, plant, plan.trajectory, target=Target.STREAM, advice=False)
+    assert report.legal, report.violations
 
 
 def test_a_point_inside_a_body_is_blocked_wherever_the_axes_are() -> None:

@@ -49,7 +49,7 @@ def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine) -> Rout
 
 def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
     """As of graph_search.search, of any number of rails: from schedules on which they stand as written, and abreast of
-    the points, the best chain that is found."""
+    the points, the best chain that is found; where there is none, the first one from places all over their strokes."""
     if axes.layout.r < 2:
         return search_one(axes, problem, avoid)
     best: Route | None = None
@@ -58,6 +58,9 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
             if (found := _sought(axes, problem, i, d, avoid)) is not None:
                 best = found if best is None or found.cost < best.cost else best
                 break
+    if best is None:
+        chains = (search_one(one, own, avoid) for one, own in one_sought(axes, problem))
+        best = next((found for found in chains if found is not None), None)
     if best is None or not any(point.free for point in problem.waypoints):
         return best
     return by_rails(axes, problem, best, lambda one, own, chain: search_one(one, own, avoid) or chain)
