@@ -272,7 +272,7 @@ def egm(
     )
     record = {**_record(output, motion, len(stream.q), stream.duration, rate), "axes": list(stream.names)}
     unused = [name for name in stream.names[stream.joints :] if name not in stream.driven]
-    said = [f"{', '.join(unused)}: 0 in every message; the rail is {stream.driven[-1]}"] if unused else []
+    said = [f"{', '.join(unused)}: 0 in every message; driven: {', '.join(sorted(stream.driven))}"] if unused else []
     _tell(line, (*said, *_holds(motion)), record, as_json, quiet)
 
 
