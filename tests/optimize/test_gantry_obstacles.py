@@ -20,7 +20,6 @@ from trajopt_cli.trajectories.axes import Axes
 pytestmark = pytest.mark.usefixtures("coarse")
 
 DOWN = "[0,0,1,0],[0,0,0,0]"
-BETWEEN = "post: {box: {size: [0.12, 0.12, 0.7], position: [0.75, 0, 0.35]}}"
 WALL = "wall: {box: {size: [3, 0.1, 2], position: [0.75, 0.1, 1.0]}}"  # through which the arm reaches from small b
 BOX = "box: {box: {size: [0.12, 0.12, 0.6], position: [0.75, 0.4, 0.3]}}"
 AROUND_THE_POINT = "block: {box: {size: [0.3, 0.3, 0.6], position: [0.9, 0.25, 0.3]}}"
@@ -47,14 +46,6 @@ def problem_of(plant: Plant, program: Program) -> Problem:
     problem = build_problem(program, plant)
     assert isinstance(problem, Problem)
     return problem
-
-
-def test_a_gantry_goes_around_what_stands_between_two_points() -> None:
-    plant, program = case(BETWEEN, "[600,-250,400]", "[-0.5, 0.5]", 0.0)
-    plan = optimize(program, plant, Target.STREAM, bounded=False)
-    assert isinstance(plan, Plan), plan
-    report = verify(program, plant, plan.trajectory, target=Target.STREAM, advice=False)
-    assert report.legal, report.violations
 
 
 def test_a_point_that_another_axis_frees_is_not_blocked() -> None:
