@@ -374,8 +374,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     if cell.rail is not None and len(cell.start_rail) != 1:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
     if cell.axes and len(cell.start_rail) != len(cell.axes):
-        letters = ", ".join(_EXTERNAL_AXES[axis.eax] for axis in cell.axes)
-        raise cell.error("start.rail", f"needs {len(cell.axes)} positions in m, of axes {letters} in this order")
+        names = ", ".join(f"eax_{_EXTERNAL_AXES[axis.eax]}" for axis in cell.axes)
+        raise cell.error("start.rail", f"gives {len(cell.start_rail)} positions; give one [m] for each of {names}")
     for key in ("hold_rail", "rail_at"):
         if not slides and key in document.model_fields_set:
             raise cell.error(key, "there is no rail; remove it or add a rail section")
