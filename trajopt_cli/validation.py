@@ -20,7 +20,8 @@ def in_words(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, 
     value, location, bounds = detail["input"], detail["loc"], detail.get("ctx", {})
     match detail["type"]:
         case "extra_forbidden":
-            return f"unknown key; {hint(str(location[-1]), _keys(model, location))}"
+            known = _keys(model, location)
+            return f"unknown key; {hint('' if len(known) < 6 else str(location[-1]), known)}"
         case "missing":
             path = ".".join(str(part) for part in location)
             return f"is missing; {wanted.get(path) or wanted.get(str(location[-1]), 'add it')}"

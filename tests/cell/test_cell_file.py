@@ -205,6 +205,13 @@ def test_every_mistake_is_said_in_file_order() -> None:
     ]
 
 
+def test_a_key_that_a_small_section_does_not_have_names_all_it_has() -> None:
+    told = message(RAIL + "obstacles:\n  post: {box: {size: [1, 1, 1], xyz: [2, 0, 0]}}\n")
+    assert told.startswith("cell.yaml:5: obstacles.post.box.xyz:")
+    assert "position" in told
+    assert "size" in told
+
+
 def test_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"none\.yaml: cannot read the cell file: No such file or directory"):
         load_cell(tmp_path / "none.yaml")

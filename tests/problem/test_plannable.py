@@ -84,6 +84,9 @@ def test_other_external_axes_may_stand_but_not_move() -> None:
         "m.mod:3:5: MoveJ p moves eax_a from 0 to 90; describe eax_a in the cell file under rail, axes or positioners, "
         "else hold it still"
     ]
+    (both,) = refused(at(0, 0), at(90, 5))
+    assert "eax_a from 0 to 90" in both
+    assert "eax_b from 0 to 5" in both
     assert passes(at(None, 0), at(None, 900), at(None, 1000), cell=RAIL)
     assert passes(move_ext_j(extax=(None, 900, None, None, None, None)), cell=RAIL)
     assert refused(at(30, 0), at(45, 900), cell=RAIL) == [

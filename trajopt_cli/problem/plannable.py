@@ -259,6 +259,7 @@ class _OtherAxes:
 
     def demands(self, motion: Move) -> Iterator[tuple[str, str, str]]:
         """As _demands, for the axes that this motion moves; positions are taken over."""
+        moved: dict[str, str] = {}
         for axis, value in enumerate(motion.extax):
             if value is None or axis in self._plant.rail_eaxes:
                 continue
@@ -270,16 +271,19 @@ class _OtherAxes:
             if axis in self._plant.turning or axis in {unit.eax for unit in motion.units}:
                 continue
             if abs(value - before) > STILL:
-                yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
-                return
-        if isinstance(motion, MoveExtJ) and not self._plant.rail_eaxes and not (motion.units or self._plant.turning):
-            yield "external axes", "moves external axes only, and the cell has none", self._advice(0)
+                moved[f"eax_{'abcdef'[axis]}"] = f"from {before:g} to {value:g}"
+        if moved:
+            what = ", ".join(f"{name} {way}" for name, way in moved.items())
+            yield "external axes", f"moves {what}", self._advice([*moved])
+        elif isinstance(motion, MoveExtJ) and not self._plant.rail_eaxes and not (motion.units or self._plant.turning):
+            yield "external axes", "moves external axes only, and the cell has none", self._advice(["eax_a"])
 
-    def _advice(self, axis: int) -> str:
+    def _advice(self, names: list[str]) -> str:
         letters = [f"eax_{'abcdef'[eax]}" for eax in self._plant.rail_eaxes]
         where = "axes (a linear one under the base) or positioners" if letters else "rail, axes or positioners"
         known = f"; of those the cell knows {', '.join(letters)}" if letters else ""
-        return f"describe eax_{'abcdef'[axis]} in the cell file under {where}, else hold it still{known}"
+        still = "it" if len(names) == 1 else "them"
+        return f"describe {', '.join(names)} in the cell file under {where}, else hold {still} still{known}"
 
 
 def _apart(motion: Move, led: Follower) -> Iterator[tuple[str, str, str]]:
