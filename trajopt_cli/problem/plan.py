@@ -199,12 +199,14 @@ class Infeasible:
     """The answer no: which motion cannot be done, where on it, and the limit that forbids it (message, one line).
 
     index: its place in Program.motions. source: its place in the program, which message leaves out; str() is the line
-    to print, with both.
+    to print, with both. spare: how much farther apart than wanted bodies are that are refused for the planner's reserve
+    alone [m], else 0.
     """
 
     index: int
     source: Source
     message: str
+    spare: float = 0.0
 
     def __str__(self) -> str:
         return f"{self.source}: {self.message}"
