@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -54,6 +55,13 @@ class Trajectory:
         qd, its_qd = (None if self.qd is None else self.qd[:, part] for part in (own, its))
         tables = Trajectory(self.names[its], self.t, self.q[:, its], its_qd)
         return Trajectory(self.names[own], self.t, self.q[:, own], qd, tables)
+
+    def of(self, names: Sequence[str]) -> Trajectory:
+        """The same of some axes, in this order. Raises ValueError for one that it does not have."""
+        if tuple(names) == self.names:
+            return self
+        own = [self.names.index(name) for name in names]
+        return replace(self, names=tuple(names), q=self.q[:, own], qd=None if self.qd is None else self.qd[:, own])
 
     @property
     def duration(self) -> float:

@@ -11,7 +11,6 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.exporters.files import export
-from trajopt_cli.exporters.joint import with_followers
 from trajopt_cli.exporters.rapid import export_rapid, intents_of
 from trajopt_cli.exporters.rapid_check import mismatches, read_again
 from trajopt_cli.findings import Report
@@ -157,7 +156,7 @@ def test_a_followers_column_is_held_against_its_leader(led: Follower, digits: in
 
 def test_columns_of_a_followers_file_stand_in_any_order() -> None:
     plant, own, plan = planned("abc", Target.STREAM)
-    rows = with_followers(plan.trajectory, plant.followers, {0: "rail_a"})
+    rows = plant.with_followers(plan.trajectory)
     assert rows.qd is not None
     turned = replace(rows, names=rows.names[::-1], q=rows.q[:, ::-1], qd=rows.qd[:, ::-1])
     assert judge(plant, own, write_csv_text(turned), "j.csv", advice=False).legal

@@ -72,7 +72,7 @@ def joint(
     from trajopt_cli.joint_csv import csv_parts
 
     output = _output(output, results, "joint.csv")
-    motion = _driven(results, recorded(results))
+    motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, map(str.encode, csv_parts(trajectory)), motion, trajectory, rate, note, as_json, quiet)
 
@@ -153,7 +153,7 @@ def parquet(
     from trajopt_cli.exporters.recorded import recorded
 
     output = _output(output, results, "joint.parquet")
-    motion = _driven(results, recorded(results))
+    motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, parquet_of(trajectory), motion, trajectory, rate, note, as_json, quiet)
 
@@ -384,24 +384,12 @@ def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
     from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.job import cell_of_results
 
-    motion = _driven(results, recorded(results))
+    motion = recorded(results)
     rail = cell_of_results(results).rail if motion.period is None else None
     try:
         return motion, stream_of(motion, rate, None if rail is None else rail.eax)
     except InputError as error:
         raise InputError(error.message, file=str(results), kind=error.kind) from error
-
-
-def _driven(results: Path, motion: Recorded) -> Recorded:
-    """A motion with the axes that follow the cell's linear ones."""
-    from trajopt_cli.exporters.joint import with_followers
-    from trajopt_cli.job import cell_of_results
-
-    if motion.period is not None:
-        return motion
-    cell = cell_of_results(results)
-    leaders = {axis.eax: axis.name for axis in cell.axes}
-    return replace(motion, trajectory=with_followers(motion.trajectory, cell.followers, leaders))
 
 
 def _of_the_urdf(results: Path, motion: Recorded, rate: float) -> tuple[Trajectory, str]:
@@ -416,7 +404,9 @@ def _of_the_urdf(results: Path, motion: Recorded, rate: float) -> tuple[Trajecto
         return trajectory, note
     _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
     said = f"{upper} is the URDF's, axis 3 {'-' if robot.linkage > 0 else '+'} {lower}"
-    q, qd = robot.chain_axes(trajectory.q), robot.chain_axes(trajectory.qd)
+    own = [trajectory.names.index(name) for name in robot.axis_names]  # beside axes under the base
+    q, qd = trajectory.q.copy(), trajectory.qd.copy()
+    q[:, own], qd[:, own] = robot.chain_axes(q[:, own]), robot.chain_axes(qd[:, own])
     return replace(trajectory, q=q, qd=qd), "; ".join(part for part in (note, said) if part)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from trajopt_cli.exporters.faster import faster_than_programmed
-from trajopt_cli.exporters.joint import resample, with_followers
+from trajopt_cli.exporters.joint import resample
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.motion import Program
@@ -35,9 +35,7 @@ def export(
     for a kind that there is not, a plan of the other target, or a missing program or plant.
     """
     if kind == "joint":
-        rows = plan.trajectory
-        if plant is not None:
-            rows = with_followers(rows, plant.followers, dict(zip(plant.rail_eaxes, rows.names, strict=False)))
+        rows = plan.trajectory if plant is None else plant.with_followers(plan.trajectory)
         return {JOINTS: write_csv_text(resample(rows, rate)).encode("ascii")}
     if kind != "rapid":
         raise ValueError(f"no export is called {kind!r}: joint or rapid")

@@ -74,7 +74,8 @@ class _File:
 
 def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
     """The GLB file of a trajectory's rows, as one animation. Raises InputError for another robot's trajectory."""
-    robot = plant.robot
+    robot, led = plant.robot, {one.column for one in plant.followers}
+    trajectory = trajectory.of([name for name in trajectory.names if name not in led])
     if trajectory.names != robot.axis_names:
         raise InputError(f"moves {', '.join(trajectory.names)}, not the axes of {robot.title}")
     scene = scene_of_plant(plant)

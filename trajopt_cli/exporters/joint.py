@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.scenario import Follower
 from trajopt_cli.trajectory import Trajectory, hermite
 
 LOWEST_RATE = 1.0  # Hz: rows farther apart are no motion
@@ -41,18 +38,6 @@ def resample(trajectory: Trajectory, rate: float, rests: bool = True) -> Traject
     for array in (t, q, qd):
         array.setflags(write=False)  # nobody has to copy them
     return Trajectory(trajectory.names, t, q, qd).apart
-
-
-def with_followers(trajectory: Trajectory, followers: Iterable[Follower], leaders: Mapping[int, str]) -> Trajectory:
-    """The same with a column for each axis that another leads, behind that one's. leaders: names of axes by their
-    external axis, 0 for eax_a."""
-    for one in followers:
-        names, q, qd = trajectory.names, trajectory.q, trajectory.qd
-        i = names.index(leaders[one.leader])
-        q = np.insert(q, i + 1, one.ratio * q[:, i] + one.offset, axis=1)
-        qd = None if qd is None else np.insert(qd, i + 1, one.ratio * qd[:, i], axis=1)
-        trajectory = replace(trajectory, names=(*names[: i + 1], one.column, *names[i + 1 :]), q=q, qd=qd)
-    return trajectory
 
 
 def between_rows(trajectory: Trajectory, t: Array) -> tuple[Array, Array]:

@@ -42,11 +42,9 @@ def without_followers(
                 when = float(trajectory.t[row])
                 found.append(finding(check, name, off[row], limit, unit, off[row] <= limit, time=when))
     own = [i for i, name in enumerate(names) if name not in led]
-    q, qd = (None if x is None else x[:, own] for x in (trajectory.q, trajectory.qd))
-    assert q is not None
     if resolution is not None:
         resolution = replace(resolution, q=steps[0][:, own], qd=steps[1][:, own])
-    return replace(trajectory, names=tuple(names[i] for i in own), q=q, qd=qd), resolution, found
+    return trajectory.of([names[i] for i in own]), resolution, found
 
 
 def check_targets(program: Program, plant: Machine) -> Iterator[Finding]:

@@ -71,7 +71,8 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
         text = "its plans have other motions than this version reads in its program; run trajopt optimize again"
         raise InputError(text, file=str(folder))
     for target in Target:
-        trajectory, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
+        rows, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
+        trajectory = rows.of(job.plant.limits.names)
         motions, q = [], trajectory.q[0]
         for row in results.summary.plans.of(target).motions:
             motion, end = job.program.motions[row.index], np.array(row.axes_at_end)

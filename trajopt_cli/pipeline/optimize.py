@@ -133,7 +133,7 @@ def optimize_job(
     found: dict[Target, Judged] = {}
     chosen = target or Target.STREAM
     asked = {one: objective if one is chosen else for_the_other(objective) for one in Target}
-    kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
+    kept, kept_written = {one: RowsFile(folder, job.plant) for one in Target}, RowsFile(folder)
     jobs = jobs or cores()
     answers, written, estimate = plan_all(job, listen, clock, changes, patience, jobs, asked, kept, kept_written)
     for one, answer in answers.items():

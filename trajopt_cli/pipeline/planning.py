@@ -437,9 +437,8 @@ def judge(
     names = (*plant.limits.names, *(one.column for one in plant.followers if one.column in trajectory.names))
     if sorted(trajectory.names) == sorted(names) and trajectory.names != names:
         order = [trajectory.names.index(name) for name in names]  # columns may stand in any order
-        q, qd = trajectory.q[:, order], None if trajectory.qd is None else trajectory.qd[:, order]
-        trajectory = replace(trajectory, names=names, q=q, qd=qd)
-        qd_step = resolution.qd if qd is None else resolution.qd[:, order]
+        trajectory = trajectory.of(names)
+        qd_step = resolution.qd if trajectory.qd is None else resolution.qd[:, order]
         resolution = replace(resolution, q=resolution.q[:, order], qd=qd_step)
     if trajectory.names == names:
         limits = plant.limits

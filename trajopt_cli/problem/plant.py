@@ -20,6 +20,7 @@ from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.scenario import Follower, PositionerAxis
 from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid, moved
+from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM, slides
 from trajopt_cli.validation import hint
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -172,6 +173,16 @@ class Plant:
             values[one.eax] = (values[one.leader] or 0.0) * one.ratio + one.offset / MM
         a, b, c, d_, e, f = values
         return a, b, c, d_, e, f
+
+    def with_followers(self, rows: Trajectory) -> Trajectory:
+        """Rows of the robot's axes with a column for each axis that another leads, behind that one's."""
+        for one in self.followers:
+            names, q, qd = rows.names, rows.q, rows.qd
+            i = names.index(self.limits.names[self.rail_eaxes.index(one.leader)])
+            q = np.insert(q, i + 1, one.ratio * q[:, i] + one.offset, axis=1)
+            qd = None if qd is None else np.insert(qd, i + 1, one.ratio * qd[:, i], axis=1)
+            rows = replace(rows, names=(*names[: i + 1], one.column, *names[i + 1 :]), q=q, qd=qd)
+        return rows
 
     def at_rail(self, d: Array) -> str:
         """Where rails stand (r,), in words behind a sentence; empty without one."""

@@ -17,6 +17,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import csv_parts
 from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
 
 
@@ -27,9 +28,11 @@ class RowsFile:
     and read by the other, never by both at once.
     """
 
-    def __init__(self, beside: Path | None = None):
+    def __init__(self, beside: Path | None = None, plant: Plant | None = None):
         """beside: a path, that need not exist, on the disk that shall hold the files; None: where the system keeps
-        such files. Raises InputError where nothing can be written there."""
+        such files. plant: whose axes that others lead have columns in the text, too. Raises InputError where nothing
+        can be written there."""
+        self._plant = plant
         folder = None if beside is None else Path(os.path.realpath(beside)).parent
         while folder is not None and not folder.is_dir():
             folder = folder.parent
@@ -64,7 +67,7 @@ class RowsFile:
             for array in _arrays(rows):
                 self._numbers.write(np.ascontiguousarray(array).data)
             self._numbers.flush()
-            self._text.writelines(csv_parts(rows))
+            self._text.writelines(csv_parts(rows if self._plant is None else self._plant.with_followers(rows)))
             self._text.flush()
         return self.kept(plan)
 
