@@ -9,10 +9,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator
-from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
-from pkgutil import iter_modules
 from typing import Any
 
 _PART = re.compile(r"(<!-- generated: ([a-z-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -85,8 +83,8 @@ _PLANNED = {
 
 def instructions() -> str:
     """Every instruction that is read, by topic and effect."""
-    from trajopt_cli.rapid.execution.instructions.effect import Effect
-    from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+    from trajopt_cli.rapid.execution.registry import Effect
+    from trajopt_cli.rapid.execution.table import INSTRUCTIONS
 
     out = "| instructions | by name | effect | in a plan |\n|---|---|---|---|\n"
     for topic in sorted({one.topic for one in INSTRUCTIONS.values()}):
@@ -100,26 +98,12 @@ def instructions() -> str:
 
 def functions() -> str:
     """Every function that is read, by topic."""
-    import trajopt_cli.rapid.execution.functions as package
+    from trajopt_cli.rapid.execution.table import FUNCTIONS
 
-    head = "| functions | by name |\n|---|---|\n"
-    return head + "".join(
-        f"| {_title(package, topic)} | {_names(sorted(module.FUNCTIONS))} |\n"
-        for topic, module in _topics(package, "FUNCTIONS")
-    )
-
-
-def _topics(package: Any, table: str) -> Iterator[tuple[str, Any]]:
-    """The modules of a package that have such a table, by name."""
-    for found in iter_modules(package.__path__):
-        module = import_module(f"{package.__name__}.{found.name}")
-        if found.name != "table" and hasattr(module, table):
-            yield found.name, module
-
-
-def _title(package: Any, topic: str) -> str:
-    text = import_module(f"{package.__name__}.{topic}").__doc__ or topic
-    return text.strip().split("\n")[0].split(":")[0].rstrip(".")
+    out = "| functions | by name |\n|---|---|\n"
+    for topic in dict.fromkeys(one.topic for one in FUNCTIONS.values()):
+        out += f"| {topic} | {_names(sorted(one.name for one in FUNCTIONS.values() if one.topic == topic))} |\n"
+    return out
 
 
 def _names(names: list[str]) -> str:

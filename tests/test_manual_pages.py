@@ -14,8 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
-from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 
 REPOSITORY = Path(__file__).parents[1]
 IMAGES = REPOSITORY / "docs" / "images"

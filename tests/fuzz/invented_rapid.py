@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from trajopt_cli.rapid.data.datatypes import TYPES
 from trajopt_cli.rapid.data.predefined import ERRORS, predefined
-from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
-from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.language.lexer import KEYWORDS
 
 WORDS = [*sorted(KEYWORDS), *TYPES, *INSTRUCTIONS, *FUNCTIONS, *list(ERRORS)[:5], *list(predefined())[:40]]

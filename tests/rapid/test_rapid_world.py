@@ -9,11 +9,10 @@ from hypothesis import strategies as st
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, SignalEvent, Source, TextFile, Wait
-from trajopt_cli.rapid.execution.functions import table as function_table
-from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
-from trajopt_cli.rapid.execution.instructions import rows, table
-from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.data.datatypes import NUM
+from trajopt_cli.rapid.execution.instructions import rows
+from trajopt_cli.rapid.execution.registry import Effect, Topic
+from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template
 from trajopt_cli.scenario import Answer, Missing, Scenario, condition_key, yaml_answer, yaml_name
@@ -302,15 +301,11 @@ def test_conditions_are_compared_without_blanks_and_case() -> None:
 
 def test_no_name_has_two_meanings() -> None:
     for names in (INSTRUCTIONS, FUNCTIONS):
-        assert len({name.lower() for name in names}) == len(names) == sum(map(len, topics_of(names)))
-
-
-def topics_of(names: object) -> list[object]:
-    """The tables that a table is made of."""
-    if names is FUNCTIONS:
-        return [topic.FUNCTIONS for topic in function_table.TOPICS]
-    tables = [handlers for topic in table.TOPICS for handlers in topic.INSTRUCTIONS.values()]
-    return [*tables, rows.INSTRUCTIONS]
+        assert len({name.lower() for name in names}) == len(names)
+    with pytest.raises(AssertionError):
+        Topic("again").enter(Effect.RUN, "MoveL")(lambda run, node: None)
+    with pytest.raises(AssertionError):
+        Topic("again").values("Offs", NUM)(float)
 
 
 def unread(effect: Effect) -> list[str]:

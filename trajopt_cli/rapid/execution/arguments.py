@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from trajopt_cli.rapid.data.datatypes import Value
 from trajopt_cli.rapid.data.scope import Absent
 from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Argument, Call, Expression, Name, ProcedureCall
-
-# A handler of a function.
-Function = Callable[[Context, Call], Value]
 
 
 class Arguments(NamedTuple):

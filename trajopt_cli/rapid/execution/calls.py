@@ -11,12 +11,11 @@ from trajopt_cli.rapid.data.scope import ABSENT, Absent, CallFrame, Datum, Head,
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import named, present, subject
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.functions.table import FUNCTIONS, STOPPING
-from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.instructions.waits import hold_up
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
 from trajopt_cli.rapid.execution.operators import computed
+from trajopt_cli.rapid.execution.registry import Effect
+from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.execution.types import find_type
 from trajopt_cli.rapid.language.syntax import (
     Argument,
@@ -39,8 +38,7 @@ CALL_COST = 6  # statements that take as long as a call
 FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): instruction for name, instruction in INSTRUCTIONS.items()}
 _IGNORED, _STOPS = Effect.IGNORED, Effect.STOPS
-_FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
-_STOPPING = {name.lower(): name for name in STOPPING}
+_FUNCTIONS = {name.lower(): function for name, function in FUNCTIONS.items()}
 _NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
 # Names of ABB's instructions that move or set speeds, and may be of an option that is not read here.
 _MOVING = re.compile(
@@ -155,9 +153,8 @@ def function(run: Context, node: Call, wanted: Type | None) -> Value:
     run.budget -= FUNCTION_COST
     if run.budget < 0:
         raise run.exhausted(node)
-    key = node.name.lower()
-    handler = _FUNCTIONS.get(key)
-    if handler is None:
+    known = _FUNCTIONS.get(node.name.lower())
+    if known is None:
         message = f"{node.name} is neither a function of the files read nor a known function"
 
         def close() -> str | None:
@@ -165,11 +162,11 @@ def function(run: Context, node: Call, wanted: Type | None) -> Value:
 
         return ask(run, node, node.name, wanted or NUM, message, close=close)
     try:
-        value = handler(run, node)
+        value = known.handler(run, node)
     except Mismatch as error:
         raise _about_argument(run, node, error) from None
-    if key in _STOPPING:
-        hold_up(run, node, _STOPPING[key])
+    if known.stops:
+        hold_up(run, node, known.name)
         run.settle()
     return computed(run, node, value.type, value.data) if value.origin is None else value
 

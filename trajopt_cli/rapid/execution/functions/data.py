@@ -2,62 +2,47 @@
 
 from __future__ import annotations
 
-from trajopt_cli.rapid.data.datatypes import BOOL, NUM, Array, Data, Value
-from trajopt_cli.rapid.data.scope import Absent
-from trajopt_cli.rapid.execution.arguments import Function, bind
+from trajopt_cli.rapid.data.datatypes import BOOL, NUM, STRING, Array, Value
+from trajopt_cli.rapid.data.scope import Absent, Place
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.operators import string
-from trajopt_cli.rapid.language.syntax import Call, Name
+from trajopt_cli.rapid.execution.registry import Refused, Topic
+from trajopt_cli.rapid.language.syntax import Call, Expression, Name
+
+_TOPIC = Topic(__doc__)
 
 
-def _dim(run: Context, node: Call) -> Value:
-    array, which = bind(run, node, ("ArrPar", "DimNo")).required
-    value, index = run.evaluate(array), run.integer(which, "DimNo")
+@_TOPIC.function("Dim ArrPar DimNo:int")
+def _dim(run: Context, node: Call, array: Expression, index: int) -> Value:
+    value = run.evaluate(array)
     if not isinstance(value.type, Array) or not 1 <= index <= value.type.dimensions:
-        raise run.fault(node, "ERR_ILLDIM", f"{run.text(array)} has no dimension {index}")
-    if value.type.sizes is not None:
-        return Value(NUM, float(value.type.sizes[index - 1]))
-    data: Data = value.data
+        raise Refused(f"{run.text(array)} has no dimension {index}", error="ERR_ILLDIM")
+    data = value.data
     for _ in range(index - 1):
         data = data[0]
-    return Value(NUM, float(len(data)))
+    return Value(NUM, float(len(data) if value.type.sizes is None else value.type.sizes[index - 1]))
 
 
-def _present(run: Context, node: Call) -> Value:
-    (argument,) = bind(run, node, ("OptPar",)).required
+@_TOPIC.function("Present OptPar")
+def _present(run: Context, node: Call, argument: Expression) -> Value:
     if not isinstance(argument, Name):
-        raise run.error(argument, "Present takes the name of an optional parameter")
+        raise Refused("Present takes the name of an optional parameter", "OptPar")
     return Value(BOOL, not isinstance(run.find(argument.name), Absent))
 
 
-def _stored_as(storage: str) -> Function:
-    def handler(run: Context, node: Call) -> Value:
-        (argument,) = bind(run, node, ("DatObj",)).required
-        return Value(BOOL, run.locate(argument).storage == storage)
-
-    return handler
+_TOPIC.values("IsPers DatObj:place", BOOL)(lambda place: place.storage == "PERS")
+_TOPIC.values("IsVar DatObj:place", BOOL)(lambda place: place.storage == "VAR")
 
 
-def _arg_name(run: Context, node: Call) -> Value:
+@_TOPIC.function("ArgName Parameter")
+def _arg_name(run: Context, node: Call, argument: Expression) -> Value:
     """How the caller, or the caller's caller, wrote the argument that a parameter stands for."""
-    (argument,) = bind(run, node, ("Parameter",)).required
     name = run.argument_name(argument.name) if isinstance(argument, Name) else None
     if name is None:
-        raise run.fault(argument, "ERR_ARGNAME", f"{run.text(argument)} is not a parameter of the routine")
+        raise Refused(f"{run.text(argument)} is not a parameter of the routine", "Parameter", "ERR_ARGNAME")
     return string(run, node, name)
 
 
-def _type(run: Context, node: Call) -> Value:
-    (argument,) = bind(run, node, ("Data",)).required
-    type_ = run.locate(argument).type
-    return string(run, node, type_.element.name if isinstance(type_, Array) else type_.name)
-
-
-FUNCTIONS: dict[str, Function] = {
-    "Dim": _dim,
-    "Present": _present,
-    "IsPers": _stored_as("PERS"),
-    "IsVar": _stored_as("VAR"),
-    "ArgName": _arg_name,
-    "Type": _type,
-}
+@_TOPIC.values("Type Data:place", STRING)
+def _type(place: Place) -> str:
+    return place.type.element.name if isinstance(place.type, Array) else place.type.name

@@ -5,148 +5,91 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
-from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.language.syntax import Call
+from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM
+from trajopt_cli.rapid.execution.registry import Refused, Topic
 from trajopt_cli.units import DEG
 
-
-def _plain(name: str, compute: Callable[..., float], takes: str = "Value", result: Type = NUM) -> Function:
-    """A function of numbers to a number of the type result. takes: the names of its arguments."""
-    required = tuple(takes.split())
-
-    def handler(run: Context, node: Call) -> Value:
-        values = [run.number(argument) for argument in bind(run, node, required).required]
-        try:
-            value = compute(*values)
-        except (ValueError, OverflowError, ZeroDivisionError) as error:
-            shown = ", ".join(f"{value:.6g}" for value in values)
-            raise run.error(node, f"{name}({shown}) is not defined: {error}") from error
-        return Value(result, float(value))
-
-    return handler
-
-
-def _rounding(exact: Callable[[float], float], result: Type = NUM) -> Function:
-    def handler(run: Context, node: Call) -> Value:
-        args = bind(run, node, ("Val",), ("Dec",))
-        dec = args.value("dec")
-        digits = run.integer(dec, "\\Dec") if dec is not None else 0
-        if not 0 <= digits <= 15:
-            raise run.error(node, f"\\Dec:={digits} lies outside 0..15")
-        return Value(result, exact(run.number(args.required[0]) * 10.0**digits) / 10.0**digits)
-
-    return handler
+_EXACT = 8388608  # 2^23
+_BYTE, _LONG = 255, 2**52 - 1  # a dnum is exact to 52 bits
+_TOPIC = Topic(__doc__)
 
 
 def _half_up(value: float) -> float:
     return math.copysign(math.floor(abs(value) + 0.5), value)
 
 
-def _dnum_to_num(run: Context, node: Call) -> Value:
+def _rounding(exact: Callable[[float], float]) -> Callable[..., float]:
+    def compute(value: float, dec: int = 0) -> float:
+        if not 0 <= dec <= 15:
+            raise Refused(f"\\Dec:={dec} lies outside 0..15")
+        return exact(value * 10.0**dec) / 10.0**dec
+
+    return compute
+
+
+@_TOPIC.values(r"DnumToNum Value:num \Integer", NUM)
+def _dnum_to_num(value: float, integer: bool = False) -> float:
     r"""The dnum as a num; with \Integer only if it is a whole number that a num holds exactly."""
-    args = bind(run, node, ("Value",), ("Integer",))
-    value = run.number(args.required[0])
-    if "integer" in args.optional and (value != math.trunc(value) or abs(value) > _EXACT):
-        raise run.fault(node, "ERR_ARGVALERR", f"DnumToNum({value:.15g} \\Integer) takes whole numbers up to {_EXACT}")
-    return Value(NUM, value)
+    if integer and (value != math.trunc(value) or abs(value) > _EXACT):
+        message = f"DnumToNum({value:.15g} \\Integer) takes whole numbers up to {_EXACT}"
+        raise Refused(message, error="ERR_ARGVALERR")
+    return value
 
 
-_EXACT = 8388608  # 2^23
-
-
-# ----------------------------------------------------------------------------------------------------------- bits
-
-
-def _bits(name: str, compute: Callable[..., int], takes: str, top: int, result: Type) -> Function:
+def _bits(name: str, compute: Callable[..., int], takes: list[str], top: int) -> Callable[..., int]:
     """A function of whole numbers 0..top, the contents of a byte (or of 52 bits), to one of them."""
-    required = tuple(takes.split())
 
-    def handler(run: Context, node: Call) -> Value:
-        values = []
-        for argument in bind(run, node, required).required:
-            value = run.integer(argument, f"an argument of {name}")
+    def checked(*values: int) -> int:
+        for at, value in zip(takes, values, strict=True):
             if not 0 <= value <= top:
-                raise run.error(argument, f"an argument of {name} is {value}, and must lie in 0..{top}")
-            values.append(value)
-        return Value(result, float(compute(*values) & top))
+                raise Refused(f"an argument of {name} is {value}, and must lie in 0..{top}", at)
+        return compute(*values) & top
 
-    return handler
-
-
-_BYTE, _LONG = 255, 2**52 - 1  # a dnum is exact to 52 bits
+    return checked
 
 
-def _bit_check(top: int) -> Function:
-    def handler(run: Context, node: Call) -> Value:
-        data, place = bind(run, node, ("BitData", "BitPos")).required
-        value, position = run.integer(data, "BitData"), run.integer(place, "BitPos")
+def _bit_check(top: int) -> Callable[[int, int], bool]:
+    def compute(value: int, position: int) -> bool:
         if not 0 <= value <= top:
-            raise run.error(data, f"BitData is {value}, and must lie in 0..{top}")
+            raise Refused(f"BitData is {value}, and must lie in 0..{top}", "BitData")
         if not 1 <= position <= top.bit_length():
-            raise run.error(place, f"BitPos {position} lies outside 1..{top.bit_length()}")
-        return Value(BOOL, bool(value >> (position - 1) & 1))
+            raise Refused(f"BitPos {position} lies outside 1..{top.bit_length()}", "BitPos")
+        return bool(value >> (position - 1) & 1)
 
-    return handler
-
-
-def _sin(a: float) -> float:
-    return math.sin(a * DEG)
+    return compute
 
 
-def _cos(a: float) -> float:
-    return math.cos(a * DEG)
-
-
-def _tan(a: float) -> float:
-    return math.tan(a * DEG)
-
-
-def _atan2(y: float, x: float) -> float:
-    return math.atan2(y, x) / DEG
-
-
-# Of num and, with Dnum behind the name, of dnum.
-_OF_BOTH: dict[str, tuple[Callable[..., float], str]] = {
-    "Abs": (abs, "Value"),
-    "Sqrt": (math.sqrt, "Value"),
-    "Pow": (math.pow, "Base Exponent"),
-    "Exp": (math.exp, "Exponent"),
-    "Sin": (_sin, "Angle"),
-    "Cos": (_cos, "Angle"),
-    "Tan": (_tan, "Angle"),
-    "ASin": (lambda a: math.asin(a) / DEG, "Value"),
-    "ACos": (lambda a: math.acos(a) / DEG, "Value"),
-    "ATan": (lambda a: math.atan(a) / DEG, "Value"),
-    "ATan2": (_atan2, "Y X"),
-}
-_OF_BITS: dict[str, tuple[Callable[..., int], str]] = {
-    "And": (lambda a, b: a & b, "BitData1 BitData2"),
-    "Or": (lambda a, b: a | b, "BitData1 BitData2"),
-    "XOr": (lambda a, b: a ^ b, "BitData1 BitData2"),
-    "Neg": (lambda a: ~a, "BitData"),
-    "LSh": (lambda a, n: a << min(n, 52), "BitData ShiftSteps"),
-    "RSh": (lambda a, n: a >> n, "BitData ShiftSteps"),
-}
-
-
-FUNCTIONS: dict[str, Function] = {
-    **{name: _plain(name, compute, takes) for name, (compute, takes) in _OF_BOTH.items()},
-    **{f"{name}Dnum": _plain(f"{name}Dnum", compute, takes, DNUM) for name, (compute, takes) in _OF_BOTH.items()},
-    "Max": _plain("Max", max, "Value1 Value2"),
-    "Min": _plain("Min", min, "Value1 Value2"),
-    "Round": _rounding(_half_up),
-    "RoundDnum": _rounding(_half_up, DNUM),
-    "Trunc": _rounding(lambda value: float(math.trunc(value))),
-    "TruncDnum": _rounding(lambda value: float(math.trunc(value)), DNUM),
-    "NumToDnum": _plain("NumToDnum", float, result=DNUM),
-    "DnumToNum": _dnum_to_num,
-    **{f"Bit{name}": _bits(f"Bit{name}", compute, takes, _BYTE, NUM) for name, (compute, takes) in _OF_BITS.items()},
-    **{
-        f"Bit{name}Dnum": _bits(f"Bit{name}Dnum", compute, takes, _LONG, DNUM)
-        for name, (compute, takes) in _OF_BITS.items()
-    },
-    "BitCheck": _bit_check(_BYTE),
-    "BitCheckDnum": _bit_check(_LONG),
-}
+# Of num and, with Dnum behind the name, of dnum: name, arguments, value.
+_OF_BOTH: tuple[tuple[str, str, Callable[..., float]], ...] = (
+    ("Abs", "Value:num", abs),
+    ("Sqrt", "Value:num", math.sqrt),
+    ("Pow", "Base:num Exponent:num", math.pow),
+    ("Exp", "Exponent:num", math.exp),
+    ("Sin", "Angle:num", lambda a: math.sin(a * DEG)),
+    ("Cos", "Angle:num", lambda a: math.cos(a * DEG)),
+    ("Tan", "Angle:num", lambda a: math.tan(a * DEG)),
+    ("ASin", "Value:num", lambda a: math.asin(a) / DEG),
+    ("ACos", "Value:num", lambda a: math.acos(a) / DEG),
+    ("ATan", "Value:num", lambda a: math.atan(a) / DEG),
+    ("ATan2", "Y:num X:num", lambda y, x: math.atan2(y, x) / DEG),
+    ("Round", r"Val:num \Dec:int", _rounding(_half_up)),
+    ("Trunc", r"Val:num \Dec:int", _rounding(math.trunc)),
+)
+_OF_BITS: tuple[tuple[str, str, Callable[..., int]], ...] = (
+    ("BitAnd", "BitData1 BitData2", lambda a, b: a & b),
+    ("BitOr", "BitData1 BitData2", lambda a, b: a | b),
+    ("BitXOr", "BitData1 BitData2", lambda a, b: a ^ b),
+    ("BitNeg", "BitData", lambda a: ~a),
+    ("BitLSh", "BitData ShiftSteps", lambda a, n: a << min(n, 52)),
+    ("BitRSh", "BitData ShiftSteps", lambda a, n: a >> n),
+)
+for suffix, type_, top in (("", NUM, _BYTE), ("Dnum", DNUM, _LONG)):
+    for name, takes, compute in _OF_BOTH:
+        _TOPIC.values(f"{name}{suffix} {takes}", type_)(compute)
+    for name, takes, of_bits in _OF_BITS:
+        called, form = f"{name}{suffix}", " ".join(f"{one}:int" for one in takes.split())
+        _TOPIC.values(f"{called} {form}", type_)(_bits(called, of_bits, takes.split(), top))
+    _TOPIC.values(f"BitCheck{suffix} BitData:int BitPos:int", BOOL)(_bit_check(top))
+_TOPIC.values("Max Value1:num Value2:num", NUM)(max)
+_TOPIC.values("Min Value1:num Value2:num", NUM)(min)
+_TOPIC.values("NumToDnum Value:num", DNUM)(float)

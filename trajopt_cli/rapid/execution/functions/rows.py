@@ -9,10 +9,10 @@ from __future__ import annotations
 from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, STRING, Data, Type, Value
 from trajopt_cli.rapid.data.predefined import VMAX
 from trajopt_cli.rapid.execution.answers import ask, fill, root
-from trajopt_cli.rapid.execution.arguments import Function, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.rows import CLOSED
-from trajopt_cli.rapid.language.syntax import Call
+from trajopt_cli.rapid.execution.registry import FunctionHandler, Refused, Topic
+from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.scenario import Answer, yaml_answer
 from trajopt_cli.warnings import WarningKind
 
@@ -64,6 +64,12 @@ ASKED: tuple[tuple[str, Type, str, Answer | None], ...] = (
     ("PathRecValidBwd", BOOL, "whether the recorded path can be run backwards", None),
     ("PathRecValidFwd", BOOL, "whether the recorded path can be run forwards", None),
 )
+# Of these the ones that wait for an operator or for what a device sends: the fly-by point before them is a stop, see
+# Effect.STOPS.
+_STOPPING = (
+    "UIMessageBox", "UINumEntry", "UINumTune", "UIDnumEntry", "UIDnumTune", "UIAlphaEntry", "UIListView", "ReadNum",
+    "ReadBin", "ReadStr", "ReadStrBin",
+)  # fmt: skip
 # Name, type and value of what is taken as a robot's in automatic operation, and reported; an answer overrides.
 ASSUMED: tuple[tuple[str, Type, Data], ...] = (
     ("OpMode", NUM, 1.0),  # OP_AUTO
@@ -88,11 +94,14 @@ ASSUMED: tuple[tuple[str, Type, Data], ...] = (
 )
 
 
-def _asked(name: str, type_: Type, what: str, default: Answer | None) -> Function:
+_TOPIC = Topic(__doc__)
+
+
+def _asked(name: str, type_: Type, what: str, default: Answer | None) -> FunctionHandler:
     return lambda run, node: ask(run, node, name, type_, f"{name} asks for {what}", default)
 
 
-def _assumed(name: str, type_: Type, data: Data) -> Function:
+def _assumed(name: str, type_: Type, data: Data) -> FunctionHandler:
     def handler(run: Context, node: Call) -> Value:
         if run.external.known(name):
             return ask(run, node, name, type_, f"{name} asks for its value")
@@ -106,77 +115,65 @@ def _assumed(name: str, type_: Type, data: Data) -> Function:
     return handler
 
 
-def _clock(run: Context, node: Call) -> Value:
-    (clock,) = bind(run, node, ("Clock",), ("HighRes",)).required
+for asked in ASKED:
+    _TOPIC.enter_function(asked[0], _asked(*asked), stops=asked[0] in _STOPPING)
+for assumed in ASSUMED:
+    _TOPIC.enter_function(assumed[0], _assumed(*assumed))
+
+
+@_TOPIC.function(r"ClkRead Clock \HighRes")
+def _clock(run: Context, node: Call, clock: Expression, **_: bool) -> Value:
     return ask(run, clock, root(run, clock), NUM, f"ClkRead asks for the seconds on {run.text(clock)}")
 
 
-def _test_and_set(run: Context, node: Call) -> Value:
+@_TOPIC.function("TestAndSet Object")
+def _test_and_set(run: Context, node: Call, flag: Expression) -> Value:
     """TRUE where the flag was free; it is taken afterwards."""
-    (flag,) = bind(run, node, ("Object",)).required
     free = not run.condition(flag)
     run.assign(flag, Value(BOOL, True))
     return Value(BOOL, free)
 
 
-def _read_directory(run: Context, node: Call) -> Value:
+@_TOPIC.function("ReadDir Dev FileName")
+def _read_directory(run: Context, node: Call, _: Expression, name: Expression) -> Value:
     """Whether there was one more file, and its name in the variable."""
-    _, name = bind(run, node, ("Dev", "FileName")).required
-    more = ask(run, node, "ReadDir", BOOL, "ReadDir asks whether the folder holds one more file")
+    return _next(run, node, name, "the folder holds one more file")
+
+
+@_TOPIC.function(r"GetNextSym Object Block \Recursive")
+def _next_symbol(run: Context, node: Call, name: Expression, *_: Expression, **__: bool) -> Value:
+    return _next(run, node, name, "the search finds one more name")
+
+
+def _next(run: Context, node: Call, name: Expression, what: str) -> Value:
+    more = ask(run, node, node.name, BOOL, f"{node.name} asks whether {what}")
     if more.data:
-        fill(run, name, f"ReadDir reads {run.text(name)}")
+        fill(run, name, f"{node.name} reads {run.text(name)}")
     return more
 
 
-def _next_symbol(run: Context, node: Call) -> Value:
-    name, _ = bind(run, node, ("Object", "Block"), ("Recursive",)).required
-    more = ask(run, node, "GetNextSym", BOOL, "GetNextSym asks whether the search finds one more name")
-    if more.data:
-        fill(run, name, f"GetNextSym reads {run.text(name)}")
-    return more
-
-
-def _socket_status(run: Context, node: Call) -> Value:
+@_TOPIC.function("SocketGetStatus Socket")
+def _socket_status(run: Context, node: Call, socket: Expression) -> Value:
     """As the program itself has left the socket; one that it never made is closed."""
-    (socket,) = bind(run, node, ("Socket",)).required
     value = run.locate(socket).value
     if value.type.name != "socketdev":
-        raise run.error(socket, f"SocketGetStatus takes a socketdev, and {run.text(socket)} is a {value.type.name}")
-    status = value.data
-    return Value(NUM, CLOSED if status is None else status)
+        message = f"SocketGetStatus takes a socketdev, and {run.text(socket)} is a {value.type.name}"
+        raise Refused(message, "Socket")
+    return Value(NUM, CLOSED if value.data is None else value.data)
 
 
-def _fastest(run: Context, node: Call) -> Value:
-    """The TCP speed of vmax, mm/s."""
-    bind(run, node, ())
-    return Value(NUM, VMAX)
-
-
-def _synchronised(run: Context, node: Call) -> Value:
-    """Whether moves go together with other robots'."""
-    bind(run, node, ())
-    return Value(BOOL, run.settings.synchronised)
-
-
+_TOPIC.values("MaxRobSpeed", NUM)(lambda: VMAX)  # the TCP speed of vmax, mm/s
 _UNIT_ACTIVE = _assumed("IsMechUnitActive", BOOL, True)
 
 
-def _is_active(run: Context, node: Call) -> Value:
+@_TOPIC.function("IsSyncMoveOn")
+def _synchronised(run: Context, node: Call) -> Value:
+    """Whether moves go together with other robots'."""
+    return Value(BOOL, run.settings.synchronised)
+
+
+@_TOPIC.function("IsMechUnitActive MechUnit:unit")
+def _is_active(run: Context, node: Call, unit: str) -> Value:
     """As ActUnit and DeactUnit have left a unit of the cell; others are taken to be active."""
-    (unit,) = bind(run, node, ("MechUnit",)).required
-    name = run.unit(unit).lower()
+    name = unit.lower()
     return Value(BOOL, name in run.units.active) if name in run.units.axes else _UNIT_ACTIVE(run, node)
-
-
-FUNCTIONS: dict[str, Function] = {
-    **{row[0]: _asked(*row) for row in ASKED},
-    **{row[0]: _assumed(*row) for row in ASSUMED},
-    "ClkRead": _clock,
-    "TestAndSet": _test_and_set,
-    "ReadDir": _read_directory,
-    "GetNextSym": _next_symbol,
-    "SocketGetStatus": _socket_status,
-    "IsMechUnitActive": _is_active,
-    "IsSyncMoveOn": _synchronised,
-    "MaxRobSpeed": _fastest,
-}

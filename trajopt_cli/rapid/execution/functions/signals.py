@@ -3,57 +3,36 @@
 from __future__ import annotations
 
 from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
-from trajopt_cli.rapid.execution.arguments import Function, bind
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.language.syntax import Call
+from trajopt_cli.rapid.execution.registry import Topic
+from trajopt_cli.rapid.language.syntax import Call, Expression
+
+_TOPIC = Topic(__doc__)
 
 
-def _input(run: Context, node: Call) -> float:
-    (argument,) = bind(run, node, ("Signal",)).required
+@_TOPIC.function("AInput Signal", "GInput Signal", "GInputDnum Signal")
+def _input(run: Context, node: Call, argument: Expression) -> Value:
     signal, written = run.signal(argument), run.text(argument)
-    return run.read_signal(argument, written if written.lower() == signal else signal)
+    value = run.read_signal(argument, written if written.lower() == signal else signal)
+    return Value(_type_of(node), value)
 
 
-def _digital(run: Context, node: Call) -> float:
-    (argument,) = bind(run, node, ("Signal",)).required
+@_TOPIC.function("TestDI Signal", "DInput Signal")
+def _digital(run: Context, node: Call, argument: Expression) -> Value:
     run.check_digital(argument, run.signal(argument))
-    return _input(run, node)
+    value = _input(run, node, argument)
+    return Value(BOOL, value.data == 1.0) if node.name.lower() == "testdi" else value
 
 
-def _test_di(run: Context, node: Call) -> Value:
-    return Value(BOOL, _digital(run, node) == 1.0)
-
-
-def _reads(type_: Type) -> Function:
-    return lambda run, node: Value(type_, _input(run, node))
-
-
-def _tells(type_: Type) -> Function:
+@_TOPIC.function("DOutput Signal:signal", "GOutput Signal:signal", "GOutputDnum Signal:signal", "AOutput Signal:signal")
+def _output(run: Context, node: Call, signal: str) -> Value:
     """The state of an output."""
-
-    def handler(run: Context, node: Call) -> Value:
-        (argument,) = bind(run, node, ("Signal",)).required
-        run.settle_stop()
-        return Value(type_, run.external.output(run.signal(argument)))
-
-    return handler
+    run.settle_stop()
+    return Value(_type_of(node), run.external.output(signal))
 
 
-def _valid(run: Context, node: Call) -> Value:
-    """Every signal works, inputs and outputs alike."""
-    bind(run, node, ("Signal",))
-    return Value(BOOL, True)
+def _type_of(node: Call) -> Type:
+    return DNUM if node.name.lower().endswith("dnum") else NUM
 
 
-FUNCTIONS: dict[str, Function] = {
-    "TestDI": _test_di,
-    "DInput": lambda run, node: Value(NUM, _digital(run, node)),
-    "GInput": _reads(NUM),
-    "GInputDnum": _reads(DNUM),
-    "AInput": _reads(NUM),
-    "DOutput": _tells(NUM),
-    "GOutput": _tells(NUM),
-    "GOutputDnum": _tells(DNUM),
-    "AOutput": _tells(NUM),
-    "ValidIO": _valid,
-}
+_TOPIC.values("ValidIO Signal", BOOL)(lambda _: True)  # every signal works, inputs and outputs alike

@@ -14,20 +14,10 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import ConfData, ExternalAxes
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.datatypes import (
-    JOINTTARGET,
-    NUM,
-    POS,
-    ROBTARGET,
-    TOOLDATA,
-    WOBJDATA,
-    Data,
-    Value,
-)
+from trajopt_cli.rapid.data.datatypes import JOINTTARGET, NUM, POS, ROBTARGET, TOOLDATA, WOBJDATA, Data, Value
 from trajopt_cli.rapid.data.errors import Fault
 from trajopt_cli.rapid.data.frames import IDENTITY
 from trajopt_cli.rapid.data.poses import frame
-from trajopt_cli.rapid.execution.arguments import Arguments, Function, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import (
     current_conf,
@@ -38,55 +28,51 @@ from trajopt_cli.rapid.execution.current_position import (
     the_robot,
 )
 from trajopt_cli.rapid.execution.equipment import current_setup, orientation, setup_of, unoriented
-from trajopt_cli.rapid.execution.instructions.moves import NO_POSITION, external, robtarget
-from trajopt_cli.rapid.execution.position import Setup
+from trajopt_cli.rapid.execution.instructions.moves import check_joints, external, robtarget
 from trajopt_cli.rapid.execution.positioners import kept_axes
+from trajopt_cli.rapid.execution.registry import Refused, Topic
 from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.units import DEG
 
 _NOWHERE = 9e9  # what RAPID writes for an axis without a position
-_CURRENT = ("TaskRef", "TaskName", "Tool", "WObj")
+_TOPIC = Topic(__doc__)
 
 
-def _offs(run: Context, node: Call) -> Value:
+@_TOPIC.values("Offs Point:robtarget XOffset:num YOffset:num ZOffset:num", ROBTARGET)
+def _offs(target: Data, dx: float, dy: float, dz: float) -> Data:
     """The target shifted along the axes of the work object; orientation, configuration, external axes kept."""
-    point, *shifts = bind(run, node, ("Point", "XOffset", "YOffset", "ZOffset")).required
-    (x, y, z), *rest = run.evaluate(point, ROBTARGET).data
-    dx, dy, dz = (run.number(shift) for shift in shifts)
-    return Value(ROBTARGET, ((x + dx, y + dy, z + dz), *rest))
+    (x, y, z), *rest = target
+    return (x + dx, y + dy, z + dz), *rest
 
 
-def _rel_tool(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"RelTool Point Dx:num Dy:num Dz:num \Rx:num \Ry:num \Rz:num")
+def _rel_tool(run: Context, node: Call, point: Expression, dx: float, dy: float, dz: float, **turns: float) -> Value:
     """The target shifted along its own tool axes, then turned about the new x, the new y and the new z."""
-    args = bind(run, node, ("Point", "Dx", "Dy", "Dz"), ("Rx", "Ry", "Rz"))
-    point, *shifts = args.required
     target = run.evaluate(point, ROBTARGET)
     p, q, *rest = target.data
     if frames.norm(q) == 0:
-        raise run.error(point, unoriented(run, point, target))
-    dx, dy, dz = (run.number(shift) for shift in shifts)
+        raise Refused(unoriented(run, point, target), "Point")
     moved = frames.compose((p, frames.normalised(q)), ((dx, dy, dz), (1.0, 0.0, 0.0, 0.0)))[0]
     for axis, name in enumerate(("rx", "ry", "rz")):
-        turn = args.value(name)
-        if turn is not None:
-            q = frames.product(q, frames.about(axis, run.number(turn) * DEG))
+        if name in turns:
+            q = frames.product(q, frames.about(axis, turns[name] * DEG))
     return Value(ROBTARGET, (moved, q, *rest))
 
 
-def _mir_pos(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"MirPos Point MirPlane \WObj:expr \MirY")
+def _mir_pos(
+    run: Context, node: Call, point: Expression, mirror: Expression, wobj: Expression | None = None, miry: bool = False
+) -> Value:
     r"""MirPos(Point, MirPlane [\WObj] [\MirY]): mirrored in the xy plane of the object frame of MirPlane.
 
     The tool's x and z are mirrored, or y and z with \MirY; the third follows, for a mirrored frame is no rotation.
     """
-    args = bind(run, node, ("Point", "MirPlane"), ("WObj", "MirY"))
-    target = robtarget(run, args.required[0])
-    plane = _object(run, args.required[1])
-    wobj = args.value("wobj")
+    target, plane = robtarget(run, point), _object(run, mirror)
     base = _object(run, wobj) if wobj is not None else IDENTITY
     into = frames.compose(frames.inverse(plane), base)  # the target's frame seen from the plane
     (x, y, z), q = frames.compose(into, target.frame)
     # Mirror at z = 0 and reverse the tool's third axis: diag(1,1,-1) R diag(1,-1,1) = Rz(180) R Ry(180), for \MirY Rx.
-    third = (0.0, 1.0, 0.0, 0.0) if "miry" in args.optional else (0.0, 0.0, 1.0, 0.0)
+    third = (0.0, 1.0, 0.0, 0.0) if miry else (0.0, 0.0, 1.0, 0.0)
     mirrored = frames.product(frames.product((0.0, 0.0, 0.0, 1.0), q), third)
     image = frames.compose(frames.inverse(into), ((x, y, -z), mirrored))
     return Value(ROBTARGET, (*image, *target.value.data[2:]))
@@ -101,15 +87,15 @@ def _object(run: Context, node: Expression) -> frames.Frame:
     return frames.compose(user, (op, orientation(run, oq, f"oframe of {name}", node, run.file, written)))
 
 
-def _o_rob_t(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"ORobT OrgPoint \InPDisp \InEOffs")
+def _o_rob_t(run: Context, node: Call, point: Expression, **without: bool) -> Value:
     r"""ORobT(OrgPoint [\InPDisp] | [\InEOffs]): the target without program displacement and offsets."""
-    args = bind(run, node, ("OrgPoint",), ("InPDisp", "InEOffs"))
-    target = robtarget(run, args.required[0])
+    target = robtarget(run, point)
     place, extax = target.frame, target.value.data[3]
     displacement = run.position.displacement
-    if displacement is not None and "inpdisp" not in args.optional:
+    if displacement is not None and "inpdisp" not in without:
         place = frames.compose(displacement, place)
-    if "ineoffs" not in args.optional:
+    if "ineoffs" not in without:
         extax = _axes(external(run, extax))
     return Value(ROBTARGET, (*place, target.value.data[2], extax))
 
@@ -117,9 +103,9 @@ def _o_rob_t(run: Context, node: Call) -> Value:
 # ------------------------------------------------------------------------------------------------ where the robot is
 
 
-def _current(run: Context, node: Call, args: Arguments) -> Setup:
-    position = run.position
-    return current_setup(run, node, position.setup, args.value("tool"), args.value("wobj"))
+def _current(run: Context, node: Call, options: dict[str, Expression]) -> frames.Frame:
+    setup = current_setup(run, node, run.position.setup, options.get("tool"), options.get("wobj"))
+    return current_target(run, node, node.name, setup)
 
 
 def _rob_target(place: frames.Frame, conf: ConfData, extax: Data) -> Value:
@@ -135,26 +121,25 @@ def _without_offsets(run: Context, extax: ExternalAxes) -> Data:
     return tuple(_NOWHERE if v is None else v - more for v, more in zip(extax, offsets, strict=True))
 
 
-def _c_rob_t(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CRobT \TaskRef \TaskName \Tool:expr \WObj:expr")
+def _c_rob_t(run: Context, node: Call, **options: Expression) -> Value:
     r"""CRobT([\Tool] [\WObj]): where the robot is, as a target."""
-    args = bind(run, node, (), _CURRENT)
-    position = run.position
     read_at_rest(run, node, "CRobT reads where the robot is")
-    place = current_target(run, node, node.name, _current(run, node, args))
-    extax = _without_offsets(run, run.units.driven(position.extax))
+    place = _current(run, node, options)
+    extax = _without_offsets(run, run.units.driven(run.position.extax))
     return _rob_target(place, current_conf(run, node, node.name), extax)
 
 
-def _c_pos(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CPos \TaskRef \TaskName \Tool:expr \WObj:expr")
+def _c_pos(run: Context, node: Call, **options: Expression) -> Value:
     r"""CPos([\Tool] [\WObj])."""
-    args = bind(run, node, (), _CURRENT)
     read_at_rest(run, node, "CPos reads where the robot is")
-    return Value(POS, current_target(run, node, node.name, _current(run, node, args))[0])
+    return Value(POS, _current(run, node, options)[0])
 
 
-def _c_joint_t(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CJointT \TaskRef \TaskName")
+def _c_joint_t(run: Context, node: Call, **_: Expression) -> Value:
     """CJointT(): joints and external axes as they are, offsets included."""
-    bind(run, node, (), ("TaskRef", "TaskName"))
     read_at_rest(run, node, "CJointT reads where the robot is")
     q = current_joints(run, node, node.name)
     return _joint_target(q, run.units.driven(run.position.extax))
@@ -164,29 +149,27 @@ def _joint_target(q: Array, extax: ExternalAxes) -> Value:
     return Value(JOINTTARGET, (tuple(degrees(float(value)) for value in q), _axes(extax)))
 
 
-def _calc_rob_t(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CalcRobT Joint_target Tool \WObj:expr")
+def _calc_rob_t(
+    run: Context, node: Call, joints: Expression, tool: Expression, wobj: Expression | None = None
+) -> Value:
     r"""CalcRobT(JointTarget, Tool [\WObj])."""
-    args = bind(run, node, ("Joint_target", "Tool"), ("WObj",))
-    joints, tool = args.required
     robax, axes = run.evaluate(joints, JOINTTARGET).data
-    setup = setup_of(run, tool, args.value("wobj"))
-    for axis, value in enumerate(robax, 1):
-        if abs(value) > NO_POSITION:
-            raise run.error(joints, f"jointtarget {run.text(joints)} gives no position for axis {axis} (9E9)")
+    setup = setup_of(run, tool, wobj)
+    check_joints(run, joints, robax)
     robot = the_robot(run, node, node.name)
     q, extax = np.array(robax) * DEG, external(run, axes, offset=False)
     place = setup.target(frame(robot.forward(q, kept_axes(run, extax))))
     return _rob_target(place, robot.confdata(q), _without_offsets(run, extax))
 
 
-def _calc_joint_t(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CalcJointT Rob_target Tool \UseCurWObjPos \WObj:expr \ErrorNumber:expr")
+def _calc_joint_t(run: Context, node: Call, point: Expression, tool: Expression, **options: Expression) -> Value:
     r"""CalcJointT(RobTarget, Tool [\WObj] [\ErrorNumber]). Raises Fault ERR_ROBLIMIT for a target out of reach."""
-    args = bind(run, node, ("Rob_target", "Tool"), ("UseCurWObjPos", "WObj", "ErrorNumber"))
-    point, tool = args.required
     target = robtarget(run, point)
-    setup = setup_of(run, tool, args.value("wobj"))
+    setup = setup_of(run, tool, options.get("wobj"))
     robot = the_robot(run, node, node.name)
-    extax, number_of_error = target.extax, args.value("errornumber")
+    extax, number_of_error = target.extax, options.get("errornumber")
     flange = setup.flange(target.frame)
     what = f"{run.text(point)} in {node.name}"
     try:
@@ -201,28 +184,13 @@ def _calc_joint_t(run: Context, node: Call) -> Value:
     return _joint_target(q, extax)
 
 
-def _c_tool(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CTool \TaskRef \TaskName")
+def _c_tool(run: Context, node: Call, **_: Expression) -> Value:
     """CTool(): the tool of the last move."""
-    bind(run, node, (), ("TaskRef", "TaskName"))
     return Value(TOOLDATA, run.position.setup.tool_data)
 
 
-def _c_wobj(run: Context, node: Call) -> Value:
+@_TOPIC.function(r"CWObj \TaskRef \TaskName")
+def _c_wobj(run: Context, node: Call, **_: Expression) -> Value:
     """CWObj(): the work object of the last move."""
-    bind(run, node, (), ("TaskRef", "TaskName"))
     return Value(WOBJDATA, run.position.setup.wobj_data)
-
-
-FUNCTIONS: dict[str, Function] = {
-    "Offs": _offs,
-    "RelTool": _rel_tool,
-    "MirPos": _mir_pos,
-    "ORobT": _o_rob_t,
-    "CRobT": _c_rob_t,
-    "CPos": _c_pos,
-    "CJointT": _c_joint_t,
-    "CalcRobT": _calc_rob_t,
-    "CalcJointT": _calc_joint_t,
-    "CTool": _c_tool,
-    "CWObj": _c_wobj,
-}

@@ -2,84 +2,71 @@
 
 from __future__ import annotations
 
-from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
+from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.errors import Exit, Retry
 from trajopt_cli.rapid.data.predefined import BOOKED
 from trajopt_cli.rapid.data.scope import Place
-from trajopt_cli.rapid.execution.arguments import bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.faults import raise_error
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
-from trajopt_cli.rapid.language.syntax import ProcedureCall
+from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
+from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.warnings import WarningKind
 
+_TOPIC = Topic(__doc__)
 
+
+@_TOPIC.instruction(Effect.RUN, "ExitCycle")
 def _exit_cycle(run: Context, node: ProcedureCall) -> None:
-    bind(run, node, ())
     raise Exit
 
 
-def _stop(run: Context, node: ProcedureCall) -> None:
-    bind(run, node, (), ("NoRegain", "AllMoveTasks"))
+@_TOPIC.instruction(Effect.STOPS, r"Stop \NoRegain \AllMoveTasks")
+def _stop(run: Context, node: ProcedureCall, **_: bool) -> None:
     run.note("stop", WarningKind.ASSUMED, f"{node.name} waits for the operator; the program goes on here", node)
 
 
+@_TOPIC.instruction(Effect.STOPS, "Break")
 def _break(run: Context, node: ProcedureCall) -> None:
-    bind(run, node, ())
     what = "Break stops the robot at once, somewhere on its way; the plan stops at the point before it"
     run.warn(WarningKind.ASSUMED, what, run.source(node))
 
 
-def _call_by_var(run: Context, node: ProcedureCall) -> None:
-    name, index = bind(run, node, ("Name", "Number")).required
-    run.call_procedure(node, f"{run.evaluate(name, STRING).data}{run.integer(index, 'Number')}")
+@_TOPIC.instruction(Effect.RUN, "CallByVar Name:string Number:int")
+def _call_by_var(run: Context, node: ProcedureCall, name: str, number: int) -> None:
+    run.call_procedure(node, f"{name}{number}")
 
 
-def _book_error(run: Context, node: ProcedureCall) -> None:
-    (target,) = bind(run, node, ("ErrorName",)).required
+@_TOPIC.instruction(Effect.RUN, "BookErrNo ErrorName")
+def _book_error(run: Context, node: ProcedureCall, target: Expression) -> None:
     run.booked += 1
     run.assign(target, Value(NUM, BOOKED + run.booked))
 
 
-def _err_raise(run: Context, node: ProcedureCall) -> None:
+@_TOPIC.instruction(Effect.RUN, "ErrRaise ErrorName:string ErrorId Argument1 Argument2 Argument3 Argument4 Argument5")
+def _err_raise(run: Context, node: ProcedureCall, name: str, *_: Expression) -> None:
     """RAISE of the booked number in the variable that a string names, with a text for the log."""
-    names = ("ErrorName", "ErrorId", *(f"Argument{i}" for i in range(1, 6)))
-    spelled = bind(run, node, names).required[0]
-    name = str(run.evaluate(spelled, STRING).data)
     place = run.find(name)
     if not (isinstance(place, Place) and place.type == NUM):
-        raise run.error(spelled, f"{node.name} names '{name}', which is no errnum of the program; declare it there")
+        message = f"{node.name} names '{name}', which is no errnum of the program; declare it there"
+        raise Refused(message, "ErrorName")
     raise_error(run, node, f'{node.name} "{name}"', name, float(place.value.data))
 
 
+@_TOPIC.instruction(Effect.RUN, "ResetRetryCount")
 def _reset_retry(run: Context, node: ProcedureCall) -> None:
-    bind(run, node, ())
     run.frame.retried = (0, 0, 0)
 
 
+@_TOPIC.instruction(Effect.RUN, "StartMoveRetry")
 def _start_move_retry(run: Context, node: ProcedureCall) -> None:
     """StartMove and RETRY in one."""
-    bind(run, node, ())
     if run.frame.handling is None:
-        raise run.error(node, f"{node.name} belongs in an ERROR handler")
+        raise Refused(f"{node.name} belongs in an ERROR handler")
     raise Retry
 
 
+@_TOPIC.enter(Effect.REFUSED, "ProcerrRecovery", "RaiseToUser")
 def _refused(run: Context, node: ProcedureCall) -> None:
     """ProcerrRecovery stops the robot wherever it is; RaiseToUser asks which modules a user may step into."""
     what = f"{node.name} raises an error whose place or handler is not modelled"
     raise run.error(node, f"{what}; leave it out, or write RAISE with the number of the error")
-
-
-INSTRUCTIONS: Topic = {
-    Effect.RUN: {
-        "ExitCycle": _exit_cycle,
-        "CallByVar": _call_by_var,
-        "BookErrNo": _book_error,
-        "ErrRaise": _err_raise,
-        "ResetRetryCount": _reset_retry,
-        "StartMoveRetry": _start_move_retry,
-    },
-    Effect.STOPS: {"Stop": _stop, "Break": _break},
-    Effect.REFUSED: {"ProcerrRecovery": _refused, "RaiseToUser": _refused},
-}

@@ -6,6 +6,7 @@ instructions that move have in common with these is here too: to_pose.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees, dist
 from typing import Any, NamedTuple
 
@@ -38,11 +39,11 @@ from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.construction import made, maker
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.equipment import orientation, turned, value_of
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.motion_settings import duration_of, manner, speed_of, zone_of
 from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.position import Setup
 from trajopt_cli.rapid.execution.positioners import driven_axes, kept_axes, moved
+from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.execution.rests import settle_before
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
@@ -58,6 +59,7 @@ _JOINT_OPTIONS = ("Conc", "ID", "NoEOffs", "V", "T", "Z", "Inpos", "WObj", "TLoa
 _EXTERNAL_OPTIONS = ("Conc", "ID", "UseEOffs", "T", "Inpos")
 
 PoseKind = type[PoseMove]
+_TOPIC = Topic(__doc__)
 
 
 class Target(NamedTuple):
@@ -95,17 +97,28 @@ def asked(args: Arguments, via: bool) -> Asked:
     return _asked((point, speed, zone, tool, args, None))
 
 
-def _to_pose(kind: PoseKind) -> Handler:
+def _enter(name: str, kind: PoseKind) -> None:
     """MoveJ, MoveL or MoveC."""
     via = kind.via
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, (*via, "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
         to_pose(run, node, kind, asked(args, via=bool(via)))
 
-    return handler
+
+for name, kind in (("MoveJ", MoveJ), ("MoveL", MoveL), ("MoveC", MoveC)):
+    _enter(name, kind)
 
 
+def check_joints(run: Context, point: Expression, robax: Sequence[float]) -> None:
+    """Raise InputError for a jointtarget that leaves an axis of the arm open."""
+    for axis, value in enumerate(robax, 1):
+        if abs(value) > NO_POSITION:
+            raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
+
+
+@_TOPIC.enter(Effect.PLANNED, "MoveAbsJ")
 def _move_abs_j(run: Context, node: ProcedureCall) -> None:
     """MoveAbsJ ToJointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
@@ -113,9 +126,7 @@ def _move_abs_j(run: Context, node: ProcedureCall) -> None:
     target = run.evaluate(point, JOINTTARGET)
     how = manner(run, speed, zone, tool, args)
     robax = target.data[0]
-    for axis, value in enumerate(robax, 1):
-        if abs(value) > NO_POSITION:
-            raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
+    check_joints(run, point, robax)
     setup = how.setup
     motion = MoveAbsJ(
         **_of_joints(run, node, args, target, how.speed, how.zone, how.duration, "noeoffs" not in args.optional),
@@ -128,6 +139,7 @@ def _move_abs_j(run: Context, node: ProcedureCall) -> None:
     run.position.to_joints(setup, motion.q, motion.extax)
 
 
+@_TOPIC.enter(Effect.PLANNED, "MoveExtJ")
 def _move_ext_j(run: Context, node: ProcedureCall) -> None:
     """MoveExtJ ToJointPos, Speed, Zone."""
     args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
@@ -361,14 +373,3 @@ def external(run: Context, extax: Data, offset: bool = True) -> ExternalAxes:
 
 
 _NO_OFFSET = (0.0,) * 6
-
-
-INSTRUCTIONS: Topic = {
-    Effect.PLANNED: {
-        "MoveJ": _to_pose(MoveJ),
-        "MoveL": _to_pose(MoveL),
-        "MoveC": _to_pose(MoveC),
-        "MoveAbsJ": _move_abs_j,
-        "MoveExtJ": _move_ext_j,
-    }
-}

@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.arguments import Arguments
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.settings import change
 from trajopt_cli.rapid.execution.instructions.waits import record
-from trajopt_cli.rapid.language.syntax import ProcedureCall
+from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
+from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
+
+_TOPIC = Topic(__doc__)
 
 
 def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
@@ -45,45 +47,27 @@ def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | 
     return int(value), run.scenario.partner.get(int(value))
 
 
-def _meeting(on: bool, required: tuple[str, ...]) -> Handler:
+@_TOPIC.instruction(Effect.WAITS, r"SyncMoveOn SyncID TaskList \TimeOut:num", r"SyncMoveOff SyncID \TimeOut:num")
+def _meeting(run: Context, node: ProcedureCall, sync: Expression, *_: Expression, timeout: float | None = None) -> None:
     """SyncMoveOn or SyncMoveOff: a wait for the other tasks, at a stop point."""
-
-    def handler(run: Context, node: ProcedureCall) -> None:
-        args = bind(run, node, required, ("TimeOut",))
-        name = run.text(args.required[0])
-        limit, least = args.value("timeout"), run.external.least(name)
-        if least is None and limit is None:
-            raise run.error(
-                node, f"{node.name} {name} waits forever: the cell file says timeout, and \\TimeOut is not given"
-            )
-        record(run, node, run.number(limit) if least is None and limit is not None else least or 0.0, name)
-        if least is None:
-            raise run.fault(node, f"ERR_{node.name.upper()}", f"{name}: the other tasks do not come within \\TimeOut")
-        change(run, replace(run.settings, synchronised=on))
-
-    return handler
+    name = run.text(sync)
+    least = run.external.least(name)
+    if least is None and timeout is None:
+        message = f"{node.name} {name} waits forever: the cell file says timeout, and \\TimeOut is not given"
+        raise Refused(message)
+    record(run, node, timeout or 0.0 if least is None else least, name)
+    if least is None:
+        message = f"{name}: the other tasks do not come within \\TimeOut"
+        raise Refused(message, error=f"ERR_{node.name.upper()}")
+    change(run, replace(run.settings, synchronised=node.name.lower() == "syncmoveon"))
 
 
-def _set(on: bool) -> Handler:
+@_TOPIC.instruction(Effect.WAITS, "SyncMoveSuspend", "SyncMoveResume", "SyncMoveUndo")
+def _set(run: Context, node: ProcedureCall) -> None:
     """Moves go together from here on, or each by itself; at a stop point, without a wait for the other tasks."""
-
-    def handler(run: Context, node: ProcedureCall) -> None:
-        bind(run, node, ())
-        if run.settings.synchronised is not on:
-            record(run, node, 0.0, in_position=True)
-            change(run, replace(run.settings, synchronised=on))
-        else:
-            run.ignored[node.name] += 1
-
-    return handler
-
-
-INSTRUCTIONS: Topic = {
-    Effect.WAITS: {
-        "SyncMoveOn": _meeting(True, ("SyncID", "TaskList")),
-        "SyncMoveOff": _meeting(False, ("SyncID",)),
-        "SyncMoveSuspend": _set(False),
-        "SyncMoveResume": _set(True),
-        "SyncMoveUndo": _set(False),
-    }
-}
+    on = node.name.lower() == "syncmoveresume"
+    if run.settings.synchronised is not on:
+        record(run, node, 0.0, in_position=True)
+        change(run, replace(run.settings, synchronised=on))
+    else:
+        run.ignored[node.name] += 1

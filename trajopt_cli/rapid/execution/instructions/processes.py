@@ -11,14 +11,15 @@ from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Arguments, named, present
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.motion_settings import speed_of
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
+from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
+_TOPIC = Topic(__doc__)
 
 
 def _loose(
@@ -49,7 +50,7 @@ def _loose(
 
 def _process(
     kind: PoseKind, name: str, data: tuple[str, ...], *, zone: bool = True, governing: int | None = None, more: str = ""
-) -> Handler:
+) -> None:
     """A move with process data between Speed and Zone; data names it, the last ones may be left out.
 
     zone False: the instruction has no zone and always stops. governing: which of data says the speed of the process.
@@ -62,6 +63,7 @@ def _process(
     kinds = [data[:count] for count in range(len(data) + 1)] + ([(*data[:-1], more, data[-1])] if more else [])
     forms = [(*points, "Speed", *form, *ends) for form in kinds]
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
@@ -81,8 +83,6 @@ def _process(
         if governing is not None and len(extra) > governing and not before:
             speed = _process_speed(run, node, request.speed, extra[governing])
         to_pose(run, node, kind, request, process=Process(name, parts), speed=speed)
-
-    return handler
 
 
 def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression | None]:
@@ -172,23 +172,13 @@ def _with(data: Data, at: tuple[int, ...], value: float) -> Data:
 
 _WELD = ("Seam", "Weld", "Weave")
 _SPOT = ("Gun", "Spot")
-
-INSTRUCTIONS: Topic = {
-    Effect.PLANNED: {
-        **{
-            name: _process(kind, name, _WELD, governing=1)
-            for letter, kind in (("L", MoveL), ("C", MoveC))
-            for name in (f"Arc{letter}", f"Arc{letter}Start", f"Arc{letter}End", f"Arc{letter}1", f"Arc{letter}2")
-        },
-        "SpotL": _process(MoveL, "SpotL", _SPOT, zone=False),
-        "SpotJ": _process(MoveJ, "SpotJ", _SPOT, zone=False),
-        "SpotML": _process(MoveL, "SpotML", _SPOT, zone=False),
-        "SpotMJ": _process(MoveJ, "SpotMJ", _SPOT, zone=False),
-        "PaintL": _process(MoveL, "PaintL", ()),
-        "PaintC": _process(MoveC, "PaintC", ()),
-        "DispL": _process(MoveL, "DispL", ("Bead",)),
-        "DispC": _process(MoveC, "DispC", ("Bead",)),
-        "CapL": _process(MoveL, "CapL", ("Cdata", "Weave"), governing=0, more="Weavestart"),
-        "CapC": _process(MoveC, "CapC", ("Cdata", "Weave"), governing=0, more="Weavestart"),
-    }
-}
+kind: PoseKind
+for name, kind in (("ArcL", MoveL), ("ArcC", MoveC)):
+    for part in ("", "Start", "End", "1", "2"):
+        _process(kind, f"{name}{part}", _WELD, governing=1)
+for name, kind in (("SpotL", MoveL), ("SpotJ", MoveJ), ("SpotML", MoveL), ("SpotMJ", MoveJ)):
+    _process(kind, name, _SPOT, zone=False)
+for letter, kind in (("L", MoveL), ("C", MoveC)):
+    _process(kind, f"Paint{letter}", ())
+    _process(kind, f"Disp{letter}", ("Bead",))
+    _process(kind, f"Cap{letter}", ("Cdata", "Weave"), governing=0, more="Weavestart")

@@ -6,11 +6,12 @@ marks an argument whose variable is filled with the scenario's answer under that
 
 from __future__ import annotations
 
+from typing import Any
+
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.execution.answers import fill
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler
+from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall, String
 
 IGNORED, STOPS, RUN, REFUSED = Effect.IGNORED, Effect.STOPS, Effect.RUN, Effect.REFUSED
@@ -60,7 +61,7 @@ UNREAD = (
 )  # fmt: skip
 
 _BREAKS = (
-    r" \MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag \UIActiveSignal"
+    r" \MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag:expr \UIActiveSignal"
 )
 _LINES = r"\Header \MsgLine2 \MsgLine3 \MsgLine4 \MsgLine5 \Wrap \Buttons \Icon \Image"
 _TEXTS = r"\*Title \*Str1 \*Str2 \*Str3 \*Str4 \*Str5"
@@ -87,13 +88,13 @@ READ = (
 # SOCKET_CREATED ... SOCKET_CLOSED of the manual: a socket knows its own status, so that a program that waits for a
 # connection goes on.
 CREATED, CONNECTED, BOUND, LISTENING, CLOSED = 1.0, 2.0, 3.0, 4.0, 5.0
-# Effect, name, what it takes, and the status in which it leaves its first argument.
+# Effect, name with what it takes, and the status in which it leaves its first argument.
 SOCKET_STATUS = (
-    (IGNORED, "SocketCreate", r"Socket \UDP", CREATED),
-    (STOPS, "SocketConnect", r"Socket Address Port \Time", CONNECTED),
-    (IGNORED, "SocketBind", "Socket LocalAddress LocalPort", BOUND),
-    (IGNORED, "SocketListen", "Socket", LISTENING),
-    (IGNORED, "SocketClose", "Socket", CLOSED),
+    (IGNORED, r"SocketCreate Socket \UDP", CREATED),
+    (STOPS, r"SocketConnect Socket Address Port \Time", CONNECTED),
+    (IGNORED, "SocketBind Socket LocalAddress LocalPort", BOUND),
+    (IGNORED, "SocketListen Socket", LISTENING),
+    (IGNORED, "SocketClose Socket", CLOSED),
 )
 
 
@@ -101,43 +102,31 @@ def _ignore(run: Context, node: ProcedureCall) -> None:
     """Nothing but the instruction's effect."""
 
 
-def _takes(text: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Required and optional arguments of a row, without stars."""
-    names = text.replace("*", "").split()
-    return tuple(one for one in names if one[0] != "\\"), tuple(one[1:] for one in names if one[0] == "\\")
-
-
-def _reads(name: str, takes: str, words: str) -> Handler:
+def _reads(topic: str, effect: Effect, name: str, takes: str, words: str) -> None:
     """Fill the starred arguments; nothing breaks off what an operator does, which \\BreakFlag says."""
-    required, optional = _takes(takes)
-    filled = {one.strip("\\*").lower() for one in takes.split() if "*" in one}
+    words_of = [word for word in takes.split() if word[0] != "\\"]
+    form = " ".join(f"{word.replace('*', '')}:expr" if "\\*" in word else word.strip("*") for word in takes.split())
 
-    def handler(run: Context, node: ProcedureCall) -> None:
-        args = bind(run, node, required, optional)
-        given = [*zip((one.lower() for one in required), args.required, strict=True), *args.optional.items()]
-        for key, target in given:
-            if key in filled and target is not None:
-                value = fill(run, target, f"{name} {words} {run.text(target)}")
-                if value is None and words == "reads":
-                    run.ignored[name] += 1
-        _unbroken(run, args)
-
-    return handler
+    @Topic(topic).instruction(effect, f"{name} {form}")
+    def handler(run: Context, node: ProcedureCall, *required: Expression, **options: Any) -> None:
+        given = [one for word, one in zip(words_of, required, strict=True) if word[0] == "*"]
+        given += [one for key, one in options.items() if rf"\*{key}" in takes.lower().split()]
+        for target in given:
+            value = fill(run, target, f"{name} {words} {run.text(target)}")
+            if value is None and words == "reads":
+                run.ignored[name] += 1
+        _unbroken(run, **options)
 
 
-def _unbroken(run: Context, args: Arguments) -> None:
-    flag = args.value("breakflag")
-    if flag is not None:
-        run.assign(flag, Value(NUM, 0.0))
+def _unbroken(run: Context, breakflag: Expression | None = None, **_: object) -> None:
+    if breakflag is not None:
+        run.assign(breakflag, Value(NUM, 0.0))
 
 
-def _leaves(takes: str, status: float) -> Handler:
-    required, optional = _takes(takes)
-
-    def handler(run: Context, node: ProcedureCall) -> None:
-        _mark(run, bind(run, node, required, optional).required[0], status)
-
-    return handler
+def _leaves(effect: Effect, form: str, status: float) -> None:
+    @Topic(SOCKETS).instruction(effect, form)
+    def handler(run: Context, node: ProcedureCall, socket: Expression, *_: Expression, **__: bool) -> None:
+        _mark(run, socket, status)
 
 
 def _mark(run: Context, socket: Expression, status: float) -> None:
@@ -147,72 +136,80 @@ def _mark(run: Context, socket: Expression, status: float) -> None:
     place.value = Value(place.type, status)
 
 
+for topic, effect, names in UNREAD:
+    Topic(topic).enter(effect, *names.split())(_ignore)
+for row in READ:
+    _reads(*row)
+for status in SOCKET_STATUS:
+    _leaves(*status)
+
 # --------------------------------------------------------------------------------------- those with a rule of their own
 
 
+@Topic(OTHERS).enter(STOPS, "StorePath")
+@Topic(OTHERS).enter(IGNORED, "RestoPath")
 def _path(run: Context, node: ProcedureCall) -> None:
     r"""Between StorePath and RestoPath no move may have \Conc (RAPID, argument \Conc)."""
     run.stored = node.name.lower() == "storepath"
 
 
+@Topic(OTHERS).enter(REFUSED, "EGMRunJoint", "EGMRunPose")
 def _guided(run: Context, node: ProcedureCall) -> None:
     raise run.error(node, f"{node.name} lets a sensor guide the robot, so its path is not in the program; leave it out")
 
 
-def _accept(run: Context, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Socket", "ClientSocket"), ("ClientAddress", "Time"))
-    _mark(run, args.required[1], CONNECTED)
-    address = args.value("clientaddress")
-    if address is not None:
-        fill(run, address, f"SocketAccept tells {run.text(address)}, who has connected")
+@Topic(SOCKETS).instruction(STOPS, r"SocketAccept Socket ClientSocket \ClientAddress:expr \Time")
+def _accept(
+    run: Context,
+    node: ProcedureCall,
+    _: Expression,
+    client: Expression,
+    clientaddress: Expression | None = None,
+    time: bool = False,
+) -> None:
+    _mark(run, client, CONNECTED)
+    if clientaddress is not None:
+        fill(run, clientaddress, f"SocketAccept tells {run.text(clientaddress)}, who has connected")
 
 
-def _receive(run: Context, node: ProcedureCall) -> None:
-    options = ("Str", "RawData", "Data", "ReadNoOfBytes", "NoRecBytes", "RemoteAddress", "RemotePort", "Time")
-    args = bind(run, node, ("Socket",), options)
+_RECEIVED = r"\Str:expr \RawData:expr \Data:expr \RemoteAddress:expr \RemotePort:expr"
+
+
+@Topic(SOCKETS).instruction(
+    STOPS,
+    *(
+        rf"{name} Socket {_RECEIVED} \ReadNoOfBytes \NoRecBytes:expr \Time"
+        for name in ("SocketReceive", "SocketReceiveFrom")
+    ),
+)
+def _receive(
+    run: Context, node: ProcedureCall, _: Expression, norecbytes: Expression | None = None, **options: Any
+) -> None:
     received: Value | None = None
     for name in ("str", "rawdata", "data", "remoteaddress", "remoteport"):
-        target = args.value(name)
-        if target is not None:
-            value = fill(run, target, f"{node.name} receives {run.text(target)}")
+        if name in options:
+            value = fill(run, options[name], f"{node.name} receives {run.text(options[name])}")
             received = value if name == "str" else received
-    count = args.value("norecbytes")
-    if count is not None and received is not None:
-        run.assign(count, Value(NUM, float(len(str(received.data)))))
-    elif count is not None:
-        fill(run, count, f"{node.name} counts the bytes it receives in {run.text(count)}")
+    if norecbytes is not None and received is not None:
+        run.assign(norecbytes, Value(NUM, float(len(str(received.data)))))
+    elif norecbytes is not None:
+        fill(run, norecbytes, f"{node.name} counts the bytes it receives in {run.text(norecbytes)}")
 
 
-def _read_key(run: Context, node: ProcedureCall) -> None:
+@Topic(OPERATOR).instruction(STOPS, f"TPReadFK TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {_BREAKS}")
+def _read_key(
+    run: Context, node: ProcedureCall, answer: Expression, text: Expression, *keys: Expression, **options: Any
+) -> None:
     """A function key, 1 to 5; the first one that has a text stands in."""
-    required, optional = _takes(f"TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {_BREAKS}")
-    args = bind(run, node, required, optional)
-    answer, _, *keys = args.required
     offered = [i for i, key in enumerate(keys, start=1) if _labelled(key)] or [1]
     value = fill(run, answer, f"TPReadFK asks the operator for {run.text(answer)}, a key of 1..5", float(offered[0]))
     if value is not None and value.data not in (1, 2, 3, 4, 5):
         shown = f"{value.data:.15g} to '{run.text(answer)}'"
-        raise run.error(answer, f"the answer {shown} in the cell file is not a key from 1 to 5")
-    _unbroken(run, args)
+        raise Refused(f"the answer {shown} in the cell file is not a key from 1 to 5", "TPAnswer")
+    _unbroken(run, **options)
 
 
 def _labelled(key: Expression) -> bool:
     if isinstance(key, String):
         return bool(key.value.strip())
     return not (isinstance(key, Name) and key.name.lower() == "stempty")
-
-
-# By topic, effect and name.
-INSTRUCTIONS: list[tuple[str, Effect, str, Handler]] = [
-    *[(topic, effect, name, _ignore) for topic, effect, names in UNREAD for name in names.split()],
-    *[(topic, effect, name, _reads(name, takes, words)) for topic, effect, name, takes, words in READ],
-    *[(SOCKETS, effect, name, _leaves(takes, status)) for effect, name, takes, status in SOCKET_STATUS],
-    (SOCKETS, STOPS, "SocketAccept", _accept),
-    (SOCKETS, STOPS, "SocketReceive", _receive),
-    (SOCKETS, STOPS, "SocketReceiveFrom", _receive),
-    (OPERATOR, STOPS, "TPReadFK", _read_key),
-    (OTHERS, STOPS, "StorePath", _path),
-    (OTHERS, IGNORED, "RestoPath", _path),
-    (OTHERS, REFUSED, "EGMRunJoint", _guided),
-    (OTHERS, REFUSED, "EGMRunPose", _guided),
-]

@@ -20,9 +20,9 @@ from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import current_joints, current_target, reach, read_at_rest, the_robot
 from trajopt_cli.rapid.execution.equipment import setup_of
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
 from trajopt_cli.rapid.execution.position import Setup
+from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -32,11 +32,15 @@ _STOPS = ("stop", "pstop", "sstop")
 _FLANKS = ("Flanks", "PosFlank", "NegFlank", "HighLevel", "LowLevel")
 
 
-def _search(kind: PoseKind, name: str) -> Handler:
+_TOPIC = Topic(__doc__)
+
+
+def _enter(name: str, kind: PoseKind) -> None:
     via = kind.via
     required = ("Signal", "SearchPoint", *via, "ToPoint", "Speed", "Tool")
     options = ("Stop", "PStop", "SStop", "Sup", *_FLANKS, "ID", "V", "T", "WObj", "Corr", "TLoad")
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, required, options)
         signal, searched, *points, speed, tool = args.required
@@ -49,11 +53,8 @@ def _search(kind: PoseKind, name: str) -> Handler:
         read_at_rest(run, node, f"{name} begins where the robot is")
         if share is None:
             to_pose(run, node, kind, request, process=process)
-            raise run.fault(
-                node,
-                "ERR_WHLSEARCH",
-                f"{name} finds nothing on its way, as the cell file says for '{run.text(signal)}'",
-            )
+            what = f"{name} finds nothing on its way, as the cell file says for '{run.text(signal)}'"
+            raise run.fault(node, "ERR_WHLSEARCH", what)
         hit = _hit(run, node, kind, setup, circle, end, share)
         if any(stop in args.optional for stop in _STOPS):
             target = Target(hit.frame, hit.conf, hit.extax, Value(ROBTARGET, end.value.data))
@@ -66,7 +67,9 @@ def _search(kind: PoseKind, name: str) -> Handler:
             run.note("flying search", WarningKind.ASSUMED, what, node)
         run.assign(searched, hit.value)
 
-    return handler
+
+for name, kind in (("SearchJ", MoveJ), ("SearchL", MoveL), ("SearchC", MoveC)):
+    _enter(name, kind)
 
 
 def _tell_stop(run: Context, node: ProcedureCall, args: Arguments) -> None:
@@ -144,12 +147,3 @@ def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalA
         for first, last in zip(start, end, strict=True)
     )
     return (a, b, c, d, e, f)
-
-
-INSTRUCTIONS: Topic = {
-    Effect.PLANNED: {
-        "SearchJ": _search(MoveJ, "SearchJ"),
-        "SearchL": _search(MoveL, "SearchL"),
-        "SearchC": _search(MoveC, "SearchC"),
-    }
-}

@@ -5,19 +5,18 @@ from __future__ import annotations
 from trajopt_cli.motion import SignalEvent, Written
 from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
 from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Topic
+from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
 from trajopt_cli.warnings import WarningKind
 
+_TOPIC = Topic(__doc__)
 
-def _event(
-    run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0, given: float | None = None
-) -> None:
+
+def _event(run: Context, node: ProcedureCall, signal: str, value: float, delay: float, given: float) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
     run.settle_stop()
-    drives = run.rail_places is not None and run.rail_places.set(signal, value if given is None else given)
+    drives = run.rail_places is not None and run.rail_places.set(signal, given)
     run.motions.append(
         SignalEvent(
             source=run.source(node), written=written, signal=signal, value=value, delay=delay, drives_rail=drives
@@ -29,77 +28,73 @@ def _change(
     run: Context, node: ProcedureCall, signal: str, value: float, delay: float = 0.0, given: float | None = None
 ) -> None:
     """given: the value as written, where the signal takes another."""
+    _check_seconds("SDelay", delay)
     run.external.set(signal, value)
-    _event(run, node, signal, value, delay, given)
+    _event(run, node, signal, value, delay, value if given is None else given)
 
 
-def _set(run: Context, node: ProcedureCall) -> None:
-    (signal,) = bind(run, node, ("Signal",)).required
-    _change(run, node, run.signal(signal), 1.0)
+def _check_seconds(name: str, seconds: float) -> None:
+    if not seconds >= 0:
+        raise Refused(f"\\{name} of {seconds:.6g} s must not be negative", name)
 
 
-def _reset(run: Context, node: ProcedureCall) -> None:
-    (signal,) = bind(run, node, ("Signal",)).required
-    _change(run, node, run.signal(signal), 0.0)
+@_TOPIC.instruction(Effect.RUN, "Set Signal:signal")
+def _set(run: Context, node: ProcedureCall, signal: str) -> None:
+    _change(run, node, signal, 1.0)
 
 
-def _set_digital(run: Context, node: ProcedureCall) -> None:
-    """Everything but 0 is 1, as on a controller."""
-    args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
-    signal, value = args.required
-    run.check_digital(signal, run.signal(signal))
-    given = run.number(value)
-    _change(run, node, run.signal(signal), float(given != 0), _seconds(run, args, "SDelay"), given)
+@_TOPIC.instruction(Effect.RUN, "Reset Signal:signal")
+def _reset(run: Context, node: ProcedureCall, signal: str) -> None:
+    _change(run, node, signal, 0.0)
 
 
-def _set_group(run: Context, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Signal", "Value"), ("SDelay",))
-    signal, value = run.signal(args.required[0]), run.number(args.required[1])
-    if value < 0 or value != int(value):
-        message = f"{node.name} {signal} needs a whole number, 0 or more, found {value:.15g}"
-        raise run.fault(args.required[1], "ERR_GO_LIM", message)
-    _change(run, node, signal, value, _seconds(run, args, "SDelay"))
-
-
-def _set_analog(run: Context, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Signal", "Value"))
-    signal, value = args.required
-    _change(run, node, run.signal(signal), run.number(value))
-
-
-def _pulse(run: Context, node: ProcedureCall) -> None:
-    r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
-    args = bind(run, node, ("Signal",), ("High", "PLength"))
-    signal = run.signal(args.required[0])
-    _seconds(run, args, "PLength")
-    _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - run.external.now(signal))
-
-
-def _invert(run: Context, node: ProcedureCall) -> None:
-    (argument,) = bind(run, node, ("Signal",)).required
-    signal = run.signal(argument)
+@_TOPIC.instruction(Effect.RUN, "InvertDO Signal:signal")
+def _invert(run: Context, node: ProcedureCall, signal: str) -> None:
     _change(run, node, signal, 1.0 - run.external.now(signal))
 
 
-def _seconds(run: Context, args: Arguments, name: str) -> float:
-    node = args.value(name.lower())
-    seconds = run.number(node) if node is not None else 0.0
-    if node is not None and not seconds >= 0:
-        raise run.error(node, f"\\{name} of {seconds:.6g} s must not be negative")
-    return seconds
+@_TOPIC.instruction(Effect.RUN, "SetAO Signal:signal Value:num")
+def _set_analog(run: Context, node: ProcedureCall, signal: str, value: float) -> None:
+    _change(run, node, signal, value)
+
+
+@_TOPIC.instruction(Effect.RUN, r"SetDO Signal Value:num \SDelay:num \Sync")
+def _set_digital(
+    run: Context, node: ProcedureCall, argument: Expression, given: float, sdelay: float = 0.0, sync: bool = False
+) -> None:
+    """Everything but 0 is 1, as on a controller."""
+    signal = run.signal(argument)
+    run.check_digital(argument, signal)
+    _change(run, node, signal, float(given != 0), sdelay, given)
+
+
+@_TOPIC.instruction(Effect.RUN, r"SetGO Signal:signal Value:num \SDelay:num")
+def _set_group(run: Context, node: ProcedureCall, signal: str, value: float, sdelay: float = 0.0) -> None:
+    if value < 0 or value != int(value):
+        message = f"{node.name} {signal} needs a whole number, 0 or more, found {value:.15g}"
+        raise Refused(message, "Value", "ERR_GO_LIM")
+    _change(run, node, signal, value, sdelay)
+
+
+@_TOPIC.instruction(Effect.RUN, r"PulseDO Signal:signal \High \PLength:num")
+def _pulse(run: Context, node: ProcedureCall, signal: str, high: bool = False, plength: float = 0.0) -> None:
+    r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
+    _check_seconds("PLength", plength)
+    level = 1.0 if high else 1.0 - run.external.now(signal)
+    _event(run, node, signal, level, 0.0, level)
 
 
 # ------------------------------------------------------------------------------------------------------ other names
 
 
-def _alias(run: Context, node: ProcedureCall) -> None:
+@_TOPIC.instruction(Effect.RUN, "AliasIO FromSignal ToSignal")
+def _alias(run: Context, node: ProcedureCall, original: Expression, alias: Expression) -> None:
     """From here on the alias stands for the signal."""
-    original, alias = bind(run, node, ("FromSignal", "ToSignal")).required
     _rename(run, alias, _signal_name(run, original))
 
 
-def _alias_reset(run: Context, node: ProcedureCall) -> None:
-    (alias,) = bind(run, node, ("Signal",)).required
+@_TOPIC.instruction(Effect.RUN, "AliasIOReset Signal")
+def _alias_reset(run: Context, node: ProcedureCall, alias: Expression) -> None:
     _rename(run, alias, None)
 
 
@@ -116,28 +111,10 @@ def _signal_name(run: Context, node: Expression) -> str:
 
 def _rename(run: Context, alias: Expression, signal: str | None) -> None:
     if isinstance(alias, Name) and run.find(alias.name) is None:
-        run.warn(
-            WarningKind.ASSUMED,
-            f"alias '{alias.name}' is not declared in the files read; it is taken as a signal",
-            run.source(alias),
-        )
+        what = f"alias '{alias.name}' is not declared in the files read; it is taken as a signal"
+        run.warn(WarningKind.ASSUMED, what, run.source(alias))
         run.shared.data[alias.name.lower()] = Datum(TYPES["signaldi"], Value(TYPES["signaldi"], signal))
     place = run.locate(alias)
     if place.type.name not in SIGNALS:
         raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
     place.value = Value(place.type, signal)
-
-
-INSTRUCTIONS: Topic = {
-    Effect.RUN: {
-        "Set": _set,
-        "Reset": _reset,
-        "SetDO": _set_digital,
-        "SetGO": _set_group,
-        "SetAO": _set_analog,
-        "PulseDO": _pulse,
-        "InvertDO": _invert,
-        "AliasIO": _alias,
-        "AliasIOReset": _alias_reset,
-    }
-}

@@ -6,29 +6,29 @@ from trajopt_cli.motion import Happens, MoveC, MoveJ, MoveL, PathEvent, Process
 from trajopt_cli.rapid.data.datatypes import STRING, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.instructions.moves import PoseKind, asked, to_pose
+from trajopt_cli.rapid.execution.registry import Effect, Form, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 
 _OUTPUTS = ("DOp", "GOp", "AOp")
 _ANY = r"\DOp \GOp \AOp"
 _NUMBERED = tuple(f"T{i}" for i in range(2, 9))
+_TOPIC = Topic(__doc__)
 
 # --------------------------------------------------------------------------------------------- setting up triggers
 
 
-def _set_up(takes: str, kind: Happens = Happens.SIGNAL, *, valued: bool = True) -> Handler:
+def _set_up(name: str, takes: str, kind: Happens = Happens.SIGNAL, *, valued: bool = True) -> None:
     r"""An instruction that sets up triggdata, by the names of what it takes.
 
     Where: Distance before the end of the move, or after its start with \Start; \Time makes seconds of it, EquipLag and
     ScaleLag are seconds more. What: an interrupt, or the output of AOutput, AOp, \DOp, \GOp or \AOp, set to SetValue;
     valued False: its value depends on the speed, so the event has none.
     """
-    names = takes.split()
-    required = tuple(name for name in names if name[0] != "\\")
-    optional = tuple(name[1:] for name in names if name[0] == "\\")
+    required, optional = (form := Form(takes)).required, form.optional
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, required, optional)
         given = dict(zip(required, args.required, strict=True))
@@ -57,7 +57,21 @@ def _set_up(takes: str, kind: Happens = Happens.SIGNAL, *, valued: bool = True) 
             raise run.error(given["TriggData"], text)
         place.value = Value(place.type, (event,))
 
-    return handler
+
+_set_up("TriggIO", rf"TriggData Distance SetValue \Start \Time {_ANY} \ProcID \DODelay")
+_set_up("TriggEquip", rf"TriggData Distance EquipLag SetValue \Start {_ANY} \ProcID \Inhib \InhibDO \Mode")
+_set_up("TriggInt", r"TriggData Distance Interrupt \Start \Time", Happens.INTERRUPT)
+_set_up(
+    "TriggCheckIO",
+    r"TriggData Distance Signal Relation CheckValue Interrupt \Start \Time \StopMove",
+    Happens.INTERRUPT,
+)
+_set_up("TriggRampAO", r"TriggData Distance EquipLag AOutput SetValue RampLength \Start \Time")
+_set_up(
+    "TriggSpeed",
+    r"TriggData Distance ScaleLag AOp ScaleValue \Start \DipLag \ErrDO \Inhib \InhibDO \Mode",
+    valued=False,
+)
 
 
 def _output(run: Context, node: ProcedureCall, args: Arguments) -> str:
@@ -70,10 +84,11 @@ def _output(run: Context, node: ProcedureCall, args: Arguments) -> str:
 # -------------------------------------------------------------------------------------------------- moves with them
 
 
-def _triggered(kind: PoseKind, name: str) -> Handler:
+def _triggered(kind: PoseKind, name: str) -> None:
     via = kind.via
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg_1", "Zone", "Tool"), options)
         *points, speed, trigger, zone, tool = args.required
@@ -83,8 +98,6 @@ def _triggered(kind: PoseKind, name: str) -> Handler:
         to_pose(run, node, kind, asked(plain, via=bool(via)), events=events, process=Process(name))
         for event in events:
             _happen(run, event)
-
-    return handler
 
 
 def _events(run: Context, argument: Expression) -> tuple[PathEvent, ...]:
@@ -103,11 +116,12 @@ def _happen(run: Context, event: PathEvent) -> None:
         run.external.set(event.name, event.value)
 
 
-def _with_output(kind: PoseKind, name: str) -> Handler:
+def _with_output(kind: PoseKind, name: str) -> None:
     """MoveLDO and its like: the output is set in the middle of the corner."""
     via = kind.via
     group = name.endswith("GO")
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "Signal", *(() if group else ("Value",)))
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad", *(("Value", "DValue") if group else ())))
@@ -119,13 +133,12 @@ def _with_output(kind: PoseKind, name: str) -> Handler:
         to_pose(run, node, kind, asked(args, via=bool(via)), events=(event,), process=Process(name))
         _happen(run, event)
 
-    return handler
 
-
-def _with_procedure(kind: PoseKind, name: str) -> Handler:
+def _with_procedure(kind: PoseKind, name: str) -> None:
     """MoveLSync and its like: a procedure is run in the middle of the corner; here right after the move."""
     via = kind.via
 
+    @_TOPIC.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "ProcName")
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad"))
@@ -136,29 +149,9 @@ def _with_procedure(kind: PoseKind, name: str) -> Handler:
         run.settle()
         run.call_procedure(argument, procedure)
 
-    return handler
 
-
-_KINDS: tuple[tuple[str, PoseKind], ...] = (("J", MoveJ), ("L", MoveL), ("C", MoveC))
-
-INSTRUCTIONS: Topic = {
-    Effect.PLANNED: {
-        "TriggIO": _set_up(rf"TriggData Distance SetValue \Start \Time {_ANY} \ProcID \DODelay"),
-        "TriggEquip": _set_up(rf"TriggData Distance EquipLag SetValue \Start {_ANY} \ProcID \Inhib \InhibDO \Mode"),
-        "TriggInt": _set_up(r"TriggData Distance Interrupt \Start \Time", Happens.INTERRUPT),
-        "TriggCheckIO": _set_up(
-            r"TriggData Distance Signal Relation CheckValue Interrupt \Start \Time \StopMove", Happens.INTERRUPT
-        ),
-        "TriggRampAO": _set_up(r"TriggData Distance EquipLag AOutput SetValue RampLength \Start \Time"),
-        "TriggSpeed": _set_up(
-            r"TriggData Distance ScaleLag AOp ScaleValue \Start \DipLag \ErrDO \Inhib \InhibDO \Mode", valued=False
-        ),
-        **{name: _triggered(kind, name) for letter, kind in _KINDS for name in (f"Trigg{letter}",)},
-        **{
-            name: _with_output(kind, name)
-            for letter, kind in _KINDS
-            for name in (f"Move{letter}DO", f"Move{letter}AO", f"Move{letter}GO")
-        },
-        **{name: _with_procedure(kind, name) for letter, kind in _KINDS for name in (f"Move{letter}Sync",)},
-    }
-}
+for letter, pose in (("J", MoveJ), ("L", MoveL), ("C", MoveC)):
+    _triggered(pose, f"Trigg{letter}")
+    for output in ("DO", "AO", "GO"):
+        _with_output(pose, f"Move{letter}{output}")
+    _with_procedure(pose, f"Move{letter}Sync")

@@ -10,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import takewhile
+from typing import Any
 
 from trajopt_cli.motion import Hold, Move, Wait, Written
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import ExternalDatum, Place
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.answers import root
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.instructions.effect import Effect, Handler, Topic
 from trajopt_cli.rapid.execution.loops import never
 from trajopt_cli.rapid.execution.operators import COMPARE
+from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -37,6 +37,8 @@ from trajopt_cli.rapid.language.syntax import (
 from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import LONGEST_WAIT, condition_key, yaml_name
 from trajopt_cli.warnings import WarningKind
+
+_TOPIC = Topic(__doc__)
 
 
 def record(
@@ -83,19 +85,18 @@ def hold_up(run: Context, node: ProcedureCall | Call, name: str) -> None:
 # ------------------------------------------------------------------------------------------------- time, standstill
 
 
-def _wait_time(run: Context, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Time",), ("InPos",))
-    seconds = run.number(args.required[0])
+@_TOPIC.instruction(Effect.WAITS, r"WaitTime Time:num \InPos")
+def _wait_time(run: Context, node: ProcedureCall, seconds: float, inpos: bool = False) -> None:
     if not seconds >= 0:
-        raise run.error(args.required[0], f"WaitTime {seconds:.6g} s must not be negative")
+        raise Refused(f"WaitTime {seconds:.6g} s must not be negative", "Time")
     if seconds > LONGEST_WAIT:
-        message = f"WaitTime {seconds:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value"
-        raise run.error(args.required[0], message)
-    record(run, node, seconds, in_position="inpos" in args.optional)
+        raise Refused(f"WaitTime {seconds:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value", "Time")
+    record(run, node, seconds, in_position=inpos)
 
 
-def _wait_robot(run: Context, node: ProcedureCall) -> None:
-    if bind(run, node, (), ("InPos", "ZeroSpeed")).optional:
+@_TOPIC.instruction(Effect.WAITS, r"WaitRob \InPos \ZeroSpeed")
+def _wait_robot(run: Context, node: ProcedureCall, **standing: bool) -> None:
+    if standing:
         record(run, node, 0.0, in_position=True)
     else:
         run.ignored["WaitRob"] += 1
@@ -104,24 +105,26 @@ def _wait_robot(run: Context, node: ProcedureCall) -> None:
 # ---------------------------------------------------------------------------------------------------------- signals
 
 _SWITCHES = {"lt": "<", "gt": ">", "noteq": "<>"}
-_TIMEOUT = ("MaxTime", "TimeFlag")
+TIMEOUT = r"\MaxTime:num \TimeFlag:expr"
+_SHOWN = rf"{TIMEOUT} \Visualize \Header \Message"
+_SIGNAL = rf"Signal Value:num {_SHOWN} \ValueAtTimeout"
 
 
-def _signal_wait(*switches: str, digital: bool = False) -> Handler:
-    options = (*switches, *_TIMEOUT, "ValueAtTimeout", "Visualize", "Header", "Message")
-
-    def handler(run: Context, node: ProcedureCall) -> None:
-        args = bind(run, node, ("Signal", "Value"), options)
-        signal, wanted = run.signal(args.required[0]), run.number(args.required[1])
-        if digital:
-            run.check_digital(args.required[0], signal)
-        test = next((_SWITCHES[name] for name in _SWITCHES if name in args.optional), "=")
-        text = f"{test} {wanted:.15g}"
-        shown = f"{run.text(args.required[0])} {text}"
-        if _over(run, node, args, shown, (shown, f"{signal} {text}", signal)):
-            _await(run, node, signal, test, wanted)
-
-    return handler
+@_TOPIC.instruction(
+    Effect.WAITS,
+    *(f"{name} {_SIGNAL}" for name in ("WaitDI", "WaitDO")),
+    *(rf"{name} {_SIGNAL} \NOTEQ \LT \GT" for name in ("WaitGI", "WaitGO")),
+    *(rf"{name} {_SIGNAL} \LT \GT" for name in ("WaitAI", "WaitAO")),
+)
+def _wait_signal(run: Context, node: ProcedureCall, argument: Expression, wanted: float, **options: Any) -> None:
+    signal = run.signal(argument)
+    if node.name.lower() in ("waitdi", "waitdo"):
+        run.check_digital(argument, signal)
+    test = next((_SWITCHES[name] for name in _SWITCHES if name in options), "=")
+    text = f"{test} {wanted:.15g}"
+    shown = f"{run.text(argument)} {text}"
+    if _over(run, node, shown, (shown, f"{signal} {text}", signal), **options):
+        _await(run, node, signal, test, wanted)
 
 
 def _await(run: Context, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
@@ -138,45 +141,52 @@ def _await(run: Context, node: ProcedureCall, signal: str, test: str, wanted: fl
 
 
 def _over(
-    run: Context, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
+    run: Context,
+    node: ProcedureCall,
+    shown: str,
+    names: tuple[str, ...],
+    possible: bool = True,
+    *,
+    maxtime: float | None = None,
+    timeout: float | None = None,
+    timeflag: Expression | None = None,
+    inpos: bool = False,
+    **_: bool,
 ) -> bool:
     r"""Record a wait and say whether it came true; if not, \TimeFlag is set.
 
     names: of the wait in the cell file. possible: whether it can come true at all.
     """
-    limit, flag = args.value("maxtime") or args.value("timeout"), args.value("timeflag")
-    longest = run.number(limit) if limit is not None else None
+    longest = timeout if maxtime is None else maxtime
     if longest is not None and longest > LONGEST_WAIT:
         raise run.error(node, f"\\MaxTime of {longest:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value")
     least = run.external.least(*names) if possible else None
     if not possible and longest is None:
         raise run.error(node, f"waits for {shown}: this condition can never come true, and \\MaxTime is not given")
-    record(run, node, (longest or 0.0) if least is None else least, shown, "inpos" in args.optional, names)
+    record(run, node, (longest or 0.0) if least is None else least, shown, inpos, names)
     if least is not None:
-        if flag is not None:
-            run.assign(flag, Value(BOOL, False))
+        if timeflag is not None:
+            run.assign(timeflag, Value(BOOL, False))
         return True
     if longest is None:
         raise run.error(node, f"waits for {shown} forever: the cell file says timeout, and \\MaxTime is not given")
-    if flag is None:
-        error = "ERR_WAITSYNCTASK" if "timeout" in args.optional else "ERR_WAIT_MAXTIME"
+    if timeflag is None:
+        error = "ERR_WAIT_MAXTIME" if timeout is None else "ERR_WAITSYNCTASK"
         raise run.fault(node, error, f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
-    run.assign(flag, Value(BOOL, True))
+    run.assign(timeflag, Value(BOOL, True))
     return False
 
 
 # ------------------------------------------------------------------------------------------------------- conditions
 
 
-def _wait_until(run: Context, node: ProcedureCall) -> None:
-    options = ("InPos", *_TIMEOUT, "PollRate", "Visualize", "Header", "Message")
-    args = bind(run, node, ("Cond",), options)
-    (wanted,) = args.required
+@_TOPIC.instruction(Effect.WAITS, rf"WaitUntil Cond \InPos {_SHOWN} \PollRate")
+def _wait_until(run: Context, node: ProcedureCall, wanted: Expression, **options: Any) -> None:
     shown = run.text(wanted)
     names = {name.lower() for name in _names(wanted)}
     terms = _terms(run, wanted)
     possible = not (never(run, wanted) or _contradictory(run, terms or []))
-    if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ())), possible):
+    if not _over(run, node, shown, (shown, *(names if len(names) == 1 else ())), possible, **options):
         return
     if _unanswered(run, wanted, BOOL):
         return
@@ -389,38 +399,20 @@ def _names(node: Expression) -> list[str]:
 # -------------------------------------------------------------------------------------------------- the other waits
 
 
-def _test_and_set(run: Context, node: ProcedureCall) -> None:
+@_TOPIC.instruction(Effect.WAITS, "WaitTestAndSet Object")
+def _test_and_set(run: Context, node: ProcedureCall, flag: Expression) -> None:
     """Waits until a flag that tasks share is FALSE, and sets it."""
-    (flag,) = bind(run, node, ("Object",)).required
     shown = f"{run.text(flag)} = FALSE"
-    _over(run, node, Arguments((flag,), {}), shown, (shown, run.text(flag)))
+    _over(run, node, shown, (shown, run.text(flag)))
     run.assign(flag, Value(BOOL, True))
 
 
-def wait_for(run: Context, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
+def wait_for(run: Context, node: ProcedureCall, shown: str, name: str, **options: Any) -> None:
     """Record a wait for something that only the cell knows; name: of it in the cell file, as shown is."""
-    _over(run, node, args, shown, (shown, name))
+    _over(run, node, shown, (shown, name), **options)
 
 
-def _sync_task(run: Context, node: ProcedureCall) -> None:
+@_TOPIC.instruction(Effect.WAITS, rf"WaitSyncTask SyncID TaskList \InPos \TimeOut:num {TIMEOUT}")
+def _sync_task(run: Context, node: ProcedureCall, sync: Expression, _: Expression, **options: Any) -> None:
     """Until the other tasks have come to the same point."""
-    args = bind(run, node, ("SyncID", "TaskList"), ("InPos", "TimeOut", *_TIMEOUT))
-    shown = run.text(args.required[0])
-    wait_for(run, node, args, f"WaitSyncTask {shown}", shown)
-
-
-INSTRUCTIONS: Topic = {
-    Effect.WAITS: {
-        "WaitTime": _wait_time,
-        "WaitDI": _signal_wait(digital=True),
-        "WaitDO": _signal_wait(digital=True),
-        "WaitGI": _signal_wait("NOTEQ", "LT", "GT"),
-        "WaitGO": _signal_wait("NOTEQ", "LT", "GT"),
-        "WaitAI": _signal_wait("LT", "GT"),
-        "WaitAO": _signal_wait("LT", "GT"),
-        "WaitUntil": _wait_until,
-        "WaitRob": _wait_robot,
-        "WaitTestAndSet": _test_and_set,
-        "WaitSyncTask": _sync_task,
-    }
-}
+    wait_for(run, node, f"WaitSyncTask {run.text(sync)}", run.text(sync), **options)
