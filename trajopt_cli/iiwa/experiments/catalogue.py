@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, ClassVar, NamedTuple
 
 from trajopt_cli.iiwa.experiments import moving, pushed
-from trajopt_cli.iiwa.experiments.published import FLANGE_EARLIER
 from trajopt_cli.iiwa.experiments.setup import Bench, Experiment
 from trajopt_cli.iiwa.job.folder import check_place
 from trajopt_cli.iiwa.report.answer import Answer
@@ -27,22 +26,33 @@ from trajopt_cli.table import TextTable
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.workers import in_turns
 
-_UNITS = (
-    ("_m_s", "m/s", 1.0),
-    ("_kg", "kg", 1.0),
-    ("_rad", "°", DEG),
-    ("_m", "mm", MM),
-    ("_N", "N", 1.0),
-    ("_s", "s", 1.0),
-)
+ROBOT = "iiwa7"
+_STEPS = (pushed.force_stiffness, pushed.force_damping, pushed.orientation, pushed.all_axes)
+_PUSHED = (*_STEPS, pushed.force_error, pushed.guiding, pushed.zeroing, pushed.stability)
+_MOVING = (moving.speed, moving.stiffness, moving.damping, moving.collision)
+EXPERIMENTS: dict[str, Callable[[Bench], Experiment]] = {
+    one.__name__: one for one in (*_PUSHED, *_MOVING, pushed.loop_time)
+}
+_MEASURED = "loop_time"  # alone, before a second process takes its part of the machine
+_CLOCK = "What the clock said in this run is in measured.json and loop_time.svg: no two runs are alike in it."
+# The longest first, so that neither of two processes waits long for the other.
+_ORDER = ("collision", "force_damping", "force_stiffness")
+# What a name in a record ends in: its unit for people, and what that is in SI.
+_UNITS = {
+    "_m_s": ("m/s", 1.0),
+    "_kg": ("kg", 1.0),
+    "_rad": ("°", DEG),
+    "_m": ("mm", MM),
+    "_N": ("N", 1.0),
+    "_s": ("s", 1.0),
+}
 _TURNS = ("alpha", "beta", "gamma")
 # Of axes in one table: lengths, and forces, whose unit is the row's.
 _LENGTHS = ("steady", "force_over_stiffness", "largest", "mean", "thesis_largest", "thesis_mean")
 _HEAD = ("section", "title", "notes")
 
-
-_MEASURED = "loop_time"
-_CLOCK = "What the clock said in this run is in measured.json and loop_time.svg: no two runs are alike in it."
+Tell = Callable[[str], None]
+_Answer = tuple[dict[str, Any], dict[str, Any], dict[str, bytes]]  # record, what a clock measured, pictures
 
 
 class Shown(NamedTuple):
@@ -71,11 +81,11 @@ def experiments_page(numbers: Mapping[str, Any], pictures: Mapping[str, Mapping[
     named instead."""
     groups = []
     for one in sections(numbers, {}):
-        made = "".join(drawn(part) for part in one.tables)
+        files = {} if one.name == _MEASURED else pictures.get(one.name, {})
         notes = [*one.notes, *([_CLOCK] if one.name == _MEASURED else [])]
-        files = [] if one.name == _MEASURED else list(pictures.get(one.name, {}).items())
-        section = Section(one.name, one.heading, facts(one.facts) + made + points(notes))
-        groups.append((section, [(file, content) for file, content in files if file.endswith(".svg")]))
+        html = facts(one.facts) + "".join(map(drawn, one.tables)) + points(notes)
+        shown = [(file, content) for file, content in files.items() if file.endswith(".svg")]
+        groups.append((Section(one.name, one.heading, html), shown))
     about = (
         "Chapter 6 of the thesis that the compliant job goes back to (V. Číhala, Poddajné řízení průmyslového robota, "
         f"ČVUT 2020), its numbers beside ours; engine {numbers['engine']}"
@@ -88,9 +98,8 @@ def _singles(record: Mapping[str, Any]) -> list[tuple[str, str]]:
     for key, value in record.items():
         vector = isinstance(value, list) and bool(value) and isinstance(value[0], float)
         if key not in _HEAD and (isinstance(value, (int, float, str)) or vector):
-            name, unit, size = _named(key)
-            shown = f"({', '.join(_shown(one, size) for one in value)})" if vector else _shown(value, size)
-            out.append((f"{name}{f' [{unit}]' if unit else ''}", shown))
+            shown = f"({', '.join(_cell(key, one) for one in value)})" if vector else _cell(key, value)
+            out.append((_named(key)[0], shown))
     return out
 
 
@@ -106,55 +115,33 @@ def _tables(record: Mapping[str, Any]) -> Iterator[TextTable]:
 
 
 def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> TextTable:
-    heads = []
-    for key in rows[0]:
-        name, unit, _ = _named(key)
-        numeric = any(isinstance(row[key], (int, float)) for row in rows)
-        heads.append(f"{'>' if numeric else ''}{name}{f' [{unit}]' if unit else ''}")
+    numeric = [any(isinstance(row[key], (int, float)) for row in rows) for key in rows[0]]
+    heads = tuple(f"{'>' if right else ''}{_named(key)[0]}" for key, right in zip(rows[0], numeric, strict=True))
     cells = [tuple(_cell(key, value, str(row.get("axis", ""))) for key, value in row.items()) for row in rows]
-    return TextTable(caption.replace("_", " "), tuple(heads), tuple(cells))
+    return TextTable(caption.replace("_", " "), heads, tuple(cells))
 
 
-def _named(key: str) -> tuple[str, str, float]:
-    """A recorded name for people, its unit, and what that unit is in SI."""
-    for ending, unit, size in _UNITS:
-        if key.endswith(ending):
-            return key.removesuffix(ending).replace("_", " "), unit, size
-    return key.replace("_", " "), "", 1.0
+def _named(key: str) -> tuple[str, float]:
+    """A recorded name for people with its unit, and what that unit is in SI."""
+    ending = next((one for one in _UNITS if key.endswith(one)), "")
+    unit, size = _UNITS.get(ending, ("", 1.0))
+    name = key.removesuffix(ending).replace("_", " ")
+    return f"{name} [{unit}]" if unit else name, size
 
 
-def _cell(key: str, value: Any, axis: str) -> str:
-    if key in _LENGTHS and axis and value is not None:
+def _cell(key: str, value: Any, axis: str = "") -> str:
+    """A recorded value for people; axis: what the row is about, "" for none."""
+    if value is None:
+        return "–"
+    if key in _LENGTHS and axis:
         return f"{value / DEG:.3f} °" if axis in _TURNS else f"{value / MM:.3f} mm"
     if key == "force":
         return f"{value:g} {'Nm' if axis in _TURNS else 'N'}"
-    return _shown(value, _named(key)[2])
-
-
-def _shown(value: Any, size: float) -> str:
-    if value is None:
-        return "–"
     if isinstance(value, dict):
-        return ", ".join(f"{_shown(one, size)} ({name})" for name, one in value.items())
+        return ", ".join(f"{_cell(key, one)} ({name})" for name, one in value.items())
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return str(value)
-    return f"{value / size:.4g}".replace("-", "−")
-
-
-ROBOT = "iiwa7"
-_STEPS = (pushed.force_stiffness, pushed.force_damping, pushed.orientation, pushed.all_axes)
-EXPERIMENTS: dict[str, Callable[[Bench], Experiment]] = {
-    **{one.__name__: one for one in (*_STEPS, pushed.force_error, pushed.guiding, pushed.zeroing, pushed.stability)},
-    **{one.__name__: one for one in (moving.speed, moving.stiffness, moving.damping)},
-    "collision": moving.collision,
-    "loop_time": pushed.loop_time,
-}
-_ALONE = "loop_time"
-# The longest first, so that neither of two processes waits long for the other.
-_ORDER = ("collision", "force_damping", "force_stiffness")
-
-Tell = Callable[[str], None]
-_Answer = tuple[dict[str, Any], dict[str, Any], dict[str, bytes]]  # record, what a clock measured, pictures
+    return f"{value / _named(key)[1]:.4g}".replace("-", "−")
 
 
 class ExperimentsRecord(RunRecord[dict[str, Any]]):
@@ -195,11 +182,10 @@ def run_experiments(folder: Path, engine: str, tell: Tell) -> Answer:
     check_place(folder, "--output")
     check_replaceable(folder)
     bench = bench_of(engine)
-    # before a second process takes its part of the machine
-    alone = _one(_ALONE, bench, tell)
-    names = [*_ORDER, *(name for name in EXPERIMENTS if name not in (*_ORDER, _ALONE))]
+    alone = _one(_MEASURED, bench, tell)
+    names = [*_ORDER, *(name for name in EXPERIMENTS if name not in (*_ORDER, _MEASURED))]
     tasks: dict[str, Callable[[Tell], _Answer]] = {name: partial(_one, name, bench) for name in names}
-    done = collected(bench.engine, {_ALONE: alone, **in_turns(tasks, tell)})
+    done = collected(bench.engine, {_MEASURED: alone, **in_turns(tasks, tell)})
     count = write_experiments(folder, done)
     where = f"written to {folder}: report.html (open it in a browser) and {count - 1} files more"
     return Answer(done.record, f"written to {folder}: {count} files", list(done.texts()), folder, where)
@@ -215,7 +201,7 @@ def collected(engine: Engine, answers: Mapping[str, _Answer]) -> Experiments:
         **steps,
         "flange_worst": worst or None,
         "flange_worst_notes": notes,
-        "flange_worst_of_the_earlier_work_m": dict(zip(("largest", "mean"), FLANGE_EARLIER, strict=True)),
+        "flange_worst_of_the_earlier_work_m": dict(zip(("largest", "mean"), pushed.FLANGE_EARLIER, strict=True)),
         **records,
     }
     measured = {name: answer[1] for name, answer in answers.items() if answer[1]}

@@ -17,16 +17,52 @@ from trajopt_cli.iiwa.controller.loop import PARTS, run
 from trajopt_cli.iiwa.controller.parameters import Settings
 from trajopt_cli.iiwa.controller.stability import StabilityVerdict, largest_period, stability_map
 from trajopt_cli.iiwa.controller.stability import stability as stability_of
-from trajopt_cli.iiwa.experiments import published
 from trajopt_cli.iiwa.experiments.setup import FORCE, INERTIA, MOMENT, START, Bench, Experiment, H, compliance, push
 from trajopt_cli.iiwa.report.follow import loop_time_figure, stability_figure
 from trajopt_cli.iiwa.report.forces import guided_figure, steps_figure, zeroing_figure
-from trajopt_cli.iiwa.report.runs import Following
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.model import COORDINATES, Compliance, Integration, Push, Sensor, Zeroing
 from trajopt_cli.iiwa.world.mujoco_world import SERVO_DELAY
 from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.robot.srs_inverse import ArmAngle
+
+Flange = tuple[tuple[float, ...], tuple[float, ...]]
+"""Largest and mean distance of the flange from the controller's pose, by axis [m or rad]: what the thesis prints."""
+FLANGE_STIFFNESS: dict[float, Flange] = {
+    100.0: ((7.3e-4, 8.7e-4, 11.6e-4), (0.7e-4, 0.4e-4, 0.7e-4)),
+    500.0: ((7.5e-4, 8.0e-4, 15.6e-4), (0.4e-4, 0.2e-4, 0.4e-4)),
+}
+"""Table 6.1, by stiffness [N/m]."""
+FLANGE_DAMPING: dict[float, Flange] = {
+    50.0: ((0.2e-3, 0.5e-3, 1.1e-3), (0.04e-3, 0.03e-3, 0.13e-3)),
+    200.0: ((0.4e-3, 1.3e-3, 1.5e-3), (0.05e-3, 0.05e-3, 0.06e-3)),
+}
+"""Table 6.4, by damping [N s/m]."""
+FLANGE_ORIENTATION: Flange = ((0.0075, 0.0074, 0.0092), (0.0009, 0.0009, 0.0003))
+"""Table 6.7 [rad]."""
+FLANGE_ALL: Flange = (
+    (0.0013, 0.0016, 0.0018, 0.0044, 0.0043, 0.0023),
+    (0.0002, 0.0003, 0.0003, 0.0008, 0.0007, 0.0004),
+)
+"""Table 6.8."""
+
+LOOP_WORST = 148e-6
+"""Longest period of the loop [s], C++ on an Intel i3-7100T at 3.4 GHz (section 6.3)."""
+
+FORCE_ERROR: dict[str, tuple[float, float, float]] = {
+    "6.1.1, k = 100 N/m": (7.0, 4.0, 5.0),
+    "6.1.1, k = 500 N/m": (5.0, 3.0, 4.0),
+    "6.1.2, d = 50 N s/m": (6.0, 4.0, 6.0),
+    "6.1.2, d = 200 N s/m": (7.0, 4.0, 5.0),
+}
+"""Tables 6.2 and 6.5: largest error of the robot's force along x, y, z against a force gauge [N], each +-1 N."""
+FLANGE_WORST: Flange = (
+    (0.0021, 0.0016, 0.0018, 0.0075, 0.0074, 0.0092),
+    (0.0002, 0.0003, 0.0003, 0.0009, 0.0009, 0.0004),
+)
+"""Table 6.9: the worst of sections 6.1.1 to 6.1.4, those led by hand among them."""
+FLANGE_EARLIER = ((0.0701, 0.0600, 0.0656), (0.0023, 0.0013, 0.0024))
+"""Table 6.9: the same of translation in the earlier work that the thesis builds on, a spring without damper [m]."""
 
 _FIRST, _APART = 0.5, 0.3  # s: when the first force comes, and how much later the next
 _HOLD = 10.0  # slowest time constants a force stays: e^-10 of the way is left then
@@ -37,25 +73,16 @@ _LED = compliance(0.0, 0.0, 100.0, 20.0)  # (6.7)
 FRAME = (-np.pi / 4, -np.pi / 6, 0.0)
 """alpha*, beta*, gamma* [rad] of the frame in which the forces along x and y are zeroed (section 6.1.7)."""
 
-_Run = tuple[dict[str, Any], Following]
-
 
 def force_stiffness(bench: Bench) -> Experiment:
     """6.1.1: forces along x, y, z at two stiffnesses."""
-    runs = [
-        _run(bench, f"k = {k:g} N/m", compliance(k, 30.0, 100.0, 20.0), (0, 1, 2), flange)
-        for k, flange in published.FLANGE_STIFFNESS.items()
-    ]
     note = "K of rotation is not printed: 30 Nm/rad as in 6.1.2; the softer, the longer the way, F/k in the end"
-    return _steps(bench, "force_stiffness", "6.1.1", "force steps at two stiffnesses", runs, (0, 1, 2), note)
+    laws = {f"k = {k:g} N/m": (compliance(k, 30.0, 100.0, 20.0), theirs) for k, theirs in FLANGE_STIFFNESS.items()}
+    return _steps(bench, "force_stiffness", ("6.1.1", "force steps at two stiffnesses"), note, laws, (0, 1, 2))
 
 
 def force_damping(bench: Bench) -> Experiment:
     """6.1.2: forces along x, y, z at two dampings."""
-    runs = [
-        _run(bench, f"d = {d:g} N s/m", compliance(500.0, 30.0, d, 20.0), (0, 1, 2), flange)
-        for d, flange in published.FLANGE_DAMPING.items()
-    ]
     note = (
         "D of rotation is not printed: 20 N m s/rad as in 6.1.1; less damping, faster rise, more overshoot. Table 6.4's"
         " largest distance of the flange rises with damping, 1.4 to 2.6 times; ours falls as the top speed does: who"
@@ -64,26 +91,26 @@ def force_damping(bench: Bench) -> Experiment:
         " at 200 N s/m. So the thesis' two runs had unlike forces (they are in figure 6.4 only) or something moved in"
         " jumps; its mean in z falls as ours. Doubt the trend, not the law"
     )
-    return _steps(bench, "force_damping", "6.1.2", "force steps at two dampings", runs, (0, 1, 2), note)
+    laws = {f"d = {d:g} N s/m": (compliance(500.0, 30.0, d, 20.0), theirs) for d, theirs in FLANGE_DAMPING.items()}
+    return _steps(bench, "force_damping", ("6.1.2", "force steps at two dampings"), note, laws, (0, 1, 2))
 
 
 def orientation(bench: Bench) -> Experiment:
     """6.1.3: moments about x, y, z."""
-    law, axes = compliance(100.0, 40.0, 100.0, 30.0), (3, 4, 5)
-    run = _run(bench, "k = 40 Nm/rad", law, axes, published.FLANGE_ORIENTATION)
     note = "overdamped (damping ratio 1.37): no overshoot"
-    return _steps(bench, "orientation", "6.1.3", "orientation", [run], axes, note)
+    laws = {"k = 40 Nm/rad": (compliance(100.0, 40.0, 100.0, 30.0), FLANGE_ORIENTATION)}
+    return _steps(bench, "orientation", ("6.1.3", "orientation"), note, laws, (3, 4, 5))
 
 
 def all_axes(bench: Bench) -> Experiment:
     """6.1.4: forces and moments on all six coordinates at once."""
-    law, axes = compliance(200.0, 40.0, 100.0, 30.0), tuple(range(6))
-    run = _run(bench, "all at once", law, axes, published.FLANGE_ALL, 0.0, (1.0, -0.75, 0.5) * 2)
     note = (
         "the thesis' forces came from a hand; along (about) y ours are three quarters and backwards, z a half; the six"
         " coordinates do not see one another, as the law has it"
     )
-    return _steps(bench, "all_axes", "6.1.4", "all axes at once", [run], axes, note)
+    laws = {"all at once": (compliance(200.0, 40.0, 100.0, 30.0), FLANGE_ALL)}
+    sizes = (1.0, -0.75, 0.5) * 2
+    return _steps(bench, "all_axes", ("6.1.4", "all axes at once"), note, laws, range(6), 0.0, sizes)
 
 
 def flange_worst(records: Iterable[Mapping[str, Any]]) -> tuple[list[dict[str, Any]], list[str]]:
@@ -91,7 +118,7 @@ def flange_worst(records: Iterable[Mapping[str, Any]]) -> tuple[list[dict[str, A
     table 6.9, and what to make of them; both empty without a flange."""
     found = [one for part in records for run in part["runs"] for one in run["flange"] or ()]
     worst = []
-    for axis, most, mean in zip(COORDINATES, *published.FLANGE_WORST, strict=True):
+    for axis, most, mean in zip(COORDINATES, *FLANGE_WORST, strict=True):
         own = [one for one in found if one["axis"] == axis]
         if own:
             worst.append(_tracking(axis, max(o["largest"] for o in own), max(o["mean"] for o in own), most, mean))
@@ -168,47 +195,48 @@ def zeroing(bench: Bench) -> Experiment:
 
 
 def _steps(
-    bench: Bench, name: str, section: str, title: str, runs: Sequence[_Run], axes: tuple[int, ...], note: str
-) -> Experiment:
-    ours = (
-        f"the thesis shows its forces in figures only: ours are steps of {FORCE:g} N and {MOMENT:g} Nm, each held for"
-        " ten time constants; measured forces are zeroed as there"
-    )
-    flange = "the ideal arm is where it is told to be; MuJoCo (the extra sim) shows the flange's own motion"
-    if bench.moves:
-        flange = "the flange is MuJoCo's arm with a servo lag of our choice; the thesis' is the robot's own"
-    numbers = {"world": runs[0][1].label, "runs": [record for record, _ in runs]}
-    figure = partial(steps_figure, [(record["label"], run) for record, run in runs], axes)
-    return Experiment(section, title, (ours, note, flange), numbers, {name: figure})
-
-
-def _run(
     bench: Bench,
-    label: str,
-    law: Compliance,
+    name: str,
+    heading: tuple[str, str],
+    note: str,
+    laws: Mapping[str, tuple[Compliance, Flange]],
     axes: Sequence[int],
-    theirs: published.Flange,
     apart: float = _APART,
     sizes: Sequence[float] = (1.0,) * 6,
-) -> _Run:
-    """Forces along axes, one after another and then together, all gone at the same time; sizes: times FORCE, MOMENT."""
-    slowest = max(stability_of(law, H, Integration.EXACT)[axis].slowest for axis in axes)
-    hold = ceil(10 * _HOLD * slowest - 1e-6) / 10
-    end = _FIRST + apart * (len(axes) - 1) + hold
-    forces = [size * (FORCE if axis < 3 else MOMENT) for axis, size in zip(axes, sizes, strict=False)]
-    pushes = [push(_FIRST + apart * i, end, axis, forces[i]) for i, axis in enumerate(axes)]
-    done = bench.pushed(law, pushes, end + _REST)
-    run = done.run
-    flange = None
-    if run.true is not None:
-        away = np.abs(run.true - run.x)
-        flange = [
-            _tracking(COORDINATES[i], float(away[:, i].max()), float(away[:, i].mean()), *thesis)
-            for i, *thesis in zip(axes, *theirs, strict=True)
-        ]
-    answers = [_answer(law, axis, one, run.x, done.v) for axis, one in zip(axes, pushes, strict=True)]
-    k, d = float(law.K[axes[0]]), float(law.D[axes[0]])
-    return {"label": label, "k": k, "d": d, "axes": answers, "flange": flange}, run
+) -> Experiment:
+    """Forces along axes, one after another [s] and then together, all gone at the same time, under each of laws, beside
+    the thesis' flange; sizes: times FORCE, MOMENT."""
+    rows, runs = [], []
+    for label, (law, theirs) in laws.items():
+        slowest = max(stability_of(law, H, Integration.EXACT)[axis].slowest for axis in axes)
+        end = _FIRST + apart * (len(axes) - 1) + ceil(10 * _HOLD * slowest - 1e-6) / 10
+        forces = [size * (FORCE if axis < 3 else MOMENT) for axis, size in zip(axes, sizes, strict=False)]
+        pushes = [push(_FIRST + apart * i, end, axis, forces[i]) for i, axis in enumerate(axes)]
+        done = bench.pushed(law, pushes, end + _REST)
+        run = done.run
+        answers = [_answer(law, axis, one, run.x, done.v) for axis, one in zip(axes, pushes, strict=True)]
+        away = None if run.true is None else np.abs(run.true - run.x)
+        flange = (
+            None
+            if away is None
+            else [
+                _tracking(COORDINATES[i], float(away[:, i].max()), float(away[:, i].mean()), *thesis)
+                for i, *thesis in zip(axes, *theirs, strict=True)
+            ]
+        )
+        k, d = float(law.K[axes[0]]), float(law.D[axes[0]])
+        rows.append({"label": label, "k": k, "d": d, "axes": answers, "flange": flange})
+        runs.append((label, run))
+    notes = (
+        f"the thesis shows its forces in figures only: ours are steps of {FORCE:g} N and {MOMENT:g} Nm, each held for"
+        " ten time constants; measured forces are zeroed as there",
+        note,
+        "the flange is MuJoCo's arm with a servo lag of our choice; the thesis' is the robot's own"
+        if bench.moves
+        else "the ideal arm is where it is told to be; MuJoCo (the extra sim) shows the flange's own motion",
+    )
+    numbers = {"world": runs[0][1].label, "runs": rows}
+    return Experiment(*heading, notes, numbers, {name: partial(steps_figure, runs, axes)})
 
 
 def _answer(law: Compliance, axis: int, one: Push, x: Array, v: Array) -> dict[str, Any]:
@@ -287,11 +315,11 @@ def force_error(bench: Bench) -> Experiment:
     sensor = Sensor()
     extreme = sensor.bias * bench.robot.torque + sum(amplitude for _, amplitude in sensor.ripple)
     mapping = np.abs(force_of(J, np.eye(7)).T[:3])  # force along each axis per torque of each joint
-    theirs = np.array(list(published.FORCE_ERROR.values())).T
+    theirs = np.array(list(FORCE_ERROR.values())).T
     rows = [
         {
             "axis": COORDINATES[i],
-            "thesis_largest_N": dict(zip(published.FORCE_ERROR, theirs[i].tolist(), strict=True)),
+            "thesis_largest_N": dict(zip(FORCE_ERROR, theirs[i].tolist(), strict=True)),
             "thesis_median_N": float(np.median(theirs[i])),
             "largest_median_N": float(np.median(largest[:, i])),
             "largest_of_all_N": float(largest[:, i].max()),
@@ -375,8 +403,8 @@ def loop_time(bench: Bench) -> Experiment:
             " other numbers; ours is Python with a compiled force mapping, without such a kernel: the longest times are"
             " those of whatever else the machine did",
         ),
-        {"thesis_worst_s": published.LOOP_WORST},
-        {"loop_time": partial(loop_time_figure, parts, published.LOOP_WORST)},
+        {"thesis_worst_s": LOOP_WORST},
+        {"loop_time": partial(loop_time_figure, parts, LOOP_WORST)},
         {
             "language": f"Python {platform.python_version()} on this machine ({platform.machine()})",
             "periods": _PERIODS,
