@@ -253,7 +253,7 @@ POINTS = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0.1, 0]])
         (path(POINTS[[0, 0, 1]]), "path.csv:3: pose 2 repeats pose 1: remove it"),
         (path(POINTS, np.array([[0, 0, 0], [0, 1.5, 0], [0, 0, 0]])), "path.csv:3: pose 2: beta is 85.9"),
         (path(POINTS, caps=(0.1, 0, 0, 0, 20, 0)), "path.csv:3: segment 1 -> 2: a_max is 0 m/s2 with 0.1 m to go"),
-        (path(POINTS, caps=(1e-6, 1, 1, 1, 1, 1)), "path.csv:2: the sequence takes 2e+08 periods of 0.001 s"),
+        (path(POINTS, caps=(1e-6, 1, 1, 1, 1, 1)), "path.csv:3: segment 1 -> 2 takes 1e+08 periods of 0.001 s"),
     ],
 )
 def test_what_cannot_be_passed_is_one_line(asked: Route, message: str) -> None:

@@ -15,12 +15,11 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
-from trajopt_cli.iiwa.task.legs import MOST_ROWS
+from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS
 from trajopt_cli.iiwa.task.model import Passing
 from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded
 from trajopt_cli.timing.varying_caps import Rows, least_time, rest_to_rest
 
-CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
 _BINDING = (*CAPS, "joint speed", "joint acceleration")
 ALLOWED = 1e-6
 """Relative: divided differences of the rows may exceed a cap by this, besides what rounding of coordinates makes."""

@@ -1,7 +1,8 @@
 """The equilibrium sequence of a route: every segment divided into periods, both parts ending together.
 
 Profile thesis: eqs 4.23-4.33 of Cihala with the errata (N cruise steps, not N - 1; the floor kept off rounding).
-Trapezoid: section 2.3. S-curve: the same with bounded jerk. The last two stand still at every pose.
+Trapezoid: section 2.3. S-curve: the same with bounded jerk. The last two stand still at every pose, unless it is
+passed.
 """
 
 from __future__ import annotations
@@ -9,22 +10,66 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import ceil, floor, sqrt
 
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
-from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
+from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath
-from trajopt_cli.iiwa.task.laws import FullSpeed, Ramps, full_speed, ramps
-from trajopt_cli.iiwa.task.legs import MOST_ROWS, StraightSegment, legs, path_of, whole_periods
+from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS, Path, name_of, path_of, whole_periods
 from trajopt_cli.iiwa.task.model import COORDINATES, Passing, Profile, RotationLaw, Route, Waypoint
-from trajopt_cli.iiwa.task.passing import CAPS, Passage, passage
+from trajopt_cli.iiwa.task.passing import divided_differences, passage
 from trajopt_cli.iiwa.task.rounded import Polyline
+from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
 _LONG = 10_000  # poses that are passed at once, from which on progress is told
+_WHOLE = 5e-10  # a time this close to a whole number of periods, in periods, is one: 0.2 / 0.1 must not floor to 1
 _ALLOWED = 0.9e-9  # of the 1e-9 by which a step may exceed v_max h or omega_max h; the rest is for whoever measures
+
+
+@dataclass(frozen=True)
+class FullSpeed:
+    """The thesis' law: at once at full speed (eqs 4.26-4.33). periods: t_max / h; binds: the cap that decides it."""
+
+    periods: float
+    binds: str
+
+    def shares(self, slower: bool) -> Array:
+        """Shares (n,): N = floor(t_max / h) steps at full speed, what is left over halved between both ends.
+
+        With nothing left over, N steps and no more. slower: equal steps, over up to a period more than t_max.
+        """
+        # twice the tolerance here, so that what counts as whole below is never floored to the number before
+        whole = floor(self.periods + 2 * _WHOLE)
+        if slower:
+            # at least a hundredth of a period slower, where t_max is whole but for rounding
+            count = ceil(self.periods + 0.01)
+            return np.asarray(np.arange(count + 1) / count, dtype=np.float64)
+        if whole and self.periods - whole <= _WHOLE:
+            return np.asarray(np.arange(whole + 1) / whole, dtype=np.float64)
+        begin = (1.0 - whole / self.periods) / 2
+        return np.asarray(np.r_[0.0, begin + np.arange(whole + 1) / self.periods, 1.0], dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Ramps:
+    """From rest to rest with ramps. periods: the least time in periods; motion: 0 to 1 in its own unit of time."""
+
+    periods: float
+    binds: str
+    motion: PointToPoint
+
+    def shares(self, slower: bool) -> Array:
+        """Shares (n,) of the fastest motion, stretched evenly to whole periods; slower: to one period more."""
+        # never faster than the caps by more than rounding: 3e-12 in jerk
+        count = max(1, ceil(self.periods * (1 - 1e-12))) + slower
+        times = np.asarray(np.arange(count + 1) * (self.motion.duration / count), dtype=np.float64)
+        s = self.motion.at(times)[0][:, 0]
+        s[0], s[-1] = 0.0, 1.0
+        return s
 
 
 @dataclass(frozen=True)
@@ -100,14 +145,49 @@ def planned(
     """A route's sequence, poses every h from its first pose to its last, and what became of each of its segments.
 
     arm: whose joints keep their limits of speed and acceleration, too; None for the caps of the poses alone. Every stop
-    is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.legs or legs.path_of
-    refuses, for steps that are lost in the rounding of the coordinates, for more than MOST_ROWS rows, and for an arm
-    with profile thesis; joint_timing.Untimed for what the arm cannot follow at any speed.
+    is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.path_of refuses, for
+    steps that are lost in the rounding of the coordinates, for more than MOST_ROWS rows, and for an arm with profile
+    thesis; joint_timing.Untimed for what the arm cannot follow at any speed.
     """
+    way, h, stopping = route.waypoints, route.h, route.passing is None
     if arm is not None and route.profile is Profile.THESIS:
         message = "timing: joints needs accelerations, and profile thesis knows none; give trapezoid or s-curve"
-        raise InputError(message, file=route.waypoints[0].place)
-    return _stopping(route, arm) if route.passing is None else _passed(route, progress, arm)
+        raise InputError(message, file=way[0].place)
+    path = path_of(route)
+    laws = [_law(path, leg, route) for leg in range(len(way) - 1)] if stopping else []
+    _check_count(path, route, laws)
+    R_given = rotation(path.pose[:, 3:]) if route.rotation is RotationLaw.SLERP else None
+    facts, rows = list[SegmentFacts](), _Rows(route, path.pose[0])
+    rows.stand(way[0], path.pose[0])
+    for first, goal in pairwise(route.stops):
+        here, there, part, poses = way[first], way[goal], slice(first, goal), slice(first, goal + 1)
+        v, omega, binds, time, passed = 0.0, 0.0, "", 0.0, None
+        if not stopping or (arm is not None and laws[first] is not None):
+            if goal - first > _LONG:
+                progress(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
+            R_part = None if R_given is None else R_given[poses]
+            chain = Polyline(path.at[poses] - path.at[first], path.pose[poses], R_part)
+            name, place = f"segment {here.name} -> {there.name}", (there if stopping else here).place
+            found = passage(chain, path.caps[part], route.passing or Passing(np.inf, np.inf), h, place, arm, name)
+            if arm is not None:
+                assert found.q is not None
+                arm = replace(arm, near=found.q[-1])
+            R = rotation(found.pose[:, 3:]) if found.R is None else found.R
+            time = rows.add(found.pose[1:], R[1:], here.name, there.name)
+            v, omega, *tops = (float(top) for top in found.tops)
+            binds = found.binds
+            passed = None if stopping else Passed(goal - first - 1, found.away, found.turned, *tops)
+        elif (law := laws[first]) is not None:
+            pose, R = _travel(path, first, law, route)
+            v, omega = (float(x.max()) for x in divided_differences(pose, None if R_given is None else R, h)[:2])
+            binds, time = law.binds, rows.add(pose[1:], R[1:], here.name, there.name)
+        ways = float(path.lengths[part].sum()), float(path.turns[part].sum())
+        dwell = rows.stand(there, path.pose[goal])
+        facts.append(SegmentFacts(here.name, there.name, *ways, time, v, omega, binds, dwell, passed))
+    sequence = rows.sequence(path.notes)
+    if stopping and route.rotation is RotationLaw.SLERP:
+        sequence = replace(sequence, notes=(*sequence.notes, *_counted_on(route, path, sequence)))
+    return sequence, tuple(facts)
 
 
 def interpolate(route: Route) -> Equilibrium:
@@ -115,150 +195,86 @@ def interpolate(route: Route) -> Equilibrium:
     return planned(route)[0]
 
 
-def _stopping(route: Route, arm: ArmOnPath | None) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
-    """As planned, for a route that stops at every pose."""
-    segments = legs(route)
-    _check_count(segments, route)
-    first, facts = route.waypoints[0], list[SegmentFacts]()
-    rows = _Rows(route, first.pose)
-    rows.stand(first, first.pose)
-    for leg in segments:
-        duration, v_top, omega_top, binds = 0.0, 0.0, 0.0, ""
-        if not leg.stands:
-            if arm is None:
-                law = _law(leg, route)
-                pose, R = _travel(leg, law, route)
-                binds = law.binds
-            else:
-                found_law = _by_joints(leg, route, arm)
-                pose, binds, arm = found_law.pose, found_law.binds, replace(arm, near=_last(found_law))
-                R = rotation(pose[:, 3:]) if found_law.R is None else found_law.R
-            v_top, omega_top = (float(one.max()) / route.h for one in _steps(pose, R, route.rotation))
-            duration = rows.add(pose[1:], R[1:], leg.origin.name, leg.goal.name)
-        dwell = rows.stand(leg.goal, leg.end)
-        names = leg.origin.name, leg.goal.name
-        facts.append(SegmentFacts(*names, leg.L_p, leg.L_theta, duration, v_top, omega_top, binds, dwell))
-    found = rows.sequence(note for leg in segments for note in leg.notes)
-    if route.rotation is RotationLaw.SLERP:
-        found = replace(found, notes=(*found.notes, *_counted_on(segments, found)))
-    return found, tuple(facts)
+def _law(path: Path, leg: int, route: Route) -> FullSpeed | Ramps | None:
+    """The fastest way along a leg from rest to rest; None where its pose is only repeated."""
+    ways = path.lengths[leg], path.turns[leg]
+    moving = [part for part in (0, 1) if ways[part]]
+    if not moving:
+        return None
+    # caps per length of the way [1/s], [1/s2], [1/s3]: of both parts the one that allows less
+    rates = [min((path.caps[leg, i + part] / ways[part], i + part) for part in moving) for i in (0, 2, 4)]
+    caps = [(float(rate), CAPS[k]) for rate, k in rates if rate < np.inf]
+    speed, *others = (rate for rate, _ in caps)
+    if not others:
+        return FullSpeed(1.0 / (speed * route.h), caps[0][1])
+    # in a unit of time in which the motion takes between 1 and about 10, whatever the way's length and the caps
+    unit = max(1 / speed, 1 / sqrt(others[0]), *(jerk ** (-1 / 3) for jerk in others[1:]))
+    limits = [np.array([rate * unit**order]) for order, (rate, _) in enumerate(caps, start=1)]
+    motion = point_to_point(np.zeros(1), np.ones(1), limits[0], limits[1], limits[2] if len(limits) > 2 else None)
+    tops = (float(np.max(np.abs(x))) for x in (motion.qd, motion.qdd, motion.qddd))
+    # the first cap reached decides most: a motion that cruises is as long as its speed makes it
+    reached = (top >= limit[0] * (1 - 1e-9) for limit, top in zip(limits, tops, strict=False))
+    binds = next((name for (_, name), at in zip(caps, reached, strict=True) if at), caps[-1][1])
+    return Ramps(motion.duration * unit / route.h, binds, motion)
 
 
-def _by_joints(leg: StraightSegment, route: Route, arm: ArmOnPath) -> Passage:
-    """A leg from rest to rest within the joints' limits, too."""
-    R = None if leg.turn is None else rotation(np.array([leg.origin.pose[3:], leg.goal.pose[3:]]))
-    chain = Polyline(np.array([0.0, 1.0 / leg.rates[0].value]), np.array([leg.start, leg.end]), R)
-    caps = np.array([[np.inf if (cap := getattr(leg.speeds, name)) is None else cap for name in CAPS]])
-    if route.profile is Profile.TRAPEZOID:
-        caps[:, 4:] = np.inf
-    return passage(chain, caps, Passing(np.inf, np.inf), route.h, leg.goal.place, arm, leg.name)
-
-
-def _last(found: Passage) -> Array:
-    assert found.q is not None
-    return np.asarray(found.q[-1])
-
-
-def _passed(
-    route: Route, progress: Callable[[str], None], arm: ArmOnPath | None
-) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
-    """As planned, for a route that passes poses without a stop."""
-    path = path_of(route)
-    waypoints, passing, facts = route.waypoints, route.passing, list[SegmentFacts]()
-    assert passing is not None
-    R_given = rotation(path.pose[:, 3:]) if route.rotation is RotationLaw.SLERP else None
-    rows = _Rows(route, path.pose[0])
-    rows.stand(waypoints[0], path.pose[0])
-    for first, goal in pairwise(route.stops):
-        part, poses = slice(first, goal), slice(first, goal + 1)
-        here, there = waypoints[first], waypoints[goal]
-        if goal - first > _LONG:
-            progress(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
-        chain = Polyline(path.at[poses] - path.at[first], path.pose[poses], None if R_given is None else R_given[poses])
-        found = passage(
-            chain, path.caps[part], passing, route.h, here.place, arm, f"segment {here.name} -> {there.name}"
-        )
-        if arm is not None:
-            arm = replace(arm, near=_last(found))
-        R = rotation(found.pose[:, 3:]) if found.R is None else found.R
-        time = rows.add(found.pose[1:], R[1:], here.name, there.name)
-        dwell = rows.stand(there, path.pose[goal])
-        v, omega, *tops = (float(top) for top in found.tops)
-        more = Passed(goal - first - 1, found.away, found.turned, *tops)
-        L_p, L_theta = (float(lengths[part].sum()) for lengths in (path.lengths, path.turns))
-        facts.append(SegmentFacts(here.name, there.name, L_p, L_theta, time, v, omega, found.binds, dwell, more))
-    return rows.sequence(path.notes), tuple(facts)
-
-
-def _steps(pose: Array, R: Array, law: RotationLaw) -> tuple[Array, Array]:
-    """Lengths of the steps (n - 1,) of position [m] and orientation [rad]."""
-    steps = np.diff(pose, axis=0)
-    turns = steps[:, 3:] if law is RotationLaw.TAIT_BRYAN else rotation_vector(np.swapaxes(R[:-1], -1, -2) @ R[1:])
-    return _norms(steps[:, :3]), _norms(turns)
-
-
-def _norms(rows: Array) -> Array:
-    return np.asarray(np.linalg.norm(rows, axis=-1))
-
-
-def _travel(leg: StraightSegment, law: FullSpeed | Ramps, route: Route) -> tuple[Array, Array]:
+def _travel(path: Path, leg: int, law: FullSpeed | Ramps, route: Route) -> tuple[Array, Array]:
     """The rows of a segment; one period slower where rounding would break the caps, or repeat a pose, at full speed."""
     for slower in (False, True):
         s = law.shares(slower)
-        pose, R = _rows(leg, s)
-        if _legal(leg, pose, s, route):
+        pose, R = _rows(path, leg, s)
+        if _legal(path, leg, pose, s, route):
             return pose, R
-    step, turn = leg.L_p / law.periods, leg.L_theta / law.periods
+    step, turn = path.lengths[leg] / law.periods, path.turns[leg] / law.periods
     raise InputError(
-        f"{leg.name}: {step:.3g} m and {turn:.3g} rad per period are lost in the rounding of coordinates this large; "
-        "give higher speeds, or coordinates from a nearer origin",
-        file=leg.goal.place,
+        f"{name_of(route, leg)}: {step:.3g} m and {turn:.3g} rad per period are lost in the rounding of coordinates "
+        "this large; give higher speeds, or coordinates from a nearer origin",
+        file=route.waypoints[leg + 1].place,
     )
 
 
-def _check_count(segments: tuple[StraightSegment, ...], route: Route) -> None:
+def _check_count(path: Path, route: Route, laws: list[FullSpeed | Ramps | None]) -> None:
     """Refuse, before anything is built, what no memory holds; naming what takes longest."""
-    parts = [(w.dwell / route.h, f"the dwell at pose {w.name}", w.place) for w in route.waypoints]
-    parts += [(_law(leg, route).periods, leg.name, leg.goal.place) for leg in segments if not leg.stands]
-    rows = sum(part[0] for part in parts)
+    periods = np.diff(path.at) / route.h
+    if laws:
+        periods = np.array([0.0 if law is None else law.periods for law in laws])
+    stops = [route.waypoints[i] for i in route.stops]
+    dwells = np.array([one.dwell for one in stops]) / route.h
+    rows, leg, longest = float(periods.sum() + dwells.sum()), int(np.argmax(periods)), stops[int(np.argmax(dwells))]
     if rows > MOST_ROWS:
-        longest, what, place = max(parts)
-        message = (
-            f"{what} takes {longest:.3g} periods of {route.h:g} s, the sequence {rows:.3g}, at most {MOST_ROWS:.3g}"
-        )
+        what, place, most = name_of(route, leg), route.waypoints[leg + 1].place, float(periods[leg])
+        if dwells.max() > most:
+            what, place, most = f"the dwell at pose {longest.name}", longest.place, float(dwells.max())
+        message = f"{what} takes {most:.3g} periods of {route.h:g} s, the sequence {rows:.3g}, at most {MOST_ROWS:.3g}"
         raise InputError(f"{message}; give a higher speed, a shorter dwell or a longer period", file=place)
 
 
-def _law(leg: StraightSegment, route: Route) -> FullSpeed | Ramps:
-    speed, acceleration, jerk = leg.rates
-    if route.profile is Profile.THESIS:
-        return full_speed(speed, route.h)
-    return ramps(speed, acceleration, jerk, route.h)
-
-
-def _rows(leg: StraightSegment, s: Array) -> tuple[Array, Array]:
+def _rows(path: Path, leg: int, s: Array) -> tuple[Array, Array]:
     """Poses (n, 6) and matrices (n, 3, 3) at shares s (n,) of the way: products from the start, never sums."""
-    pose = leg.start + s[:, None] * (leg.end - leg.start)
-    pose[-1] = leg.end
-    if leg.turn is None:
+    start, end = path.pose[leg], path.pose[leg + 1]
+    pose = start + s[:, None] * (end - start)
+    pose[-1] = end
+    if path.vectors is None:
         return pose, rotation(pose[:, 3:])
-    angle = float(np.linalg.norm(leg.turn))
-    axis = leg.turn / angle if angle else np.array([1.0, 0.0, 0.0])
-    R = rotation(leg.origin.pose[3:]) @ rotation_about(axis, s * angle)
-    R[-1] = rotation(leg.goal.pose[3:])
+    turn = path.vectors[leg]
+    angle = float(np.linalg.norm(turn))
+    axis = turn / angle if angle else np.array([1.0, 0.0, 0.0])
+    R = rotation(start[3:]) @ rotation_about(axis, s * angle)
+    R[-1] = rotation(end[3:])
     pose[1:-1, 3:] = angles_of(R[1:-1])
     return pose, R
 
 
-def _legal(leg: StraightSegment, pose: Array, s: Array, route: Route) -> bool:
+def _legal(path: Path, leg: int, pose: Array, s: Array, route: Route) -> bool:
     """Whether no step exceeds its cap by more than the allowance, and at full speed none is lost in rounding."""
-    steps = np.diff(pose, axis=0)
+    steps, turns = np.diff(pose, axis=0), path.turns[leg]
     if route.profile is Profile.THESIS and not np.all(np.any(steps != 0, axis=1)):
         return False
+    moved, turned = (np.linalg.norm(part, axis=1).max() for part in (steps[:, :3], steps[:, 3:]))
     # matrices of size 1 are rounded to 1e-15 whatever the angle, and measuring the turns would see no more
-    turned = _norms(steps[:, 3:]).max() if leg.turn is None else np.diff(s).max() * leg.L_theta + 1e-15
-    checks = ((leg.L_p, _norms(steps[:, :3]).max(), leg.speeds.v_max), (leg.L_theta, turned, leg.speeds.omega_max))
-    return all(length == 0 or step <= cap * route.h * (1 + _ALLOWED) for length, step, cap in checks)
+    turned = turned if path.vectors is None else np.diff(s).max() * turns + 1e-15
+    v_max, omega_max = path.caps[leg, :2] * route.h * (1 + _ALLOWED)
+    return bool((path.lengths[leg] == 0 or moved <= v_max) and (turns == 0 or turned <= omega_max))
 
 
 def _rounded_dwells(route: Route) -> Iterator[str]:
@@ -270,12 +286,13 @@ def _rounded_dwells(route: Route) -> Iterator[str]:
                 yield f"pose {waypoint.name}: the dwell of {waypoint.dwell:g} s is rounded up to {taken}"
 
 
-def _counted_on(segments: tuple[StraightSegment, ...], found: Equilibrium) -> Iterator[str]:
+def _counted_on(route: Route, path: Path, found: Equilibrium) -> Iterator[str]:
     """One sentence on the first pose whose angles the columns write another way than the task."""
-    arrivals = (found.pose[piece.last] for piece in found.pieces if not piece.dwell)
-    for leg, row in zip((leg for leg in segments if not leg.stands), arrivals, strict=True):
-        if np.any(np.abs(row[3:] - leg.goal.pose[3:]) > 1e-9):
-            pairs = zip(COORDINATES[3:], np.degrees(row[3:]), strict=True)
-            angles = ", ".join(f"{name} {value:.6g}°" for name, value in pairs)
-            yield f"pose {leg.goal.name}: angles never jump, they count on to {angles}; the orientation is the pose's"
+    goals = [one for one, way, turn in zip(route.waypoints[1:], path.lengths, path.turns, strict=True) if way or turn]
+    arrivals = (found.pose[piece.last, 3:] for piece in found.pieces if not piece.dwell)
+    for goal, angles in zip(goals, arrivals, strict=True):
+        if np.any(np.abs(angles - goal.pose[3:]) > 1e-9):
+            pairs = zip(COORDINATES[3:], np.degrees(angles), strict=True)
+            written = ", ".join(f"{name} {value:.6g}°" for name, value in pairs)
+            yield f"pose {goal.name}: angles never jump, they count on to {written}; the orientation is the pose's"
             return
