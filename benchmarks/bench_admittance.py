@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # run from a checkout withou
 from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.loop import PARTS, run
 from trajopt_cli.iiwa.controller.parameters import Settings
-from trajopt_cli.iiwa.controller.regulator import response, response_rotation
+from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration, RotationLaw, Sensor
 from trajopt_cli.iiwa.task.world import Measured
 from trajopt_cli.robot.dynamics import Dynamics
@@ -60,12 +60,11 @@ def law_rows(seconds: float) -> None:
     t = np.arange(n) * H
     x_e, force = 0.1 * np.sin(t)[:, None] * np.ones(6), 5 * np.cos(3 * t)[:, None] * np.ones(6)
     R_e = np.broadcast_to(np.eye(3), (n, 3, 3))
-    k, d, m = COMPLIANCE.K[3:], COMPLIANCE.D[3:], COMPLIANCE.M[3:]
     rows = {
         "Euler": lambda: response(x_e, H, COMPLIANCE),
         "Euler, force, speed fed": lambda: response(x_e, H, COMPLIANCE, feed=Feed.VELOCITY, force=force),
         "exact, force": lambda: response(x_e, H, COMPLIANCE, integration=Integration.EXACT, force=force),
-        "rotation without lock": lambda: response_rotation(R_e, H, k, d, m, force[:, 3:]),
+        "rotation without lock": lambda: response(x_e, H, COMPLIANCE, R_e=R_e, force=force),
     }
     print(f"{seconds:g} s at {1 / H:g} Hz, {n} rows{'':14}{'s':>10}{'x real time':>14}")
     for name, call in rows.items():

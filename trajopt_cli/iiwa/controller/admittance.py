@@ -14,7 +14,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.iiwa.controller.forces import SMALLEST, SingularArm, TorqueErrors, clamped, force_of, zero
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Settings, Stop, StopKind
-from trajopt_cli.iiwa.controller.pose_regulator import pose_regulator
+from trajopt_cli.iiwa.controller.regulator import Regulator
 from trajopt_cli.iiwa.controller.rotations import Nine, Three, angles, nine, rotation, transpose
 from trajopt_cli.iiwa.task.model import BETA_LIMIT, Change, Clamps, RotationLaw
 from trajopt_cli.iiwa.task.world import Measured, Seven, Six
@@ -55,7 +55,8 @@ class Controller:
         self._set_clamps(settings.clamps)
         self._changes = sorted(settings.changes, key=lambda change: change.t)
         R, p = self._kinematics.forward(q_0)
-        self._state = pose_regulator(settings, R, p)
+        laws = settings.rotation, settings.integration, settings.feed
+        self._state = Regulator(settings.compliance, settings.h, R, p, *laws)
         self._R_first = R
         self._seen_from: tuple[Array, Array] | None = None  # X_W'W and X_TT' since the start, None while unchanged
         self._near: Three = (0.0, 0.0, 0.0)  # the equilibrium's angles of the row before, in the present frames
@@ -78,7 +79,7 @@ class Controller:
     @property
     def X_WT(self) -> tuple[Nine, Three]:
         """The regulator's pose of the TCP in the world: nine floats row by row, and position [m]."""
-        return self._state.pose
+        return self._state.R, self._state.x[:3]
 
     @property
     def R_start(self) -> Array:
@@ -104,7 +105,7 @@ class Controller:
         self._state.step(aim, (a, b, c, d, e, f), following)
         self.k += 1
         x = self._state.x
-        R, p = self._state.pose
+        R, p = self.X_WT
         moved_at = perf_counter()
         if self.settings.rotation is RotationLaw.TAIT_BRYAN and not abs(x[4]) <= BETA_LIMIT:
             return self._locked(x[4])
@@ -179,7 +180,7 @@ class Controller:
         X_FT = self._X_FT if change.X_FT is None else change.X_FT
         world = X_WB @ inverse_pose(self.robot.X_WB)
         tool = inverse_pose(self._X_FT) @ X_FT
-        x_before, (R, p), (v, w) = self._state.x, self._state.pose, self._state.twist
+        x_before, (R, p), (v, w) = self._state.x, self.X_WT, self._state.twist
         (x, y, z), (a, b, c) = turned(R, _three(tool[:3, 3])), w  # the new TCP turns about the old one
         v = (v[0] + b * z - c * y, v[1] + c * x - a * z, v[2] + a * y - b * x)
         R_world = nine(world[:3, :3].ravel().tolist())

@@ -20,7 +20,7 @@ from trajopt_cli.iiwa.controller.feed_bound import least_duration
 from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
-from trajopt_cli.iiwa.controller.regulator import response, response_rotation
+from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.task.angles import angles_near, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Piece
@@ -306,20 +306,19 @@ def _through_waypoints(way: Rounded, s: Array) -> Array:
 def _simulated(of: _Question, allowed: Allowed, fed: FedRows, rest: float) -> Dosed:
     """The controller's answer to a feed, and the greatest lag and push. rest [s]: after the end."""
     path, law, h, integration = of.path, of.law, of.h, of.integration
-    x_e, plan_x = held(fed.pose, rest, h), held(fed.plan, rest, h)
-    more = len(x_e) - len(fed.pose)
-    R_e, R_plan = (np.concatenate([R, np.repeat(R[-1:], more, axis=0)]) for R in (fed.R, fed.R_plan))
+    x_e, plan_x, R_e, R_plan = (held(rows, rest, h) for rows in (fed.pose, fed.plan, fed.R, fed.R_plan))
     changes = [(fed.pieces[leg].first, one) for leg, one in of.changes]
-    x = response(x_e, h, law, integration=integration, x_0=fed.plan[0], changes=changes).x
+    turns = R_e if path.R is not None and any(path.moves[3:]) else None
+    answer = response(
+        *(x_e, h, law), R_e=turns, integration=integration, x_0=fed.plan[0], R_0=R_plan[0], changes=changes
+    )
+    x, R_x = answer.x, answer.R
     which = np.searchsorted([row for row, _ in changes], np.arange(len(x)), side="right")
     K = of.diagonals(which)[0]
     behind = x_e - x
-    R_x = rotation(x[:, 3:])
+    if R_x is None:
+        R_x = rotation(x[:, 3:]) if path.R is None else R_plan
     if path.R is not None:
-        R_x = R_plan
-        if any(path.moves[3:]):
-            how = {"integration": integration, "R_0": fed.R_plan[0], "changes": changes}
-            R_x = response_rotation(R_e, h, law, **how).R
         x = np.column_stack([x[:, :3], angles_near(R_x, plan_x[:, 3:])])
         behind[:, 3:] = rotation_vector(R_e @ np.swapaxes(R_x, 1, 2))
     lead = np.where(K > 0, behind, 0.0)

@@ -36,18 +36,12 @@ def force_of(J: ArrayLike, tau: ArrayLike) -> Array:
     which clamps bound. Raises SingularArm where that value is under SMALLEST.
     """
     J, tau = np.asarray(J, dtype=np.float64), np.asarray(tau, dtype=np.float64)
-    try:
-        inverse = np.linalg.inv(J @ J.swapaxes(-1, -2))
-        # trace (J J^T)^-1 = sum of 1/sigma^2: no sigma is smaller than one over its root
-        doubtful = not np.all(1 / np.trace(inverse, axis1=-2, axis2=-1) > SMALLEST**2)
-    except np.linalg.LinAlgError:
-        doubtful = True
-    if doubtful:
-        smallest = np.linalg.svd(J, compute_uv=False)[..., -1]
-        if np.any(smallest < SMALLEST):
-            row = np.unravel_index(int(np.argmin(smallest)), smallest.shape)
-            raise SingularArm(float(np.min(smallest)), tuple(int(i) for i in row))
-    return np.asarray((inverse @ (J @ tau[..., None]))[..., 0])
+    U, sizes, V = np.linalg.svd(J, full_matrices=False)
+    smallest = sizes[..., -1]
+    if np.any(smallest < SMALLEST):
+        row = np.unravel_index(int(np.argmin(smallest)), smallest.shape)
+        raise SingularArm(float(np.min(smallest)), tuple(int(i) for i in row))
+    return np.asarray((U @ ((V @ tau[..., None]) / sizes[..., None]))[..., 0])
 
 
 def passing(zeroing: Zeroing) -> Array:
@@ -73,10 +67,7 @@ def zero(F: ArrayLike, zeroing: Zeroing) -> Array:
 
 def clamped(values: Sequence[float], bounds: Sequence[float]) -> list[float]:
     """Values within +-bounds, in plain floats; NaN stays NaN."""
-    return [
-        bound if value > bound else -bound if value < -bound else value
-        for value, bound in zip(values, bounds, strict=True)
-    ]
+    return [min(max(value, -bound), bound) for value, bound in zip(values, bounds, strict=True)]
 
 
 class TorqueErrors:

@@ -57,9 +57,9 @@ def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> L
     return Lag(float(d[row]), row * h, row, piece, float(np.mean(d)), float(turn[turn_row]), turn_row * h)
 
 
-def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
-    """The equilibrium x_e (n, 6) with its last row held for at least seconds more, so that the arm arrives."""
-    return _longer(np.asarray(x_e, dtype=np.float64), held_rows(seconds, h))
+def held(rows: ArrayLike, seconds: float, h: float) -> Array:
+    """Rows (n, ...) with the last one held for at least seconds more, so that the arm arrives."""
+    return _longer(np.asarray(rows, dtype=np.float64), held_rows(seconds, h))
 
 
 def held_rows(seconds: float, h: float) -> int:

@@ -18,7 +18,7 @@ from trajopt_cli.iiwa.controller.admittance import Controller
 from trajopt_cli.iiwa.controller.impedance import ImpedanceController
 from trajopt_cli.iiwa.controller.lag import held_rows
 from trajopt_cli.iiwa.controller.parameters import Command, Goal, Stop, StopKind
-from trajopt_cli.iiwa.controller.rotations import nine
+from trajopt_cli.iiwa.controller.rotations import Nine, nine
 from trajopt_cli.iiwa.task.model import RotationLaw
 from trajopt_cli.iiwa.task.world import Seven, World
 from trajopt_cli.limits import JointLimits
@@ -72,10 +72,12 @@ def run(
     before the first command that breaks a joint's range or speed (limits), has no inverse, or passes the angles' lock;
     the rows end with the last one whose command was sent.
     """
-    goals = _goals(x_e, R_e, controller.settings.rotation)
-    if wrench is not None:
-        told = np.asarray(wrench, dtype=np.float64).tolist()
-        goals = [goal._replace(wrench=tuple(row)) for goal, row in zip(goals, told, strict=True)]
+    x_e = np.asarray(x_e, dtype=np.float64)
+    told = np.zeros_like(x_e) if wrench is None else np.asarray(wrench, dtype=np.float64)
+    turns: list[Nine | None] = [None] * len(x_e)
+    if controller.settings.rotation is RotationLaw.SLERP:
+        turns = [nine(R) for R in np.asarray(R_e, dtype=np.float64).reshape(-1, 9).tolist()]
+    goals = [Goal(tuple(x), R, tuple(F)) for x, R, F in zip(x_e.tolist(), turns, told.tolist(), strict=True)]
     goals += [goals[-1]] * held_rows(settle, controller.settings.h)
     command = controller.q_0
     measured = world.reset(command)
@@ -147,11 +149,3 @@ def _guard(limits: JointLimits, h: float) -> Callable[[Seven, Seven, float], Sto
         return Stop(t, StopKind.SPEED, limits.names[i], rate, speeds[i], "rad/s", message)
 
     return refused
-
-
-def _goals(x_e: ArrayLike, R_e: ArrayLike | None, law: RotationLaw) -> list[Goal]:
-    rows = np.asarray(x_e, dtype=np.float64).tolist()
-    if law is RotationLaw.TAIT_BRYAN:
-        return [Goal(tuple(row)) for row in rows]
-    turns = np.asarray(R_e, dtype=np.float64).reshape(len(rows), 9).tolist()
-    return [Goal(tuple(row), nine(R)) for row, R in zip(rows, turns, strict=True)]

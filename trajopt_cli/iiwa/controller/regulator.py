@@ -12,37 +12,123 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from math import isqrt
+from itertools import pairwise, zip_longest
+from operator import add, sub
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.iiwa.controller.rotations import Nine, Three, exponential, logarithm, nine, transpose
-from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration
+from trajopt_cli.iiwa.controller.parameters import Goal
+from trajopt_cli.iiwa.controller.rotations import (
+    Nine,
+    Three,
+    angle_rates,
+    angles,
+    exponential,
+    logarithm,
+    nine,
+    rotation,
+    spin,
+    transpose,
+)
+from trajopt_cli.iiwa.task.model import Compliance, Feed, Integration, RotationLaw
 from trajopt_cli.iiwa.task.world import Six
 from trajopt_cli.robot.srs_step import product
 
 Coefficients = tuple[float, float, float, float, float, float]
 
-STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_STILL: Six = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """State over time: row k is x (n, 6) [m, rad] and v (n, 6) [m/s, rad/s] at time k h."""
+    """State over time: row k is x (n, 6) [m, rad] and v (n, 6) [m/s, rad/s] at time k h.
+
+    R (n, 3, 3): the orientations where the law goes by them; v then ends with the angular velocity, and the angles of x
+    count from the first. None where it goes by angles.
+    """
 
     x: Array
     v: Array
+    R: Array | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class TurnResponse:
-    """Orientation over time: row k is R (n, 3, 3) in the world and the angular velocity w (n, 3) [rad/s] there."""
+class Regulator:
+    """The law one period at a time, in plain floats, at rest at a pose R, p [m] that becomes the start.
 
-    R: Array
-    w: Array
+    TAIT_BRYAN: each of three angles from R_start is an axis, R = Rz Ry Rx R_start. SLERP: there is no gimbal lock; the
+    deviation of the rotation is phi = log(R R_e^T), a rotation vector in world axes, in place of the angles'
+    differences: w' = w + h/m (tau - d w - k phi), R' = exp(h w) R, or the exact law on phi. Its angles are only
+    written, and count on from row to row.
+
+    x (6,): position [m] and angles [rad] from R_start; v (6,): their rates, or velocity and angular velocity (SLERP);
+    R: the orientation in the world.
+    """
+
+    def __init__(
+        self,
+        compliance: Compliance,
+        h: float,
+        R: Nine,
+        p: Three,
+        rotation: RotationLaw = RotationLaw.TAIT_BRYAN,
+        integration: Integration = Integration.EULER,
+        feed: Feed = Feed.POSITION,
+    ) -> None:
+        self.x: Six = (*p, 0.0, 0.0, 0.0)
+        self.v, self.R, self.R_start = _STILL, R, R
+        self._h, self._integration, self._feeds_speed = h, integration, feed is Feed.VELOCITY
+        self._slerp = rotation is RotationLaw.SLERP
+        self.set(compliance)
+
+    def set(self, compliance: Compliance) -> None:
+        """Stiffness, damping and inertia from now on; the state stays."""
+        self._axes = coefficients(compliance.K, compliance.D, compliance.M, self._h, self._integration)
+
+    @property
+    def twist(self) -> tuple[Three, Three]:
+        """Velocity [m/s] and angular velocity [rad/s] of the TCP in world axes."""
+        return self.v[:3], self.v[3:] if self._slerp else spin(self.x[3:], self.v[3:])
+
+    def put(self, pose: tuple[Nine, Three], twist: tuple[Three, Three], R_start: Nine, near: Three) -> None:
+        """The same state seen from other frames, its angles nearest to near."""
+        (self.R, p), (v, w), self.R_start = pose, twist, R_start
+        at = angles(product(self.R, transpose(R_start)), near)
+        self.x, self.v = (*p, *at), (*v, *(w if self._slerp else angle_rates(at, w)))
+
+    def step(self, goal: Goal, F: Six, following: Goal | None = None) -> None:
+        """One period with this equilibrium and force; following: the next row, None at the end.
+
+        Raises ValueError for a goal without its orientation where the law goes by them.
+        """
+        h, v_e, rates, moved = self._h, _STILL, [], []
+        if self._feeds_speed and following is not None:
+            a, b, c, d, e, f = self._off(following.x, following.R, goal)
+            v_e = (a / h, b / h, c / h, d / h, e / h, f / h)
+        off = self._off(self.x, self.R, goal)
+        for (a, b, c, p, q, r), deviation, rate, force, pace in zip(self._axes, off, self.v, F, v_e, strict=True):
+            w = rate - pace
+            rates.append(pace + a * w + b * deviation + c * force)
+            moved.append(h * pace + p * w + q * deviation + r * force)
+        a, b, c, d, e, f = rates
+        self.v = (a, b, c, d, e, f)
+        a, b, c, d, e, f = map(add, self.x, moved)
+        if self._slerp:
+            self.R = product(exponential((moved[3], moved[4], moved[5])), self.R)
+            d, e, f = angles(product(self.R, transpose(self.R_start)), self.x[3:])
+        else:
+            self.R = product(rotation(d, e, f), self.R_start)
+        self.x = (a, b, c, d, e, f)
+
+    def _off(self, x: Six, R: Nine | None, goal: Goal) -> Six:
+        """How far a pose is from an equilibrium, by axis."""
+        a, b, c, d, e, f = map(sub, x, goal.x)
+        if self._slerp:
+            if R is None or goal.R is None:
+                raise ValueError("slerp: the equilibrium's row has no orientation R in the world")
+            d, e, f = logarithm(product(R, transpose(goal.R)))
+        return (a, b, c, d, e, f)
 
 
 def coefficients(K: Array, D: Array, M: Array, h: float, integration: Integration) -> list[Coefficients]:
@@ -68,25 +154,41 @@ def response(
     h: float,
     compliance: Compliance,
     *,
+    R_e: ArrayLike | None = None,
     integration: Integration = Integration.EULER,
     feed: Feed = Feed.POSITION,
     force: ArrayLike | None = None,
     x_0: ArrayLike | None = None,
     v_0: ArrayLike | None = None,
+    R_0: ArrayLike | None = None,
     changes: Sequence[tuple[int, Compliance]] = (),
 ) -> Response:
     """What the controller makes of an equilibrium x_e (n, 6) [m, rad], one row every h [s], angles as numbers.
 
-    force (n, 6) [N, Nm]: external force, none for None. Row k is the state at k h; x_e and force of row k act from
-    k h to (k + 1) h. x_0, v_0 (6,): the state at 0, x_e's first row at rest for None. feed VELOCITY: the equilibrium
-    also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row. changes: rows, in order, from which on
-    another compliance holds.
+    R_e (n, 3, 3): orientations that the law goes by in place of angles, the diagonals in their axes. force (n, 6)
+    [N, Nm]: external force, none for None. Row k is the state at k h; equilibrium and force of row k act from k h to
+    (k + 1) h. x_0, v_0 (6,), R_0 (3, 3): the state at 0, the first row at rest for None. feed VELOCITY: the
+    equilibrium also moves on with v_e = (x_e,k+1 - x_e,k) / h, zero after its last row. changes: rows, in order, from
+    which on another compliance holds.
     """
     x_e = np.asarray(x_e, dtype=np.float64)
     start = x_e[0] if x_0 is None else np.asarray(x_0, dtype=np.float64)
     rate = np.zeros(6) if v_0 is None else np.asarray(v_0, dtype=np.float64)
-    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
     pushes = np.zeros_like(x_e) if force is None else np.asarray(force, dtype=np.float64)
+    if R_e is not None:
+        R = np.asarray(R_e, dtype=np.float64).reshape(-1, 9)
+        begin = nine((R[0] if R_0 is None else np.asarray(R_0, dtype=np.float64).ravel()).tolist())
+        one = Regulator(compliance, h, begin, tuple(start[:3].tolist()), RotationLaw.SLERP, integration, feed)
+        one.v, changed, states = tuple(rate.tolist()), dict(changes), []
+        goals = [Goal(tuple(row), nine(turn)) for row, turn in zip(x_e.tolist(), R.tolist(), strict=True)]
+        for k, (goal, F, following) in enumerate(zip_longest(goals, pushes.tolist(), goals[1:])):
+            if k in changed:
+                one.set(changed[k])
+            states.append((*one.x, *one.v, *one.R))
+            one.step(goal, F, following)
+        x, v, R = np.split(readonly(np.array(states)), (6, 12), axis=1)
+        return Response(x, v, R.reshape(-1, 3, 3))
+    v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros_like(x_e)
     v, x = np.empty((2, *x_e.shape))
     for (first, law), (end, _) in pairwise([(0, compliance), *changes, (len(x_e), compliance)]):
         rows = slice(first, min(end + 1, len(x_e)))  # the state at the end is where the next one begins
@@ -111,92 +213,15 @@ def _scan(
 ) -> tuple[Array, Array]:
     """v and x (n, k) of v' = a v + b x + kick, x' = p v + s x + shift, rows at the start of every period.
 
-    The law is linear: about sqrt(n) blocks of rows are run side by side, each from zero; then each gets what its first
-    row's true state becomes by itself.
+    What all rows together have to be, v_0, x_0, v_1, x_1, ..., is a triangular band of equations.
     """
-    a, b, p, s = law
+    from scipy.linalg.lapack import dtbtrs
+
     n, k = kick.shape
-    size = isqrt(n - 1) + 1
-    blocks = -(-n // size)
-    filled = np.zeros((2, blocks * size, k))
-    filled[0, :n], filled[1, :n] = kick, shift
-    kicks, shifts = filled.reshape(2, blocks, size, k)
-    v, x = np.empty((blocks, size, k)), np.empty((blocks, size, k))
-    powers = np.empty((size, 4, k))
-    vs = xs = np.zeros((blocks, k))
-    vv, vx, xv, xx = np.ones(k), np.zeros(k), np.zeros(k), np.ones(k)
-    with np.errstate(over="ignore", invalid="ignore"):  # an unstable law leaves every number
-        for j in range(size):
-            v[:, j], x[:, j], powers[j] = vs, xs, (vv, vx, xv, xx)
-            vs, xs = a * vs + b * xs + kicks[:, j], p * vs + s * xs + shifts[:, j]
-            vv, vx, xv, xx = a * vv + b * xv, a * vx + b * xx, p * vv + s * xv, p * vx + s * xx
-        begin_v, begin_x = np.empty((blocks, 1, k)), np.empty((blocks, 1, k))
-        for i in range(blocks):
-            begin_v[i], begin_x[i] = v_0, x_0
-            v_0, x_0 = vv * v_0 + vx * x_0 + vs[i], xv * v_0 + xx * x_0 + xs[i]
-        by_vv, by_vx, by_xv, by_xx = powers.transpose(1, 0, 2)
-        v += by_vv * begin_v + by_vx * begin_x
-        x += by_xv * begin_v + by_xx * begin_x
-    return v.reshape(-1, k)[:n], x.reshape(-1, k)[:n]
-
-
-def advance(
-    axes: Sequence[Coefficients],
-    h: float,
-    e: Sequence[float],
-    v: Sequence[float],
-    F: Sequence[float],
-    v_e: Sequence[float],
-) -> tuple[list[float], list[float]]:
-    """The rates after one period, and the distance moved in it, of all axes from their deviations e."""
-    rates, moved = [], []
-    for (a, b, c, p, q, r), deviation, rate, force, pace in zip(axes, e, v, F, v_e, strict=True):
-        w = rate - pace
-        rates.append(pace + a * w + b * deviation + c * force)
-        moved.append(h * pace + p * w + q * deviation + r * force)
-    return rates, moved
-
-
-def response_rotation(
-    R_e: ArrayLike,
-    h: float,
-    compliance: Compliance,
-    torque: ArrayLike | None = None,
-    *,
-    integration: Integration = Integration.EULER,
-    feed: Feed = Feed.POSITION,
-    R_0: ArrayLike | None = None,
-    w_0: ArrayLike = (0.0, 0.0, 0.0),
-    changes: Sequence[tuple[int, Compliance]] = (),
-) -> TurnResponse:
-    """What the controller makes of orientations R_e (n, 3, 3), one every h [s]: pose_regulator.SlerpRegulator's law.
-
-    The diagonals are in world axes; changes as of response. torque (n, 3) [Nm], none for None. R_0 (3, 3), w_0 (3,):
-    the state at 0, the first orientation at rest by default. feed VELOCITY: w_e = log(R_e,k+1 R_e,k^T) / h, zero after
-    the last row.
-    """
-    R_e = np.asarray(R_e, dtype=np.float64)
-    n = len(R_e)
-    torques = np.zeros((n, 3)) if torque is None else np.asarray(torque, dtype=np.float64)
-    laws = {row: coefficients(law.K[3:], law.D[3:], law.M[3:], h, integration) for row, law in changes}
-    axes = coefficients(compliance.K[3:], compliance.D[3:], compliance.M[3:], h, integration)
-    goals = [nine(row) for row in R_e.reshape(n, 9).tolist()]
-    R = goals[0] if R_0 is None else nine(np.asarray(R_0, dtype=np.float64).reshape(9).tolist())
-    w = np.asarray(w_0, dtype=np.float64).tolist()
-    rates = [(0.0, 0.0, 0.0)] * n
-    if feed is Feed.VELOCITY:
-        rates[:-1] = [turn_rate(here, there, h) for here, there in pairwise(goals)]
-    Rs, ws = [], []
-    for row, (goal, tau, pace) in enumerate(zip(goals, torques.tolist(), rates, strict=True)):
-        Rs.append(R)
-        ws.append(w)
-        axes = laws.get(row, axes)
-        w, (x, y, z) = advance(axes, h, logarithm(product(R, transpose(goal))), w, tau, pace)
-        R = product(exponential((x, y, z)), R)
-    return TurnResponse(readonly(np.array(Rs).reshape(n, 3, 3)), readonly(np.array(ws)))
-
-
-def turn_rate(here: Nine, there: Nine, h: float) -> Three:
-    """The constant angular velocity [rad/s], world axes, that turns here into there in h [s]."""
-    x, y, z = logarithm(product(there, transpose(here)))
-    return (x / h, y / h, z / h)
+    v, x = np.empty((2, n, k))
+    for i, (a, b, p, s) in enumerate(zip(*law, strict=True)):
+        band, known = np.zeros((4, 2 * n)), np.empty(2 * n)  # band[d, j]: of column j, d below the diagonal
+        band[2:, 0::2], band[1:3, 1::2] = [[-a], [-p]], [[-b], [-s]]
+        known[:2], known[2::2], known[3::2] = (v_0[i], x_0[i]), kick[:-1, i], shift[:-1, i]
+        v[:, i], x[:, i] = dtbtrs(band, known[:, None], uplo="L", diag="U")[0].reshape(n, 2).T
+    return v, x

@@ -19,7 +19,7 @@ from trajopt_cli.iiwa.controller.impedance import ImpedanceController
 from trajopt_cli.iiwa.controller.lag import Lag, deviation, held, held_rows, worst_lag
 from trajopt_cli.iiwa.controller.loop import LoopRun, run
 from trajopt_cli.iiwa.controller.parameters import Settings
-from trajopt_cli.iiwa.controller.regulator import equilibrium_rates, response, response_rotation
+from trajopt_cli.iiwa.controller.regulator import equilibrium_rates, response
 from trajopt_cli.iiwa.controller.stability import AxisStability, StabilityVerdict, stability
 from trajopt_cli.iiwa.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.iiwa.job.force import Pressing, force_along, force_records, pressing
@@ -442,19 +442,13 @@ def _law_alone(opened: Opened, feed: Feed, settle: float, wrench: Array | None) 
     start = np.r_[opened.X_start[:3, 3], np.zeros(3)]  # angles count from there
     changes = [(held_rows(one.t - _SOON, h), one.compliance) for one in task.changes if one.compliance is not None]
     changes = [(row, one) for row, one in changes if row < len(x_e)]
-    x = response(x_e, h, law, integration=task.integration, feed=feed, force=told, x_0=start, changes=changes).x
-    if sequence.rotation is not RotationLaw.SLERP:
-        return x_e, x, rotation(x[:, 3:]) @ R_start, force
-    R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
     # in the world, whose axes the stiffness has
-    turned = response_rotation(
-        *(R_e @ R_start, h, law, told[:, 3:]),
-        integration=task.integration,
-        feed=feed,
-        R_0=R_start,
+    R_e = held(sequence.R, settle, h) @ R_start if sequence.rotation is RotationLaw.SLERP else None
+    found = response(
+        *(x_e, h, law), R_e=R_e, integration=task.integration, feed=feed, force=told, x_0=start, R_0=R_start,
         changes=changes,
-    )
-    return x_e, np.column_stack([x[:, :3], angles_near(turned.R @ R_start.T, x_e[:, 3:])]), turned.R, force
+    )  # fmt: skip
+    return x_e, found.x, rotation(found.x[:, 3:]) @ R_start if found.R is None else found.R, force
 
 
 def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
