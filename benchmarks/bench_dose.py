@@ -21,8 +21,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # run from a checkout without installing
 
-from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead, dose_path
-from trajopt_cli.iiwa.controller.feed_schedule import CannotDose, dose
+from trajopt_cli.iiwa.controller.feed_path import Allowed, CannotDose, DosePath, Lead, dose_path
+from trajopt_cli.iiwa.controller.feed_schedule import FeedTask, dose
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, RotationLaw
@@ -64,12 +64,13 @@ def measure(name: str, path: DosePath, bound: float) -> None:
     for k, d in ((1000.0, 500.0), (1000.0, 100.0), (500.0, 50.0)):
         law = Compliance(np.r_[[k] * 3, [30.0] * 3], np.r_[[d] * 3, [20.0] * 3], np.r_[[25.0] * 3, [3.0] * 3])
         start = perf_counter()
-        made = dose(path, law, H, Allowed(bound, lead=Lead(bound, stretch=True)))
-        seconds = perf_counter() - start
         print(f"K = {k:g} N/m, D = {d:g} N s/m, M = 25 kg, lag at most {1000 * bound:g} mm")
-        if isinstance(made, CannotDose):
-            print(f"  {made.message}")
+        try:
+            made = dose(FeedTask(path, law, H), Allowed(bound, lead=Lead(bound, stretch=True)))
+        except CannotDose as error:
+            print(f"  {error}")
             continue
+        seconds = perf_counter() - start
         print(f"  T = {made.duration:8.3f} s, push {made.push:.1f} N, lag {1000 * made.lag.maximum:8.3f} mm")
         least = "none" if made.least is None else f"{made.least:.3f} s, gap {made.gap:.1%}"
         print(f"  lower bound {least}; {len(made.pose)} rows in {seconds:.1f} s")

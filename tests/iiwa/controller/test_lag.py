@@ -39,7 +39,7 @@ def test_on_a_long_line_the_simulated_lag_is_the_steady_one(velocity: list[float
 
 
 def test_lag_says_where_the_worst_is() -> None:
-    pose = np.zeros((11, 6))
+    pose = np.zeros((14, 6))  # the last 3 held
     pieces = (Piece(0, 4, "a", "b"), Piece(4, 10, "b", "c"))
     x = np.zeros((14, 6))
     x[7, 1], x[3, 5] = 0.3, 0.2

@@ -9,8 +9,7 @@ Angles count where only one of them changes, for only there is a sum of turns a 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -23,16 +22,6 @@ _TAIL = 1e-15  # weights are summed until what is left is below this share of th
 _MANY = 1_000_000  # weights at most; fewer than needed would make the bound too high
 _ROUNDING = 1e-10  # share taken off the bound
 _CHORDS = 600  # places of the path between which chords are laid
-
-
-@dataclass(frozen=True)
-class _Measure:
-    """Three of the six coordinates (part): slack, how far the arm may be from its plan; pace, its greatest gain a
-    second."""
-
-    part: slice
-    slack: float
-    pace: float
 
 
 def least_duration(path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration) -> float:
@@ -50,11 +39,11 @@ def least_duration(path: DosePath, h: float, law: Compliance, allowed: Allowed, 
     after = np.concatenate([[0.0], np.cumsum(np.diff(path.s) / path.cap)]) + np.cumsum(dwells)
     after, stays = after[rows], dwells[rows]
     asked = []
-    for one in _measures(path, h, law, allowed, integration):
-        steps = np.linalg.norm(np.diff(path.pose[:, one.part], axis=0), axis=1) / np.diff(path.s) * path.cap
-        slack = np.where(np.isin(rows, marks), one.slack, one.slack + h * (float(np.max(steps)) + one.pace))
+    for part, within, pace in _measures(path, h, law, allowed, integration):
+        steps = np.linalg.norm(np.diff(path.pose[:, part], axis=0), axis=1) / np.diff(path.s) * path.cap
+        slack = np.where(np.isin(rows, marks), within, within + h * (float(np.max(steps)) + pace))
         slack[0] = 0.0  # the arm starts exactly there
-        asked.append((path.pose[rows, one.part], slack, one.pace))
+        asked.append((path.pose[rows, part], slack, pace))
     best = np.full(len(rows), stays[0])  # when the row is left
     for j in range(1, len(rows)):
         least = after[j] - stays[j] - after[:j]
@@ -65,10 +54,11 @@ def least_duration(path: DosePath, h: float, law: Compliance, allowed: Allowed, 
     return float(best[-1]) * (1 - _ROUNDING)
 
 
-def _measures(path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration) -> list[_Measure]:
-    axes = coefficients(law.K, law.D, law.M, h, integration)
-    moves = path.moves
-    out = []
+def _measures(
+    path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration
+) -> Iterator[tuple[slice, float, float]]:
+    """Three of the six coordinates, how far the arm may be from its plan there, and its greatest gain a second."""
+    axes, moves = coefficients(law.K, law.D, law.M, h, integration), path.moves
     for part, slack, lead in (
         (slice(0, 3), allowed.lag, allowed.lead),
         (slice(3, 6), allowed.turn_lag, allowed.turn_lead),
@@ -79,8 +69,7 @@ def _measures(path: DosePath, h: float, law: Compliance, allowed: Allowed, integ
         if weights is not None:
             # a push of P is a deviation of P / k
             push = np.where(moves[part], law.K[part] * lead.weight(law.K[part]), 1.0)
-            out.append(_Measure(part, slack, lead.most / h * float(np.sum(np.max(np.abs(weights / push), axis=1)))))
-    return out
+            yield part, slack, lead.most / h * float(np.sum(np.max(np.abs(weights / push), axis=1)))
 
 
 def _weights(axes: Sequence[Coefficients], moves: Sequence[bool]) -> Array | None:

@@ -17,11 +17,16 @@ from trajopt_cli.geometry import Array, IndexArray, rotations_by
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.model import RotationLaw
+from trajopt_cli.units import MM
 
 LAGS = (1e-6, 10.0)
 """Least and greatest lag [m] that is looked at."""
 TURN_LAGS = (1e-6, float(np.pi))
 """The same of the turn [rad]."""
+
+
+class CannotDose(ValueError):
+    """There is no such sequence, or none worth having; the message says why and what to change."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,10 @@ class Lead:
 
     most: float
     stretch: bool = False
+
+    def __str__(self) -> str:
+        """Of a force."""
+        return f"lead of at most {self.most / MM:g} mm" if self.stretch else f"push of at most {self.most:g} N"
 
     def weight(self, K: Array) -> Array:
         """What the push is multiplied with, by axis (..., 3), before its norm is held against most."""
@@ -48,6 +57,17 @@ class Allowed:
     turn_lag: float | None = None
     lead: Lead | None = None
     turn_lead: Lead | None = None
+
+    def __str__(self) -> str:
+        out = f"lag of at most {self.lag / MM:g} mm"
+        if self.turn_lag is not None:
+            out += f" and {np.degrees(self.turn_lag):g}°"
+        if self.lead is not None:
+            out += f", {self.lead}"
+        if (turn := self.turn_lead) is not None:
+            out += ", push of at most" if self.lead is None else " and"
+            out += f" {np.degrees(turn.most):g}°" if turn.stretch else f" {turn.most:g} Nm"
+        return out
 
 
 _STRAIGHT = 1e-9  # relative change of dX/ds below which rows are one straight segment; rounding of rows is 1e-12
@@ -119,7 +139,7 @@ def dose_path(
 
     joints (n, k) [rad] with joint_speed (k,) [rad/s]: the robot's joints at the rows and their limits, which slow down
     a segment where the programmed speed would break them. slower (n - 1,): the greatest share of each step's programmed
-    speed, None for all of it. Raises ValueError where nothing moves.
+    speed, None for all of it. Raises CannotDose where nothing moves.
     """
     most = np.ones(len(equilibrium.pose) - 1) if slower is None else slower
     if joints is not None:
@@ -142,7 +162,7 @@ def dose_path(
             cap.append(greatest)
         legs.append(PathInterval(row, len(s) - 1, piece.origin, piece.goal))
     if len(s) < 2:
-        raise ValueError("nothing moves in this sequence: there is nothing to dose")
+        raise CannotDose("nothing moves in this sequence: there is nothing to dose")
     R = equilibrium.R[kept] if equilibrium.rotation is RotationLaw.SLERP else None
     return DosePath(np.array(s), coordinates[kept], np.array(cap), tuple(legs), R)
 

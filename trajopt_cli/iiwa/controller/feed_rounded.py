@@ -152,16 +152,16 @@ def fastest(way: Rounded, pushed: Callable[[Array], Sequence[Push]], pieces: int
     width = np.diff(s)
     middle = (s[1:] + s[:-1]) / 2
     _, dx, ddx = way.at(middle)
-    pushes = pushed(middle)
-    products = [_products(push, dx, ddx) for push in pushes]
-    terms = _terms(products, [push.most**2 for push in pushes], len(width))
-    top = _top(products, [push.most**2 for push in pushes], len(width))
+    terms = np.array([_term(push, dx, ddx) for push in pushed(middle)]).reshape(-1, len(width), 7)
+    top = _top(terms)
+    # by piece, those pushes that a change of the rate changes
+    changed = [[tuple(row) for row in rows if row[0]] for rows in terms.swapaxes(0, 1).tolist()]
     most = np.minimum(np.append(top, inf), np.insert(top, 0, inf))
     most = np.minimum(most, way.caps(s) ** 2)
     dwells = [(int(np.searchsorted(s, way.along[leg.last])), leg.dwell) for leg in way.path.legs if leg.dwell]
     most[[node for node, _ in dwells]] = 0.0
     most[np.searchsorted(s, way.length[way.tau == 0])] = 0.0
-    rate = np.sqrt(_sweep(most.tolist(), width.tolist(), terms))
+    rate = np.sqrt(_sweep(most.tolist(), width.tolist(), changed))
     t = np.concatenate([[0.0], np.cumsum(2 * width / np.maximum(rate[1:] + rate[:-1], _SLOWEST))])
     for node, dwell in dwells:
         t[node:] += ceil(t[node] / h - 1e-9) * h - t[node]
@@ -191,28 +191,29 @@ def _grid(way: Rounded, pieces: int) -> Array:
 
 
 _Term = tuple[float, float, float, float, float, float, float]
-"""AA, AB, AC, BB, 2 BC, CC of _products at one piece, and the square of the greatest push."""
+"""Of ||A a + B b + C sqrt(b)||, b the rate's square and a its change, the products AA, AB, AC, BB, 2 BC and CC at one
+piece, and the square of the greatest push."""
 
 
-def _products(push: Push, dx: Array, ddx: Array) -> list[Array]:
-    """Products of A, B and C in ||A a + B b + C sqrt(b)||, b the rate's square and a its change, by place."""
+def _term(push: Push, dx: Array, ddx: Array) -> Array:
+    """A _Term (n, 7) by place."""
     A, B, C = push.inertia * dx[:, push.part], push.inertia * ddx[:, push.part], push.damping * dx[:, push.part]
-    pairs = ((A, A), (A, B), (A, C), (B, B), (B, C), (C, C))
-    return [np.einsum("ij,ij->i", X, Y) for X, Y in pairs]
+    pairs = ((A, A), (A, B), (A, C), (B, B), (B, 2 * C), (C, C))
+    return np.column_stack([*(np.einsum("ij,ij->i", X, Y) for X, Y in pairs), np.full(len(dx), push.most**2)])
 
 
-def _top(products: Sequence[list[Array]], limits: Sequence[float], pieces: int) -> Array:
-    """Greatest square of the rate at which some change of it keeps all pushes, by place; inf where nothing is
+def _top(terms: Array) -> Array:
+    """Greatest square of the rate at which some change of it keeps all pushes (p, n, 7), by place; inf where nothing is
     bounded."""
-    if not products:
-        return np.full(pieces, inf)
-    low, high = np.zeros(pieces), np.full(pieces, _FASTEST)
+    low, high = np.zeros(terms.shape[1]), np.full(terms.shape[1], _FASTEST)
+    if not len(terms):
+        return np.full(len(low), inf)
     for _ in range(_HALVINGS):
         rate = (low + high) / 2
         least, greatest = np.full(len(rate), -inf), np.full(len(rate), inf)
-        for (AA, AB, AC, BB, BC, CC), limit in zip(products, limits, strict=True):
+        for AA, AB, AC, BB, BC_2, CC, limit in np.moveaxis(terms, 2, 1):
             ab = (AB * rate + AC) * rate
-            under = ab * ab - AA * (((BB * rate + 2 * BC) * rate + CC) * rate**2 - limit)
+            under = ab * ab - AA * (((BB * rate + BC_2) * rate + CC) * rate**2 - limit)
             spread = np.sqrt(np.maximum(under, 0.0))
             ends = [
                 np.divide(sense * spread - ab, AA, out=np.full(len(AA), sense * inf), where=AA > 0) for sense in (-1, 1)
@@ -221,16 +222,6 @@ def _top(products: Sequence[list[Array]], limits: Sequence[float], pieces: int) 
             greatest = np.where(under < 0, -inf, greatest)
         low, high = np.where(least <= greatest, rate, low), np.where(least <= greatest, high, rate)
     return np.asarray(low**2)
-
-
-def _terms(products: Sequence[list[Array]], limits: Sequence[float], pieces: int) -> list[list[_Term]]:
-    """By piece, those pushes that a change of the rate changes."""
-    out: list[list[_Term]] = [[] for _ in range(pieces)]
-    for (AA, AB, AC, BB, BC, CC), limit in zip(products, limits, strict=True):
-        rows = np.column_stack([AA, AB, AC, BB, 2 * BC, CC, np.full(pieces, limit)])
-        for j in np.flatnonzero(AA):
-            out[j].append(tuple(rows[j].tolist()))
-    return out
 
 
 def _sweep(most: list[float], width: list[float], terms: Sequence[Sequence[_Term]]) -> Array:

@@ -17,7 +17,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray, rotations_by
 from trajopt_cli.iiwa.controller.feed_bound import least_duration
-from trajopt_cli.iiwa.controller.feed_path import Allowed, DosePath, Lead
+from trajopt_cli.iiwa.controller.feed_path import Allowed, CannotDose, DosePath, Lead
 from trajopt_cli.iiwa.controller.feed_rounded import Pace, Push, Rounded, fastest, rounded
 from trajopt_cli.iiwa.controller.lag import Lag, held, settling, worst_lag
 from trajopt_cli.iiwa.controller.regulator import response
@@ -47,11 +47,30 @@ _AT_REST = 1e-6  # of the path's length: rows this near to a waypoint are at it
 _PIECES = (2_000, 40_000)  # of the grid at least and at most; between them one per period
 
 
-@dataclass(frozen=True)
-class CannotDose:
-    """There is no such sequence, or none worth having; message says why and what to change."""
+@dataclass(frozen=True, eq=False)
+class FeedTask:
+    """What is scheduled: a path, the law of the controller that follows it, and its period h [s].
 
-    message: str
+    acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. changes: numbers of legs, in order, from whose
+    beginning on another law holds.
+    """
+
+    path: DosePath
+    law: Compliance
+    h: float
+    integration: Integration = Integration.EULER
+    acceleration: tuple[float | None, float | None] = (None, None)
+    changes: Sequence[tuple[int, Compliance]] = ()
+
+    @property
+    def laws(self) -> tuple[Compliance, ...]:
+        """The law and those after it."""
+        return self.law, *(law for _, law in self.changes)
+
+    def diagonals(self, which: IndexArray) -> tuple[Array, Array, Array]:
+        """K, D and M (n, 6) of the laws in force, by number (n,)."""
+        K, D, M = (np.array([getattr(law, name) for law in self.laws])[which] for name in "KDM")
+        return K, D, M
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,91 +125,55 @@ class Dosed(FedRows):
         return None if self.least is None else (self.duration - self.least) / self.least
 
 
-def dose(
-    path: DosePath,
-    law: Compliance,
-    h: float,
-    allowed: Allowed,
-    *,
-    integration: Integration = Integration.EULER,
-    acceleration: tuple[float | None, float | None] = (None, None),
-    changes: Sequence[tuple[int, Compliance]] = (),
-) -> Dosed | CannotDose:
-    """The fastest sequence along path that keeps what is allowed, simulated and held against it.
+def dose(of: FeedTask, allowed: Allowed) -> Dosed:
+    """The fastest sequence along a path that keeps what is allowed, simulated and held against it.
 
-    h [s]: the period. acceleration: greatest of the arm [m/s2] and [rad/s2], None for none. changes: numbers of legs,
-    in order, from whose beginning on another law holds. More than three million rows are refused, as are laws slower
-    than SLOWEST.
+    Raises CannotDose where there is none, or none of three million rows, and for laws slower than SLOWEST.
     """
-    laws = [axis for one in (law, *(one for _, one in changes)) for axis in stability(one, h, integration)]
-    refusal = _unfollowed(path, laws, h, integration)
-    if refusal is not None:
-        return refusal
+    path, h = of.path, of.h
+    axes = [axis for law in of.laws for axis in stability(law, h, of.integration)]
+    _check_followed(of, axes)
     # with several laws only the caps are sure
-    least = path.least_time if changes else least_duration(path, h, law, allowed, integration)
+    least = path.least_time if of.changes else least_duration(path, h, of.law, allowed, of.integration)
     if least / h > ROWS:
-        return CannotDose(
-            f"{_named(allowed)} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
+        raise CannotDose(
+            f"a {allowed} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more, or give more stiffness or less damping"
         )
-    question = _Question(path, law, h, integration, acceleration, changes)
-    slowest = (law.slowest for law, there in zip(laws, cycle(path.moves), strict=False) if there)
+    slowest = (axis.slowest for axis, there in zip(axes, cycle(path.moves), strict=False) if there)
     rest = _REST * min(max(filter(isfinite, slowest), default=h), SLOWEST * h)
     tried = allowed
     for _ in range(_CORRECTIONS):
-        schedule = _inverse(question, tried)
-        if isinstance(schedule, CannotDose):
-            return schedule
-        found = _simulated(question, allowed, schedule, rest)
+        found = _simulated(of, allowed, _inverse(of, tried), rest)
         tighter = _corrected(found, allowed, tried)
         if tighter is None:
             return replace(found, least=least if found.duration <= _USEFUL * least else None)
         tried = tighter
-    return CannotDose(f"{_named(allowed)} is too small for the rounding of positions; allow more")
+    raise CannotDose(f"a {allowed} is too small for the rounding of positions; allow more")
 
 
-@dataclass(frozen=True, eq=False)
-class _Question:
-    """What a feed is made for, but for its bounds; as of dose."""
-
-    path: DosePath
-    law: Compliance
-    h: float
-    integration: Integration
-    acceleration: tuple[float | None, float | None]
-    changes: Sequence[tuple[int, Compliance]]
-
-    def diagonals(self, which: IndexArray) -> tuple[Array, Array, Array]:
-        """K, D and M (n, 6) of the laws in force, by number (n,)."""
-        laws = (self.law, *(law for _, law in self.changes))
-        K, D, M = (np.array([getattr(law, name) for law in laws])[which] for name in "KDM")
-        return K, D, M
-
-
-def _inverse(of: _Question, allowed: Allowed) -> FedRows | CannotDose:
+def _inverse(of: FeedTask, allowed: Allowed) -> FedRows:
     """What moves the arm along the plan, as long as the controller's angles can say it."""
     found = _scheduled(of, allowed)
     if len(found.s) > ROWS:
-        return CannotDose(f"{_named(allowed)} would take {len(found.s)} rows, more than {ROWS}; allow more")
-    turned = found.turned
+        raise CannotDose(f"a {allowed} would take {len(found.s)} rows, more than {ROWS}; allow more")
+    turned, beta = found.turned, float(np.max(np.abs(found.pose[:, 4])))
     if turned > _LARGEST_LEAD and allowed.turn_lead is None:
-        eased = replace(allowed, turn_lead=Lead(_EASED_LEAD * _LARGEST_LEAD, stretch=True))
-        return _inverse(of, eased)
+        return _inverse(of, replace(allowed, turn_lead=Lead(_EASED_LEAD * _LARGEST_LEAD, stretch=True)))
     if turned > _LARGEST_LEAD:
-        return CannotDose(
+        raise CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
             "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
-    beta = float(np.max(np.abs(found.pose[:, 4])))
     if of.path.R is None and beta > BETA_LIMIT:
-        return CannotDose(
+        raise CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
             "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
         )
     return found
 
 
-def _scheduled(of: _Question, allowed: Allowed) -> FedRows:
+def _scheduled(of: FeedTask, allowed: Allowed) -> FedRows:
     """The fastest motion along the path under allowed, and what to feed for it."""
     path, h = of.path, of.h
     moves = np.array(path.moves)
@@ -232,7 +215,7 @@ def _radius(law: Compliance, moves: Array) -> float:
     return float(np.sqrt(np.max(law.M[3:]) / np.max(law.M[:3])))
 
 
-def _pushes(of: _Question, allowed: Allowed, way: Rounded, s: Array) -> list[Push]:
+def _pushes(of: FeedTask, allowed: Allowed, way: Rounded, s: Array) -> list[Push]:
     """The bounds on the push at places s (n,)."""
     K, D, M = of.diagonals(np.searchsorted([way.along[of.path.legs[leg].first] for leg, _ in of.changes], s))
     leads = (allowed.lead, allowed.turn_lead)
@@ -303,7 +286,7 @@ def _through_waypoints(way: Rounded, s: Array) -> Array:
     return np.maximum.accumulate(out)
 
 
-def _simulated(of: _Question, allowed: Allowed, fed: FedRows, rest: float) -> Dosed:
+def _simulated(of: FeedTask, allowed: Allowed, fed: FedRows, rest: float) -> Dosed:
     """The controller's answer to a feed, and the greatest lag and push. rest [s]: after the end."""
     path, law, h, integration = of.path, of.law, of.h, of.integration
     x_e, plan_x, R_e, R_plan = (held(rows, rest, h) for rows in (fed.pose, fed.plan, fed.R, fed.R_plan))
@@ -331,7 +314,7 @@ def _simulated(of: _Question, allowed: Allowed, fed: FedRows, rest: float) -> Do
         x=x[:n],
         R_x=R_x[:n],
         allowed=allowed,
-        lag=worst_lag(x, fed.plan, h, fed.pieces),
+        lag=worst_lag(x, plan_x, h, fed.pieces),
         push=norms[0],
         lead=norms[1],
         turn_push=norms[2],
@@ -359,38 +342,26 @@ def _corrected(made: Dosed, allowed: Allowed, tried: Allowed) -> Allowed | None:
     return replace(tried, **scaled) if scaled else None  # type: ignore[arg-type]
 
 
-def _named(allowed: Allowed) -> str:
-    """What is allowed, in words."""
-    out = f"a lag of at most {allowed.lag:g} m"
-    if allowed.turn_lag is not None:
-        out += f" and {allowed.turn_lag:g} rad"
-    for lead, unit, stretched in ((allowed.lead, "N", "m"), (allowed.turn_lead, "Nm", "rad")):
-        if lead is not None:
-            out += f", a lead of at most {lead.most:g} {stretched if lead.stretch else unit}"
-    return out
-
-
-def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integration: Integration) -> CannotDose | None:
-    """Why the arm would not follow along an axis that the path uses, or not while anyone waits; or None."""
-    for law, moves in zip(laws, cycle(path.moves), strict=False):
+def _check_followed(of: FeedTask, axes: Sequence[AxisStability]) -> None:
+    """Raises CannotDose where the arm would not follow along an axis that the path uses, or not while anyone waits."""
+    for axis, moves in zip(axes, cycle(of.path.moves), strict=False):
         if not moves:
             continue
-        if law.k == 0:
-            return CannotDose(
-                f"the path moves along {law.axis}, where the stiffness is 0: nothing pulls the arm after the "
-                f"equilibrium (hand guiding); give {law.axis} a stiffness or a path without it"
+        if axis.k == 0:
+            raise CannotDose(
+                f"the path moves along {axis.axis}, where the stiffness is 0: nothing pulls the arm after the "
+                f"equilibrium (hand guiding); give {axis.axis} a stiffness or a path without it"
             )
-        if law.verdict is not StabilityVerdict.STABLE:
-            return CannotDose(f"the path moves along {law.axis}, but {law.sentence}")
-        most = h * SLOWEST
-        if law.slowest > most:
-            takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "practically never loses"
+        if axis.verdict is not StabilityVerdict.STABLE:
+            raise CannotDose(f"the path moves along {axis.axis}, but {axis.sentence}")
+        most = of.h * SLOWEST
+        if axis.slowest > most:
+            takes = f"takes {axis.slowest:.3g} s to lose" if isfinite(axis.slowest) else "practically never loses"
             change = "raise k or lower d"
-            if law.damping_ratio < 1:
-                change = "raise d or lower m" if integration is Integration.EXACT else "raise d, or lower m or h"
-            return CannotDose(
-                f"the path moves along {law.axis}, where the controller {takes} two thirds of a deviation "
-                f"(k = {law.k:g}, d = {law.d:g}, m = {law.m:g}), more than the {most:g} s that dosing allows; "
+            if axis.damping_ratio < 1:
+                change = "raise d or lower m" if of.integration is Integration.EXACT else "raise d, or lower m or h"
+            raise CannotDose(
+                f"the path moves along {axis.axis}, where the controller {takes} two thirds of a deviation "
+                f"(k = {axis.k:g}, d = {axis.d:g}, m = {axis.m:g}), more than the {most:g} s that dosing allows; "
                 f"{change}"
             )
-    return None

@@ -46,10 +46,8 @@ class Lag:
     turn_time: float
 
 
-def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> Lag:
-    """The lag of a response x (n, 6) behind poses (m, 6) with a row every h [s], the last one held."""
-    x = np.asarray(x, dtype=np.float64)
-    x_e = _longer(pose, len(x) - len(pose))
+def worst_lag(x: Array, x_e: Array, h: float, pieces: Sequence[Piece]) -> Lag:
+    """The lag of a response x (n, 6) behind poses x_e (n, 6) with a row every h [s], the last one held."""
     d, turn = deviation(x, x_e), turn_deviation(x, x_e)
     row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
     # A shared row belongs to the piece that ends there; what is held after the end to the last one.
@@ -59,7 +57,8 @@ def worst_lag(x: ArrayLike, pose: Array, h: float, pieces: Sequence[Piece]) -> L
 
 def held(rows: ArrayLike, seconds: float, h: float) -> Array:
     """Rows (n, ...) with the last one held for at least seconds more, so that the arm arrives."""
-    return _longer(np.asarray(rows, dtype=np.float64), held_rows(seconds, h))
+    rows = np.asarray(rows, dtype=np.float64)
+    return np.concatenate([rows, np.repeat(rows[-1:], held_rows(seconds, h), axis=0)])
 
 
 def held_rows(seconds: float, h: float) -> int:
@@ -86,7 +85,3 @@ def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: 
         return 0.0
     arrived = int(far[-1]) + 1
     return arrived * h if arrived < len(x) else None
-
-
-def _longer(x_e: Array, rows: int) -> Array:
-    return np.concatenate([x_e, np.repeat(x_e[-1:], rows, axis=0)])

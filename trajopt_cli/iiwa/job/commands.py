@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -77,14 +78,10 @@ def joints(results: Path, arm_angle: str, goal: str | None, plots: Path | None, 
         why = "" if ahead else ": the controller's loop would stop there"
         broken = [*broken, f"NOTHING WRITTEN{why}"]
 
-    def draw() -> Mapping[str, bytes]:
-        from trajopt_cli.iiwa.job.drawing import joint_pictures
-
-        return joint_pictures(opened, found)
-
     place = results / "joints.csv" if written else None
     where = f"written to {place}" if written else ""
-    return Answer(read_summary(results)["joints"] if written else record, line, parts, place, where, broken, draw)
+    record = read_summary(results)["joints"] if written else record
+    return Answer(record, line, parts, place, where, broken, lambda: _drawing().joint_pictures(opened, found))
 
 
 def simulate(
@@ -108,11 +105,6 @@ def simulate(
     if isinstance(found, Refused):
         return found
 
-    def draw() -> Mapping[str, bytes]:
-        from trajopt_cli.iiwa.job.drawing import simulation_pictures
-
-        return simulation_pictures(found)
-
     lag = texts.lag_lines(found)
     return Answer(
         read_summary(results)["simulation"],
@@ -125,7 +117,7 @@ def simulate(
         results / "simulation.csv",
         f"written to {results}: report.html (open it in a browser), simulation.csv",
         found.broken,
-        draw,
+        lambda: _drawing().simulation_pictures(found),
     )
 
 
@@ -166,23 +158,18 @@ def schedule_feed(
     if isinstance(found, Refused):
         return found
 
-    def draw() -> Mapping[str, bytes]:
-        from trajopt_cli.iiwa.job.drawing import feed_pictures
-
-        return feed_pictures(found)
-
     lines = texts.feed_lines(found)
     return Answer(
         read_summary(folder)["dosing"],
         "; ".join([lines[0], *found.remarks()]),
         [
-            texts.feeds_table(f"{results.name}: {texts.allowed_text(found.scheduled.allowed)}", found),
+            texts.feeds_table(f"{results.name}: {found.scheduled.allowed}", found),
             lines,
             *([texts.front_table(found)] if found.front else []),
         ],
         folder,
         f"written to {folder}: report.html (open it in a browser) and the sequence",
-        draw=draw,
+        draw=lambda: _drawing().feed_pictures(found),
     )
 
 
@@ -195,6 +182,13 @@ def commanded(results: Path) -> tuple[Array, Array, Array, Array, Array, Array]:
     wrench = np.zeros((len(sequence.pose), 6)) if asked is None else asked.wrench
     poses = sequence.t, sequence.pose[:, :3], sequence.rotations(R_start)
     return *poses, wrench, task.compliance.K, task.X_WB
+
+
+def _drawing() -> Any:
+    """What draws, which loads Matplotlib."""
+    from trajopt_cli.iiwa.job import drawing
+
+    return drawing
 
 
 def _check_places(results: Path, plots: Path | None) -> None:

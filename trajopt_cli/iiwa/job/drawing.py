@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED, ScheduledJob
+from trajopt_cli.iiwa.job.feed_scheduling import AS_PROGRAMMED, SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
@@ -39,7 +39,7 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
     """Deviation and fed speed as programmed, and scheduled."""
     allowed = job.scheduled.allowed
-    runs = [_following(job.programmed.run, job.programmed.name), _following(job.run, SCHEDULED)]
+    runs = [_following(job.programmed, AS_PROGRAMMED), _following(job.run, SCHEDULED)]
     title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
     return picture("dosing", title, partial(feed_figure, runs, allowed.lag))
 

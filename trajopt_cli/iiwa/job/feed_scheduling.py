@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -10,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, Lead, dose_path
-from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, CannotDose, Dosed, dose
+from trajopt_cli.iiwa.controller.feed_path import LAGS, TURN_LAGS, Allowed, CannotDose, Lead, dose_path
+from trajopt_cli.iiwa.controller.feed_schedule import ARRIVED, ARRIVED_TURN, Dosed, FeedTask, dose
 from trajopt_cli.iiwa.controller.lag import settling
 from trajopt_cli.iiwa.job.folder import (
     Opened,
@@ -48,15 +49,6 @@ _NEAR_START = 1e-6  # m, rad: a sequence that begins this near to the start begi
 _Caps = tuple[float | None, float | None]  # on the acceleration of position [m/s2] and angles [rad/s2]
 
 
-@dataclass(frozen=True, eq=False)
-class FeedRun:
-    """The path as programmed and the controller's answer; arrived [s]: None where it did not."""
-
-    name: str
-    run: Simulated
-    arrived: float | None
-
-
 @dataclass(frozen=True)
 class FrontPoint:
     """What one lead allows: the least time [s] that was found, None where none was."""
@@ -67,9 +59,10 @@ class FrontPoint:
 
 @dataclass(frozen=True, eq=False)
 class ScheduledJob:
-    """A scheduled sequence in its folder, beside the one it came from (programmed).
+    """A scheduled sequence in its folder, beside the one it came from.
 
-    run: the controller's answer to the scheduled sequence, joints: the arm's then. push: on what the tool touches, None
+    run: the controller's answer to the scheduled sequence, joints: the arm's then; programmed: its answer to the one
+    before, arrived [s]: when the arm did then, None where it did not. push: on what the tool touches, None
     where that is nothing. steady: the speed [m/s] that the lead allows on a long line along the slowest axis, where no
     lead was asked for; else None. front: by lead, empty if not asked for. left_out: what the task has that the schedule
     does not regard.
@@ -79,7 +72,8 @@ class ScheduledJob:
     after: Opened
     scheduled: Dosed
     run: Simulated
-    programmed: FeedRun
+    programmed: Simulated
+    arrived: float | None
     joints: Followed
     push: KeptPush | None
     steady: float | None
@@ -98,11 +92,11 @@ class ScheduledJob:
         """What summary.json says of it."""
         allowed, one = self.scheduled.allowed, self.programmed
         undosed = {
-            "feed": one.name,
-            "duration_s": one.run.opened.equilibrium.duration,
-            "arrived_s": one.arrived,
-            "lag": lag_record(one.run.lag),
-            "largest_push_N": one.run.most_push,
+            "feed": AS_PROGRAMMED,
+            "duration_s": one.opened.equilibrium.duration,
+            "arrived_s": self.arrived,
+            "lag": lag_record(one.lag),
+            "largest_push_N": one.most_push,
         }
         return {
             "feed": FEED,
@@ -149,29 +143,35 @@ def schedule_feed(
     if before.plan is not None or before.feed is not Feed.POSITION:
         message = "is dosed already, or presses with a force: its equilibrium is not its path; dose one that is"
         raise InputError(message, file=str(folder))
-
     if before.task.impedance is not None:
         raise InputError("controller: dosing goes by the admittance controller's law", file=before.task.file)
+    try:
+        job = _scheduled(before, output, allowed, front, unbounded)
+    except CannotDose as error:
+        return Refused("no sequence", [f"{folder}: {error}"])
+    if isinstance(job, ScheduledJob):
+        _write(job, page(job))
+    return job
 
-    def none(message: str) -> Refused:
-        return Refused("no sequence", [f"{folder}: {message}"])
 
+def _scheduled(before: Opened, output: Path, allowed: Allowed, front: bool, unbounded: bool) -> ScheduledJob | Refused:
+    """As schedule_feed, nothing written. Raises CannotDose."""
     task, sequence, robot = before.task, before.equilibrium, before.robot
     way, turn = start_distance(before)
     if max(way, turn) > _NEAR_START:
-        return none(
+        raise CannotDose(
             f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
             " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
         )
     in_time = next((one.t for one in task.changes if one.pose is None and one.t > 0 and not one.reframes), None)
     if in_time is not None:
-        return none(
+        raise CannotDose(
             f"the controller changes at {in_time:g} s, and seconds do not move with the path; name the pose instead,"
             " 'changes: [{at: NAME, ...}]'"
         )
     followed = before.follow(sequence)
     if not isinstance(followed, Followed):
-        return none(followed.message)
+        raise CannotDose(followed.message)
     steady = None
     if allowed.lead is None and allowed.turn_lead is None and not unbounded:
         leads = [None if lag is None else Lead(lag, stretch=True) for lag in (allowed.lag, allowed.turn_lag)]
@@ -181,14 +181,10 @@ def schedule_feed(
     laws = [(begins[one.t], one.compliance) for one in task.changes if one.compliance and one.t in begins]
     slower = None
 
-    def timed(allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
+    def timed(allowed: Allowed, acceleration: _Caps | None = None) -> Dosed:
+        path = dose_path(sequence, followed.trajectory.q, robot.profile(task.limits).velocity, slower)
         caps = acceleration or _accelerations(task)
-        try:
-            path = dose_path(sequence, followed.trajectory.q, robot.profile(task.limits).velocity, slower)
-        except ValueError as error:
-            return CannotDose(str(error))
-        how = task.compliance, sequence.h, allowed
-        return dose(path, *how, integration=task.integration, acceleration=caps, changes=laws)
+        return dose(FeedTask(path, task.compliance, sequence.h, task.integration, caps, laws), allowed)
 
     # what happens to the controller besides its feed is left out: the schedule does not know it either
     changes = [Change(one.t, one.compliance, pose=one.pose) for one in task.changes if one.compliance is not None]
@@ -199,30 +195,27 @@ def schedule_feed(
         return programmed
     push: KeptPush | Refused | None = None
     for slower in gentler(task, sequence, programmed):  # noqa: B007
-        made = timed(allowed)
-        if isinstance(made, CannotDose):
-            return none(made.message)
-        found = _followed(quiet, made, lambda caps: timed(allowed, caps), none)
+        found = _followed(quiet, timed(allowed), lambda caps: timed(allowed, caps))
         if isinstance(found, Refused):
             return found
-        scheduled, _, run, joints = found
+        scheduled, run, joints = found
         push = None if programmed is None else pushed(_opened(before, scheduled), programmed.programmed)
         if push is None or (isinstance(push, KeptPush) and push.kept):
             break
     if isinstance(push, Refused):
         return push
     if push is not None and not push.kept:
-        return none(push.apart)
+        raise CannotDose(push.apart)
     fed = run_controller(quiet, None, None, Feed.POSITION, None, None)
     if isinstance(fed, Refused):
         return fed
-    arrived = settling(fed.x, fed.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)
-    job = ScheduledJob(
+    return ScheduledJob(
         before,
         _opened(before, scheduled),
         scheduled,
         run,
-        FeedRun(AS_PROGRAMMED, fed, arrived),
+        fed,
+        settling(fed.x, fed.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h),
         joints,
         push,
         steady,
@@ -230,15 +223,13 @@ def schedule_feed(
         _left_out(task),
         output,
     )
-    _write(job, page(job))
-    return job
 
 
 def _followed(
-    before: Opened, made: Dosed, gentler: Callable[[_Caps], Dosed | CannotDose], none: Callable[[str], Refused]
-) -> tuple[Dosed, Opened, Simulated, Followed] | Refused:
-    """The first of ever slower feeds whose answer breaks no limit of the joints: the sequence, opened, run, and the
-    arm's joints.
+    before: Opened, made: Dosed, gentler: Callable[[_Caps], Dosed]
+) -> tuple[Dosed, Simulated, Followed] | Refused:
+    """The first of ever slower feeds whose answer breaks no limit of the joints: the sequence, its run, and the arm's
+    joints.
 
     gentler: the feed under caps on the tool's acceleration, tried where joints' would break.
     """
@@ -251,21 +242,24 @@ def _followed(
         joints = run.joints
         if not isinstance(joints, Followed):
             assert joints is not None
-            return refused or none(joints.message)
+            if refused is None:
+                raise CannotDose(joints.message)
+            break
         broken = [finding for finding in joints.findings if not finding.passed]
         if not broken:
-            return made, opened, run, joints
+            return made, run, joints
         # what is wrong, without a remedy: those are for sequences that are not scheduled
         failed = [finding.message.partition(";")[0] for finding in broken]
         last = "NOTHING WRITTEN: the arm cannot follow; allow less lead or lag, lower v_max, or move the path"
         refused = refused or Refused("not followed", [*failed, last])
         if any(one.check != ACCELERATION for one in broken):
             break
-        again = gentler(_gentler(made, slerp, min(one.limit / one.value for one in broken)))
-        if isinstance(again, CannotDose):
-            break
         note = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
-        made = replace(again, notes=(*again.notes, note))
+        try:
+            made = gentler(_gentler(made, slerp, min(one.limit / one.value for one in broken)))
+        except CannotDose:
+            break
+        made = replace(made, notes=(*made.notes, note))
     assert refused is not None
     return refused
 
@@ -283,19 +277,21 @@ def _gentler(made: Dosed, slerp: bool, fraction: float) -> _Caps:
     return caps[0], caps[1]
 
 
-def _front(timed: Callable[[Allowed], Dosed | CannotDose], allowed: Allowed) -> tuple[FrontPoint, ...]:
+def _front(timed: Callable[[Allowed], Dosed], allowed: Allowed) -> tuple[FrontPoint, ...]:
     """Least times from the lead that the programmed speed asks for downwards, the one that is asked for among them."""
     assert allowed.lead is not None
-    free = timed(replace(allowed, lead=None))
-    most = allowed.lead.most
-    if not isinstance(free, CannotDose):
-        most = free.lead if allowed.lead.stretch else free.push
+    lead, most = allowed.lead, allowed.lead.most
+    with suppress(CannotDose):
+        free = timed(replace(allowed, lead=None))
+        most = free.lead if lead.stretch else free.push
     # a path that only turns pushes with nothing but rounding: what other leads allow is the same
     others = (most / 2**i for i in range(FRONT if most > _STEADY else 0))
     points = []
-    for lead in (replace(allowed.lead, most=one) for one in sorted({allowed.lead.most, *others}, reverse=True)):
-        made = timed(replace(allowed, lead=lead))
-        points.append(FrontPoint(lead, None if isinstance(made, CannotDose) else made.duration))
+    for one in (replace(lead, most=most) for most in sorted({lead.most, *others}, reverse=True)):
+        duration = None
+        with suppress(CannotDose):
+            duration = timed(replace(allowed, lead=one)).duration
+        points.append(FrontPoint(one, duration))
     return tuple(points)
 
 

@@ -10,13 +10,12 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose, pose
 from trajopt_cli.iiwa.controller.lag import deviation, turn_deviation
-from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED, ScheduledJob
+from trajopt_cli.iiwa.job.feed_scheduling import AS_PROGRAMMED, SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.job.texts import (
     feeds_table,
     force_table,
     law_table,
-    lead_text,
     link_lines,
     motor_lines,
     where_line,
@@ -48,7 +47,7 @@ def simulation_page(run: Simulated) -> bytes:
     """What was commanded and how the controller is predicted to follow: in space, lag, forces, contact, joints."""
     commanded = None if frames_change(run.opened.task) else commanded_joints(run)
     against = "its plan" if run.on_plan else "the equilibrium"
-    poses = [(COMMANDED, run.t, run.target[: len(run.x)], BEFORE), (PREDICTED, run.t, run.x, AFTER)]
+    poses = [(COMMANDED, run.t, run.target, BEFORE), (PREDICTED, run.t, run.x, AFTER)]
     charts: dict[str, tuple[str, Sequence[Chart]]] = {
         "Lag": (f"Distance from {against}: {where_line(run.lag)}.", list(_lag_charts([(PREDICTED, run, AFTER)]))),
         "Pose": ("", list(_pose_charts(poses))),
@@ -84,14 +83,14 @@ def simulation_page(run: Simulated) -> bytes:
 
 def feed_page(job: ScheduledJob) -> bytes:
     """The sequence as it was and as it is scheduled: times, lag against its bound, feed, force if blocked, joints."""
-    first, name, after, allowed = job.programmed, SCHEDULED, job.run, job.scheduled.allowed
-    pair: list[_Named] = [(first.name, first.run, BEFORE), (name, after, AFTER)]
+    after, allowed = job.run, job.scheduled.allowed
+    pair: list[_Named] = [(AS_PROGRAMMED, job.programmed, BEFORE), (SCHEDULED, after, AFTER)]
     pushes = [Curve(who, run.t, np.linalg.norm(run.push, axis=1), style) for who, run, style in pair]
     speeds = [
         Curve(who, run.t[1:], np.linalg.norm(np.diff(run.x[:, :3], axis=0), axis=1) / run.opened.equilibrium.h, style)
         for who, run, style in pair
     ]
-    leads = [Curve(who, run.t, deviation(run.x, run.x_e[: len(run.x)]) / MM, style) for who, run, style in pair]
+    leads = [Curve(who, run.t, deviation(run.x, run.x_e) / MM, style) for who, run, style in pair]
     joints = [(who, run.t, run.q, style) for who, run, style in pair if run.q is not None]
     charts: dict[str, tuple[str, Sequence[Chart]]] = {
         "Lag": ("", list(_lag_charts(pair, allowed.lag, allowed.turn_lag))),
@@ -111,7 +110,7 @@ def feed_page(job: ScheduledJob) -> bytes:
     }
     return run_page(
         f"{Path(job.before.task.file).stem}, dosed",
-        f"lag of at most {allowed.lag / MM:g} mm; {name}",
+        f"lag of at most {allowed.lag / MM:g} mm; {SCHEDULED}",
         list(_feed_tiles(job)),
         [(who, float(run.t[-1])) for who, run, _ in pair],
         _scene(after, [(who, t, q) for who, t, q, _ in joints])
@@ -166,7 +165,7 @@ def _lag_charts(runs: Sequence[_Named], lag: float | None = None, turn: float | 
         ("lag", "Lag", "mm", deviation, MM, lag),
         ("turn-lag", "Turn lag", "°", turn_deviation, DEG, turn),
     ):
-        curves = [Curve(who, run.t, measure(run.x, run.target[: len(run.x)]) / size, style) for who, run, style in runs]
+        curves = [Curve(who, run.t, measure(run.x, run.target) / size, style) for who, run, style in runs]
         if name == "lag" or max(float(curve.y.max()) for curve in curves) * size > _MOVES:
             limits = [] if bound is None else [(bound / size, "allowed")]
             yield Chart(name, title, unit, curves, limits, peak=True, zero=True)
@@ -243,20 +242,20 @@ def _tiles(run: Simulated) -> Iterator[Tile]:
 
 def _feed_tiles(job: ScheduledJob) -> Iterator[Tile]:
     first, made = job.programmed, job.scheduled
-    arrived = "not arrived" if first.arrived is None else f"arrived at {first.arrived:.3f} s"
-    lag = first.run.lag.maximum / MM
-    yield Tile(first.name, f"{first.run.opened.equilibrium.duration:.3f} s", f"lag {lag:.2f} mm, {arrived}", BEFORE)
+    arrived = "not arrived" if job.arrived is None else f"arrived at {job.arrived:.3f} s"
+    lag = f"lag {first.lag.maximum / MM:.2f} mm, {arrived}"
+    yield Tile(AS_PROGRAMMED, f"{first.opened.equilibrium.duration:.3f} s", lag, BEFORE)
     arrived = "" if made.arrived is None else f", arrived at {made.arrived:.3f} s"
     yield Tile(SCHEDULED, f"{made.duration:.3f} s", f"lag {made.lag.maximum / MM:.2f} mm{arrived}", AFTER)
     if made.least is not None:
         what = "no sequence fed so and within these bounds is faster"
         yield Tile("lower bound", f"{made.least:.3f} s", what, "bound")
     lead = made.allowed.lead
-    yield Tile("force if blocked", f"{made.push:.1f} N", lead_text(lead) if lead is not None else "no bound on it")
+    yield Tile("force if blocked", f"{made.push:.1f} N", str(lead) if lead is not None else "no bound on it")
 
 
 def _legs(run: Simulated) -> str:
-    t, target = run.t, run.target[: len(run.x)]
+    t, target = run.t, run.target
     away, turned = deviation(run.x, target), turn_deviation(run.x, target)
     made = []
     for one in run.opened.equilibrium.pieces[:_LEGS]:

@@ -58,7 +58,8 @@ _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
 class Simulated:
     """A run of n periods, the last pose held for a while at its end.
 
-    x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
+    x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start; target: where the controller should be,
+    on the plan where there is one, else the equilibrium. force (n, 6) [N, Nm]: what the controller
     believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
     controller against its world, None where nothing asks for it; why: what does; links, motors: what that world tells
     of them. fallback: its world is springs only because MuJoCo is not installed.
@@ -67,6 +68,7 @@ class Simulated:
     opened: Opened
     x_e: Array
     x: Array
+    target: Array
     force: Array
     lag: Lag
     axes: tuple[AxisStability, ...]
@@ -79,13 +81,7 @@ class Simulated:
     fallback: bool = False
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
-    plan: Array | None = None
     pressing: Pressing | None = None
-
-    @property
-    def target(self) -> Array:
-        """Where the controller should be at every row (n, 6): on the plan where there is one, else the equilibrium."""
-        return self.x_e if self.plan is None else self.plan[: len(self.x)]
 
     @property
     def t(self) -> Array:
@@ -116,8 +112,29 @@ class Simulated:
 
     @cached_property
     def touch(self) -> dict[str, Any] | None:
-        """What the contact did, as touch_record."""
-        return touch_record(self)
+        """The contact as plain data, None where the tool touched nothing.
+
+        Excursions are how far the tool, where the arm is, was from the equilibrium along each axis while it touched,
+        its lag included; the controller's are those of its own pose.
+        """
+        if self.loop is None or not np.any(self.loop.depth > 0):
+            return None
+        t, rows = self.t, np.flatnonzero(self.loop.depth > 0)
+        force = np.linalg.norm(self.loop.contact_true[:, :3], axis=1)
+        away, own = (np.abs(pose - self.x_e)[rows, :3].max(axis=0).tolist() for pose in (self.tool, self.x))
+        strongest, deepest = (int(np.argmax(values)) for values in (force, self.loop.depth))
+        return {
+            "first_s": float(t[rows[0]]),
+            "last_s": float(t[rows[-1]]),
+            "in_contact_s": len(rows) * self.opened.equilibrium.h,
+            "largest_force_N": float(force[strongest]),
+            "largest_force_at_s": float(t[strongest]),
+            "largest_per_axis_N": np.abs(self.loop.contact_true[:, :3]).max(axis=0).tolist(),
+            "deepest_m": float(self.loop.depth[deepest]),
+            "deepest_at_s": float(t[deepest]),
+            "largest_excursion_per_axis_m": away,
+            "controllers_excursion_per_axis_m": own,
+        }
 
     @cached_property
     def pressed(self) -> Array | None:
@@ -261,9 +278,9 @@ def run_controller(
         target = plan.pose[np.minimum(np.arange(len(x_e)), len(plan.pose) - 1)]
     if sequence.rotation is RotationLaw.SLERP and not frames_change(task):
         x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
-    lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
-    of_world = (fallback, links, motors, target, asked)
-    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *of_world)
+    lag = worst_lag(x, target, sequence.h, sequence.pieces)
+    of_world = loop, contact, feed, settle, why, fallback, links, motors, asked
+    return Simulated(opened, x_e, x, target, force, lag, axes, joints, *of_world)
 
 
 def frames_change(task: Task) -> bool:
@@ -347,33 +364,6 @@ def lag_record(lag: Lag) -> dict[str, Any]:
         "mean_m": lag.mean,
         "largest_turn_rad": lag.turn_maximum,
         "turn_time_s": lag.turn_time,
-    }
-
-
-def touch_record(run: Simulated) -> dict[str, Any] | None:
-    """The contact as plain data, None where the tool touched nothing.
-
-    Excursions are how far the tool, where the arm is, was from the equilibrium along each axis while it touched, its
-    lag included; the controller's are those of its own pose.
-    """
-    if run.loop is None or not np.any(run.loop.depth > 0):
-        return None
-    rows = np.flatnonzero(run.loop.depth > 0)
-    force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
-    away, controller = (np.abs(pose - run.x_e)[rows, :3].max(axis=0).tolist() for pose in (run.tool, run.x))
-    t = run.t
-    strongest, deepest = (int(np.argmax(values)) for values in (force, run.loop.depth))
-    return {
-        "first_s": float(t[rows[0]]),
-        "last_s": float(t[rows[-1]]),
-        "in_contact_s": len(rows) * run.opened.equilibrium.h,
-        "largest_force_N": float(force[strongest]),
-        "largest_force_at_s": float(t[strongest]),
-        "largest_per_axis_N": np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist(),
-        "deepest_m": float(run.loop.depth[deepest]),
-        "deepest_at_s": float(t[deepest]),
-        "largest_excursion_per_axis_m": away,
-        "controllers_excursion_per_axis_m": controller,
     }
 
 

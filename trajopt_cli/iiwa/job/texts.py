@@ -13,7 +13,6 @@ from trajopt_cli.table import TextTable, seconds, tabulate
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa.controller.feed_path import Allowed, Lead
     from trajopt_cli.iiwa.controller.lag import Lag
     from trajopt_cli.iiwa.controller.stability import AxisStability
     from trajopt_cli.iiwa.job.feed_scheduling import ScheduledJob
@@ -304,13 +303,13 @@ def loop_time_line(run: Simulated) -> list[str]:
 
 def feeds_table(title: str, job: ScheduledJob) -> TextTable:
     """The sequence as it was and as it is scheduled, with time, bound, lag and force if blocked."""
-    from trajopt_cli.iiwa.job.feed_scheduling import SCHEDULED
+    from trajopt_cli.iiwa.job.feed_scheduling import AS_PROGRAMMED, SCHEDULED
 
     one, made = job.programmed, job.scheduled
     rows: list[tuple[str, float, float | None, float | None, Lag, float]] = [
-        (one.name, one.run.opened.equilibrium.duration, None, one.arrived, one.run.lag, one.run.most_push)
+        (AS_PROGRAMMED, one.opened.equilibrium.duration, None, job.arrived, one.lag, one.most_push),
+        (SCHEDULED, made.duration, made.least, made.arrived, made.lag, made.push),
     ]
-    rows.append((SCHEDULED, made.duration, made.least, made.arrived, made.lag, made.push))
     columns: dict[str, Callable[[tuple[str, float, float | None, float | None, Lag, float]], str]] = {
         "~feed": lambda row: row[0],
         ">time [s]": lambda row: seconds(row[1]),
@@ -358,25 +357,6 @@ def feed_lines(job: ScheduledJob) -> list[str]:
             " programmed"
         )
     return [*lines, *job.remarks()]
-
-
-def allowed_text(allowed: Allowed) -> str:
-    """What the sequence may do."""
-    out = f"lag of at most {allowed.lag / MM:g} mm"
-    if allowed.turn_lag is not None:
-        out += f" and {np.degrees(allowed.turn_lag):g}°"
-    if allowed.lead is not None:
-        out += f", {lead_text(allowed.lead)}"
-    if allowed.turn_lead is not None:
-        out += ", push of at most" if allowed.lead is None else " and"
-        most = allowed.turn_lead.most
-        out += f" {np.degrees(most):g}°" if allowed.turn_lead.stretch else f" {most:g} Nm"
-    return out
-
-
-def lead_text(lead: Lead) -> str:
-    """A bound on the lead."""
-    return f"lead of at most {lead.most / MM:g} mm" if lead.stretch else f"push of at most {lead.most:g} N"
 
 
 def ahead_line(opened: Opened) -> str:
