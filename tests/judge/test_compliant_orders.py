@@ -116,6 +116,7 @@ def test_what_a_task_need_not_say(tmp_path: Path) -> None:
         ("v_max: 200 mm/s", "v_max: 200 mm/s2", "8: v_max: needs a number, or a text with one of m/s, cm/s, mm/s,"),
         ("jerk: 4 m/s^3", "jerk: true", "12: jerk: needs a number"),
         ("wxyz: [0, 3, 0, 4]", "wxyz: [0, 3, 4]", "7: tool.wxyz: needs a list of 4 numbers"),
+        ("wxyz: [0, 3, 0, 4]", "wxyz: [0, 0, 0, 0]", "7: tool.wxyz: is zero"),
         ("wxyz: [0, 3, 0, 4]", "wxyz: here", "7: tool.wxyz: needs a list of 4 numbers"),
         ("wxyz: [0, 3, 0, 4]", "wxyz: [0, 3, 0, 4 deg]", "7: tool.wxyz: needs a number, not '4 deg'"),
         ("by: [0.1, 0, 0, 0.1, 0.2, -0.3]", "by: [0.1, 0, 0]", "21: poses.1: needs 6 values, not [0.1, 0, 0]"),
@@ -282,6 +283,7 @@ def test_a_path_as_csv(mark: str, tmp_path: Path) -> None:
         ([mark.join(["a", "x"]), *lines[1:]], "way.csv:1: the judge does not know the column 'a'"),
         ([*lines, mark.join("1234")], "way.csv: a row is no row of numbers"),
         ([mark.join(["x [m]", "y [m]"]), *[mark.join("12")] * 2], "way.csv:1: has no column z"),
+        ([*lines[:2], mark.join(["nan"] * 7)], "way.csv: a row is no row of numbers: not all are finite"),
     ):
         with pytest.raises(InputError) as caught:
             read_poses(bad, "way.csv", np.array([1.0, 0, 0, 0]))

@@ -11,7 +11,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
 from trajopt_cli.iiwa.judge.law import Answer, Controller, held
-from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, worst
+from trajopt_cli.iiwa.judge.samples import ANGLES, PLACE, Poses, check_times, columns, poses_of_joints, worst, worst_row
 from trajopt_cli.iiwa.judge.task_order import Order
 from trajopt_cli.iiwa.judge.tolerances import (
     ARM_CAP,
@@ -27,7 +27,13 @@ from trajopt_cli.iiwa.judge.tolerances import (
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.trajectory import Trajectory
 
-FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
+_FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
+_BELIEVED, _TRUE = (tuple(f"{kind} {force}" for force in _FORCES) for kind in ("believed", "true"))
+_FED = tuple(head.replace(" ", "_e ") for head in (*PLACE, *ANGLES))
+SIMULATION_HEADS = (*_FED, *PLACE, *ANGLES, "deviation [m]", *_BELIEVED)
+"""What every simulation has."""
+_SPRINGS = (None, "spring wall", "ideal arm")
+"""Worlds whose arm is an ideal one, and what it touches springs."""
 _LEVEL = 0.99  # cosine between normals of one surface
 
 
@@ -55,7 +61,7 @@ def check_dosing(
             yield worst("push", "arm", np.linalg.norm(push, axis=1), most * (1 + PROMISED), unit, t, words=words)
     far = np.flatnonzero(
         (np.linalg.norm(arm.x[:, :3] - plan.p[-1], axis=1) > ARRIVED[0])
-        | (turns.angle_between(arm.q, np.broadcast_to(plan.q[-1], arm.q.shape)) > ARRIVED[1])
+        | (turns.angle_between(arm.q, plan.q[-1]) > ARRIVED[1])
     )
     arrived = (int(far[-1]) + 1) * h if len(far) else 0.0
     told = said["feeds"][said["feed"]]["arrived_s"]
@@ -113,55 +119,76 @@ def check_simulation(
     table: Mapping[str, Array],
     u: Array,
     fed: Poses,
+    path: Poses,
     said: Mapping[str, Any],
-    heads: tuple[tuple[str, ...], tuple[str, ...]],
 ) -> Iterator[Finding]:
-    """The rows of a simulation: where the law leads with the forces that they say it felt, what is felt of shapes that
-    are springs, and joints that put the tool there. u (n, 6): as of check_dosing. heads: of position and angles."""
-    assert order.start is not None
+    """The rows of a simulation: that it was fed the sequence, its last pose held; its deviation, from what it was fed,
+    or from the path that this leads it along; where the law leads with the forces that they say it felt, what is felt
+    of shapes that are springs, and joints that put the tool there. u (n, 6): as of check_dosing."""
     t, n = table["t [s]"], len(table["t [s]"])
-    p, angles = (columns(dict(table), names) for names in heads)
-    q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (n, 4)))
-    felt = columns(dict(table), tuple(f"believed {name}" for name in FORCES))
+    k = np.minimum(np.arange(n), len(fed.t) - 1)
+    p, p_e = columns(table, PLACE), columns(table, _FED[:3])
+    yield check_times(t, order.h)
+    zero = None if order.reframed or order.start is None else order.start.q
+    if zero is not None:
+        off = np.linalg.norm(p_e - fed.p[k], axis=1)
+        yield worst_row("position fed", off, SIMULATED, "m", t, "was fed another position, by")
+        off = turns.angle_between(turns.product(turns.from_angles(columns(table, _FED[3:])), zero), fed.q[k])
+        yield worst_row("orientation fed", off, SIMULATED, "rad", t, "was fed another turn, by")
+    target = p_e if path is fed or order.reframed else path.p[np.minimum(k, len(path.t) - 1)]
+    off = np.abs(np.linalg.norm(p - target, axis=1) - table["deviation [m]"])
+    yield worst_row("deviation", off, SIMULATED, "m", t, "has another deviation, by")
+    if zero is None or order.start is None:
+        return
     last = abs(float(t[-1]) - float(said["duration_s"]))
     yield finding("duration", "simulation", last, PERIOD, "s", last <= PERIOD, words="ends beside what is said, by")
     if not law.laws:
         return
+    q, felt = turns.product(turns.from_angles(columns(table, ANGLES)), zero), columns(table, _BELIEVED)
     if not law.beyond:
-        more = max(0, n - len(u))
-        speed = said.get("feed") == "velocity"
+        more, speed = max(0, n - len(u)), said.get("feed") == "velocity"
         arm = law.answer(held(u, more)[:n], held(fed.q, more)[:n], (order.start.p, order.start.q), felt, speed)
         off = np.linalg.norm(arm.x[:, :3] - p, axis=1)
         yield worst("law", "position", off, SIMULATED, "m", t, words="is not where the law leads, by")
         off = turns.angle_between(arm.q, q)
         yield worst("law", "orientation", off, SIMULATED, "rad", t, words="is not turned as the law has it, by")
-    names, world = order.arm.mechanism.names, said.get("world")
-    command = [f"{name} command [rad]" for name in names]
-    for columns_of in (
-        command,
-        [f"{name} [rad]" for name in names] if world in (None, "spring wall", "ideal arm") else [],
-    ):
-        if columns_of and all(name in table for name in columns_of) and order.X_FT is not None and not order.reframed:
-            joints = Trajectory(names, t, columns(dict(table), tuple(columns_of)))
-            tool = poses_of_joints(order.arm, order.X_FT, joints, None, order.h)
+    names, springs = order.arm.mechanism.names, said.get("world") in _SPRINGS
+    for kind in (" command", "") if springs else (" command",):
+        heads = tuple(f"{name}{kind} [rad]" for name in names)
+        if order.X_FT is not None and all(head in table for head in heads):
+            tool = poses_of_joints(order.arm, order.X_FT, Trajectory(names, t, columns(table, heads)), None, order.h)
             off = np.linalg.norm(tool.p - p, axis=1) + turns.angle_between(tool.q, q)
-            yield worst(
-                "joints", "tool", off, SIMULATED_JOINTS, "m, rad", t, words="is not where the joints put it, by"
-            )
-    if world in (None, "spring wall", "ideal arm") and not law.unfelt and not order.reframed and touches_known(said):
-        force, depth = law.touched(p, q)
-        sizes = np.linalg.norm(force, axis=1)
-        doubt = FELT_SHARE * sizes
-        if world is not None:
-            true = columns(dict(table), tuple(f"true {name}" for name in FORCES))
-            off = np.linalg.norm(true - force, axis=1)
-            yield worst("true force", "tool", off, FELT, "N, Nm", t, doubt, words="is not what it touches, by")
-            off = np.abs(table["depth [m]"] - depth)
-            yield worst("depth", "tool", off, SIMULATED, "m", t, words="is not as deep as told, by")
-        off = np.linalg.norm(felt - law.felt(force if world is not None else 0 * force, t), axis=1)
-        yield worst("believed force", "controller", off, FELT, "N, Nm", t, doubt, words="is not what it feels, by")
+            words = "is not where the joints put it, by"
+            yield worst("joints", "tool", off, SIMULATED_JOINTS, "m, rad", t, words=words)
+    if not springs or law.unfelt or not _own_contact(said):
+        return
+    force, depth = law.touched(p, q)
+    doubt = FELT_SHARE * np.linalg.norm(force, axis=1)
+    if said.get("world") is None:
+        force = 0 * force
+    else:
+        off = np.linalg.norm(columns(table, _TRUE) - force, axis=1)
+        yield worst("true force", "tool", off, FELT, "N, Nm", t, doubt, words="is not what it touches, by")
+        off = np.abs(table["depth [m]"] - depth)
+        yield worst("depth", "tool", off, SIMULATED, "m", t, words="is not as deep as told, by")
+    off = np.linalg.norm(felt - law.felt(force, t), axis=1)
+    yield worst("believed force", "controller", off, FELT, "N, Nm", t, doubt, words="is not what it feels, by")
 
 
-def touches_known(said: Mapping[str, Any]) -> bool:
+def unjudged(order: Order, law: Controller, table: Mapping[str, Array], said: Mapping[str, Any]) -> Iterator[str]:
+    """What of a simulation check_simulation does not judge, and why."""
+    if order.reframed or order.start is None:
+        why = "the task changes frames during the run" if order.reframed else "the tool is the program's"
+        yield f"what was fed, and what the controller does, because {why}"
+        return
+    yield from (f"where the controller goes, because of {one}" for one in law.beyond)
+    unknown = [*law.unfelt, *([] if _own_contact(said) else ["a contact that is not the task's"])]
+    unknown += [] if said.get("world") in _SPRINGS else [f"its world, {said['world']}"]
+    yield from (f"forces and depths, because of {one}" for one in unknown)
+    if rest := [head for head in table if head.startswith("manipulability")]:
+        yield ", ".join(rest)
+
+
+def _own_contact(said: Mapping[str, Any]) -> bool:
     """Whether a simulation ran into what the task itself has."""
     return said.get("contact_file", "") is None

@@ -209,7 +209,7 @@ def _step(k: float, d: float, m: float, h: float, exact: bool) -> list[float]:
 def _kept(task: Written, key: str, zero: Mapping[str, Any]) -> Array:
     """Of a force what is left where components in a turned frame are zeroed (6, 6)."""
     angles = task.numbers(f"{key}.frame", zero.get("frame", [0, 0, 0]), RADIAN, 3)
-    R = np.stack([turns.turned(turns.from_angles(np.array(angles)), axis) for axis in np.eye(3)], axis=1)
+    R = turns.to_matrix(turns.from_angles(np.array(angles)))
     left = np.array([name not in zero.get("components", ()) for name in _COMPONENTS], dtype=np.float64)
     out = np.zeros((6, 6))
     out[:3, :3], out[3:, 3:] = R * left[:3] @ R.T, R * left[3:] @ R.T
@@ -226,7 +226,7 @@ def _shape(task: Written, key: str, one: Mapping[str, Any]) -> Array:
         radius = task.number(f"{key}.capsule.radius", one["capsule"]["radius"], METRE)
         return np.array([1.0, *numbers, *a, *(b - a), radius, *np.zeros(8)])
     X = frame(task, f"{key}.box", one["box"])
-    R = np.stack([turns.turned(X.q, axis) for axis in np.eye(3)], axis=1)
+    R = turns.to_matrix(X.q)
     size = np.array(task.numbers(f"{key}.box.size", one["box"]["size"], METRE, 3))
     return np.array([0.0, *numbers, *R.ravel(), *X.p, *(size / 2)])
 

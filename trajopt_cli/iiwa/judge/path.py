@@ -55,13 +55,13 @@ class StraightPiece:
     def turned(self, q: Array) -> Array:
         """How far (n, 3) rotations q (n, 4), in order, have turned since the start, in the coordinates of turn."""
         if self.slerp:
-            turned = turns.logarithm(turns.product(turns.conjugate(np.broadcast_to(self.q, q.shape)), q))
+            turned = turns.logarithm(turns.product(turns.conjugate(self.q), q))
             if self.L_q > math.pi - _HALF_TURN:  # beyond half a revolution a logarithm is the other way round
                 angle = np.linalg.norm(turned, axis=1)
                 back = (turned @ self.turn < 0) & (angle > math.pi - 2 * _HALF_TURN)
                 turned[back] *= (1 - 2 * np.pi / angle[back])[:, None]
             return turned
-        angles = turns.to_angles(turns.product(q, turns.conjugate(np.broadcast_to(self.zero, q.shape))))
+        angles = turns.to_angles(turns.product(q, turns.conjugate(self.zero)))
         first = angles[0] - self.angles
         angles = np.unwrap(np.concatenate([angles[:1] - 2 * np.pi * np.rint(first / (2 * np.pi)), angles[1:]]), axis=0)
         return np.asarray(angles - self.angles)
@@ -77,7 +77,7 @@ class StraightPiece:
         """What rounding of rotations leaves of steps, rad: angles lose digits near beta = 90 deg."""
         if self.slerp:
             return ROUNDING
-        beta = turns.to_angles(turns.product(q, turns.conjugate(np.broadcast_to(self.zero, q.shape))))[:, 1]
+        beta = turns.to_angles(turns.product(q, turns.conjugate(self.zero)))[:, 1]
         return ROUNDING / max(float(np.cos(beta).min()), 1e-3)
 
     def share(self, p: Array, q: Array) -> Array:
@@ -88,10 +88,9 @@ class StraightPiece:
         """Positions (n, 3) and rotations (n, 4) at shares s (n,)."""
         turn = s[:, None] * self.turn
         if self.slerp:
-            q = turns.product(np.broadcast_to(self.q, (len(s), 4)), turns.exponential(turn))
+            q = turns.product(self.q, turns.exponential(turn))
         else:
-            angles = turns.from_angles(self.angles + turn)
-            q = turns.product(angles, np.broadcast_to(self.zero, angles.shape))
+            q = turns.product(turns.from_angles(self.angles + turn), self.zero)
         return self.p + s[:, None] * self.way, q
 
 

@@ -11,7 +11,7 @@ from trajopt_cli.geometry import Array
 
 
 def product(a: Array, b: Array) -> Array:
-    """First b, then a, seen from fixed axes."""
+    """First b, then a, seen from fixed axes; either may be one rotation."""
     (w, x, y, z), (t, i, j, k) = (np.moveaxis(one, -1, 0) for one in (a, b))
     out = np.empty(np.broadcast_shapes(a.shape, b.shape))
     out[..., 0] = w * t - (x * i + y * j + z * k)
@@ -68,6 +68,11 @@ def turned(q: Array, points: Array) -> Array:
     """Points (..., 3) turned by q."""
     u, cross = q[..., 1:], 2 * np.cross(q[..., 1:], points)
     return np.asarray(points + q[..., :1] * cross + np.cross(u, cross))
+
+
+def to_matrix(q: Array) -> Array:
+    """Rotation matrix (3, 3) of one rotation (4,)."""
+    return np.stack([turned(q, axis) for axis in np.eye(3)], axis=1)
 
 
 def from_matrix(R: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +21,9 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.trajectory import Trajectory
 
+PLACE = ("x [m]", "y [m]", "z [m]")
+ANGLES = ("alpha [rad]", "beta [rad]", "gamma [rad]")
+"""Heads of a pose."""
 _LOOKED_AT, _FEWEST, _ALL = 500, 9, 15  # rows; digits
 _UNIT = 1e-6  # by which the norm of a printed quaternion may differ from 1
 
@@ -35,6 +39,16 @@ def worst(
     row = int(np.argmax(off - doubt))
     most = limit + float(doubt[row])
     return finding(check, subject, off[row], most, unit, bool(off[row] <= most), time=float(t[row]), **more)
+
+
+def worst_row(check: str, off: Array, limit: float, unit: str, t: Array, words: str) -> Finding:
+    """The same, named by its number."""
+    return worst(check, f"row {int(np.argmax(off))}", off, limit, unit, t, words=words)
+
+
+def check_times(t: Array, h: float) -> Finding:
+    """A row every period h [s] from 0 on."""
+    return worst_row("period", np.abs(t - np.arange(len(t)) * h), PERIOD, "s", t, "is off its place in time by")
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,8 +101,8 @@ def poses_of_joints(
     """Where the tool is at joints, by pin; half a printed step of every joint is doubted."""
     X, J = arm.mechanism.flange(rows.q)
     q_WF = turns.from_matrix(X[:, :3, :3])
-    lever = turns.turned(q_WF, np.broadcast_to(X_FT.p, (len(X), 3)))
-    p, q = X[:, :3, 3] + lever, turns.product(q_WF, np.broadcast_to(X_FT.q, (len(X), 4)))
+    lever = turns.turned(q_WF, X_FT.p)
+    p, q = X[:, :3, 3] + lever, turns.product(q_WF, X_FT.q)
     off_p, off_q = ROUNDING * (1 + np.linalg.norm(p, axis=1)), np.full(len(p), ROUNDING)
     if resolution is not None:
         half = resolution.q / 2
@@ -145,7 +159,7 @@ def _is_number(field: str) -> bool:
     return False
 
 
-def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:
+def columns(table: Mapping[str, Array], heads: tuple[str, ...]) -> Array:
     """Some columns side by side (n, k)."""
     return np.column_stack([table[head] for head in heads])
 

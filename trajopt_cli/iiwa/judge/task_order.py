@@ -57,6 +57,8 @@ def read_poses(lines: list[str], path: str, zero: Array) -> Array:
         columns[name] = i, _KINDS[name][unit]
     try:
         table = np.array([[float(field) for field in line.split(mark)] for line in lines[1:]])
+        if not np.isfinite(table).all():
+            raise ValueError("not all are finite")
     except ValueError as error:
         raise InputError(f"a row is no row of numbers: {error}", file=path) from error
     found = {name: table[:, i] * factor for name, (i, factor) in columns.items()}
@@ -64,7 +66,7 @@ def read_poses(lines: list[str], path: str, zero: Array) -> Array:
         raise InputError(f"has no column {', '.join(sorted(missing))}", file=path, line=1)
     if "qw" in found:
         q = np.column_stack([found[name] for name in ("qw", "qx", "qy", "qz")])
-        q = turns.product(q / np.linalg.norm(q, axis=1, keepdims=True), np.broadcast_to(turns.conjugate(zero), q.shape))
+        q = turns.product(q / np.linalg.norm(q, axis=1, keepdims=True), turns.conjugate(zero))
         angles = turns.to_angles(q)
     else:
         angles = np.column_stack([found[name] for name in ("alpha", "beta", "gamma")])
@@ -79,38 +81,13 @@ _CAPS = {
     "jerk": rate(METRE, 3),
     "angular_jerk": rate(RADIAN, 3),
 }
-# What a task says besides its way: the controller, which law.py reads.
-_CONTROLLER = (
-    "K",
-    "D",
-    "M",
-    "integration",
-    "zero",
-    "clamps",
-    "changes",
-    "pushes",
-    "sensor",
-    "contact",
-    "force",
-    "controller",
-    "impedance",
-)
-_WAY = (
-    "h",
-    "profile",
-    "rotation",
-    "angles",
-    "poses",
-    "program",
-    "approach",
-    "passing",
-    "timing",
-    "start",
-    "tool",
-    "base",
-)
+_KEYS = (
+    *_CAPS, "h", "profile", "rotation", "angles", "poses", "program", "approach", "passing", "timing", "start", "tool",
+    "base", "robot", "limits", "arm_angle", "K", "D", "M", "integration", "zero", "clamps", "changes", "pushes",
+    "sensor", "contact", "force", "controller", "impedance",
+)  # fmt: skip
+"""What the judge knows: the way and the arm, and the controller, which law.py reads."""
 _PROFILES = ("thesis", "trapezoid", "s-curve")
-_ARM = ("robot", "limits", "arm_angle")
 
 _Caps = dict[str, list[float] | None]
 
@@ -311,7 +288,7 @@ def read_arm(robot: str, limits: str, base: FramePose | None = None) -> JudgedAr
     X_WB = np.eye(4)
     if base is not None:
         X_WB[:3, 3] = base.p
-        X_WB[:3, :3] = np.stack([turns.turned(base.q, axis) for axis in np.eye(3)], axis=1)
+        X_WB[:3, :3] = turns.to_matrix(base.q)
     urdf = path.parent / str(file.at("urdf"))
     if not urdf.is_file():
         raise file.refused("urdf", f"{urdf} does not exist")
@@ -340,7 +317,7 @@ def _foreign(task: Written) -> list[str]:
     return [
         f"{task.file}:{task.line(key)}: path and speeds, because the judge does not know the key '{key}'"
         for key in task.content
-        if key not in (*_CAPS, *_CONTROLLER, *_WAY, *_ARM)
+        if key not in _KEYS
     ]
 
 
@@ -350,6 +327,8 @@ def frame(task: Written, key: str, given: Mapping[str, Any] | None = None) -> Fr
     p = np.array(task.numbers(f"{key}.position", section.get("position", [0, 0, 0]), METRE, 3))
     if "wxyz" in section:
         q = np.array(task.numbers(f"{key}.wxyz", section["wxyz"], PLAIN, 4))
+        if not q.any():
+            raise task.refused(f"{key}.wxyz", "is zero, which is no rotation")
         return FramePose(p, q / np.linalg.norm(q))
     rpy = task.numbers(f"{key}.rpy", section.get("rpy", [0, 0, 0]), RADIAN, 3)
     return FramePose(p, turns.from_angles(np.array(rpy)))  # URDF's roll, pitch and yaw are these very angles
@@ -387,15 +366,12 @@ def _cap(task: Written, key: str, stops: list[Stop] | None) -> list[float] | Non
     value = task.at(key)
     if value is None:
         return None
-    if not isinstance(value, list):
-        return [_from_zero(task, key, value)] * (1 if stops is None else len(stops) - 1)
-    if stops is not None and len(value) != len(stops) - 1:
-        raise task.refused(key, f"{len(value)} values for {len(stops) - 1} segments")
-    return [_from_zero(task, key, one) for one in value]
-
-
-def _from_zero(task: Written, key: str, value: object) -> float:
-    out = task.number(key, value, _CAPS[key])
-    if out < 0:
-        raise task.refused(key, f"is {out:g}; a cap is 0 or more")
+    count = 1 if stops is None else len(stops) - 1
+    given = value if isinstance(value, list) else [value] * count
+    if stops is not None and len(given) != count:
+        raise task.refused(key, f"{len(given)} values for {count} segments")
+    out = [task.number(key, one, _CAPS[key]) for one in given]
+    for cap in out:
+        if cap < 0:
+            raise task.refused(key, f"is {cap:g}; a cap is 0 or more")
     return out

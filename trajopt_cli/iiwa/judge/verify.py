@@ -13,14 +13,25 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.judge import quaternions as turns
-from trajopt_cli.iiwa.judge.answer import FORCES, check_dosing, check_simulation, touches_known
+from trajopt_cli.iiwa.judge.answer import SIMULATION_HEADS, check_dosing, check_simulation, unjudged
 from trajopt_cli.iiwa.judge.joints import check_between, check_follows, check_limits, check_posture
 from trajopt_cli.iiwa.judge.law import Controller, read_controller
 from trajopt_cli.iiwa.judge.pressing import check_force
-from trajopt_cli.iiwa.judge.samples import Poses, columns, poses_of_joints, printed, read_table, unit, worst
+from trajopt_cli.iiwa.judge.samples import (
+    ANGLES,
+    PLACE,
+    Poses,
+    check_times,
+    columns,
+    poses_of_joints,
+    printed,
+    read_table,
+    unit,
+    worst_row,
+)
 from trajopt_cli.iiwa.judge.sequence import check_sequence
 from trajopt_cli.iiwa.judge.task_order import FramePose, JudgedArm, Order, arm_frame, read_arm, read_order
-from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
+from trajopt_cli.iiwa.judge.tolerances import EXACT, PERIOD, ROUNDING, START
 from trajopt_cli.joint_csv import Resolution, check_reach, read_csv_text
 from trajopt_cli.judge.findings import finding
 from trajopt_cli.runs import SUMMARY
@@ -32,8 +43,6 @@ _FED = ("equilibrium.csv", "equilibrium_quaternion.csv")
 _LED = ("plan.csv", "plan_quaternion.csv")
 """Where the arm should be, in folders whose equilibrium leads it there."""
 JOINTS_FILE, SIMULATION_FILE = "joints.csv", "simulation.csv"
-_PLACE = ("x [m]", "y [m]", "z [m]")
-_ANGLES = ("alpha [rad]", "beta [rad]", "gamma [rad]")
 _QUATERNION = ("qw [1]", "qx [1]", "qy [1]", "qz [1]")
 _LOCKED = 0.05  # cos beta under which three angles may swing from row to row
 
@@ -62,23 +71,24 @@ def verify_folder(folder: Path) -> Judged:
         raise InputError("inputs.task: is missing; make the folder again", file=str(folder / "run.json"))
     sections, program = run.sections(), run.record.inputs.program
     said = _section(sections, "sequence", folder)
-    fed, way = _quaternion_file(run, _FED[1]), _FED
-    path = fed
+    fed = path = _quaternion_file(run, _FED[1])
+    way = _FED
     if _LED[0] in run.contents:
         path, way = _quaternion_file(run, _LED[1]), _LED
     first = FramePose(path.p[0], path.q[0])
     place = None if program is None else str(folder / program)
     order = read_order(str(folder / run.record.inputs.task), place, lambda *_: first)
-    fed, path = (replace(one, period=order.h) for one in (fed, path))
+    fed = replace(fed, period=order.h)
+    path = replace(path, period=order.h) if way is _LED else fed
     unchecked = list(order.unchecked)
     zero = None if order.start is None else order.start.q
     if said.get("angles") == "absolute":
         zero = np.array([1.0, 0.0, 0.0, 0.0])
     if zero is None:
         unchecked.append(f"{folder / _FED[0]}: its angles, because they count from the program's tool")
-    reports = {}
+    found: dict[str, list[Finding]] = {}
     law = _controller(order, said)
-    tables = {name: _table(run, name, (*_PLACE, *_ANGLES)) for name in {_FED[0], way[0]}}
+    tables = {name: _table(run, name, (*PLACE, *ANGLES)) for name in {_FED[0], way[0]}}
     u = _equilibrium(tables[_FED[0]], fed, order, said)
     if way is _LED:
         unchecked.append(f"{folder / _FED[0]}: its way and speeds, because it leads the arm along {_LED[0]}")
@@ -90,24 +100,23 @@ def verify_folder(folder: Path) -> Judged:
         elif "dosing" in sections:
             why = " and ".join(law.beyond) or "the program's tool"
             unchecked.append(f"{folder / _FED[0]}: lag and push, because of {why}")
-        reports = {
-            _FED[0]: _report([*_angle_file(run, _FED[0], tables, fed, zero), *kept]),
-            _FED[1]: _report([*_rows(fed, said.get("rows"), order), *check_force(order, path, fed)]),
+        found = {
+            _FED[0]: [*_angle_file(run, _FED[0], tables, fed, zero), *kept],
+            _FED[1]: [*_rows(fed, said.get("rows"), order), *check_force(order, path, fed)],
         }
-    reports[way[0]] = _report(_angle_file(run, way[0], tables, path, zero))
+    found[way[0]] = [*_angle_file(run, way[0], tables, path, zero)]
     of_path = check_sequence(order, path, retimed="dosing" in sections)
-    reports[way[1]] = _report([*_rows(path, said.get("rows"), order), *of_path])
+    found[way[1]] = [*_rows(path, said.get("rows"), order), *of_path]
     if JOINTS_FILE in run.contents:
         if order.X_FT is None:
             unchecked.append(f"{folder / JOINTS_FILE}: the tool's poses, because the tool is the program's")
-        reports[JOINTS_FILE] = _report(_joint_file(run, order, fed, sections))
+        found[JOINTS_FILE] = [*_joint_file(run, order, fed, sections)]
     if SIMULATION_FILE in run.contents:
         ran = _section(sections, "simulation", folder)
-        law = _controller(order, said, ran.get("integration"))
-        found, lines = _simulation_file(run, order, fed, path, (law, u, ran))
-        reports[SIMULATION_FILE] = _report(found)
-        unchecked += lines
-    return Judged(reports, tuple(unchecked))
+        law, table = _controller(order, said, ran.get("integration")), _table(run, SIMULATION_FILE, SIMULATION_HEADS)
+        found[SIMULATION_FILE] = [*check_simulation(order, law, table, u, fed, path, ran)]
+        unchecked += (f"{folder / SIMULATION_FILE}: {what}" for what in unjudged(order, law, table, ran))
+    return Judged({name: Report(tuple(one)) for name, one in found.items()}, tuple(unchecked))
 
 
 @of_kind(ErrorKind.RESULTS)
@@ -119,7 +128,9 @@ def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Ju
     if task is None:
         arm = read_arm(robot or "iiwa7", "default")
         _check_names(rows, arm, path, resolution)
-        return Judged({path.name: _report(check_limits(arm, rows, resolution))}, ("no task is given: the tool's way",))
+        return Judged(
+            {path.name: Report(tuple(check_limits(arm, rows, resolution)))}, ("no task is given: the tool's way",)
+        )
 
     def first(X_FT: FramePose, arm: JudgedArm) -> FramePose:
         _check_names(rows, arm, path, resolution)
@@ -134,7 +145,7 @@ def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Ju
         tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
         found += check_sequence(order, tool, exact=False)
         found += check_posture(order, rows, None, _begins_at_start(order, tool))
-    return Judged({path.name: _report(found)}, tuple(unchecked))
+    return Judged({path.name: Report(tuple(found))}, tuple(unchecked))
 
 
 def _check_names(rows: Trajectory, arm: JudgedArm, path: Path, resolution: Resolution) -> None:
@@ -147,16 +158,12 @@ def _check_names(rows: Trajectory, arm: JudgedArm, path: Path, resolution: Resol
 
 def _quaternion_file(run: ResultsFolder[_Record], name: str) -> Poses:
     """The poses of a file; on no grid yet."""
-    table = _table(run, name, (*_PLACE, *_QUATERNION))
+    table = _table(run, name, (*PLACE, *_QUATERNION))
     t = table["t [s]"]
     q = unit(columns(table, _QUATERNION), str(run.folder / name))
-    p, share = columns(table, _PLACE), printed(run.text(name))
+    p, share = columns(table, PLACE), printed(run.text(name))
     rounding = np.maximum(share * np.linalg.norm(p, axis=1), ROUNDING)
     return Poses(t, p, q, rounding, np.full(len(t), max(2 * share, ROUNDING)), float("nan"))
-
-
-def _report(findings: list[Finding] | Iterator[Finding]) -> Report:
-    return Report(tuple(findings))
 
 
 def _section(sections: dict[str, Any], name: str, folder: Path) -> dict[str, Any]:
@@ -170,14 +177,9 @@ def _table(run: ResultsFolder[_Record], name: str, heads: tuple[str, ...]) -> di
     return read_table(run.text(name), str(run.folder / name), ("t [s]", *heads))
 
 
-def _row(check: str, off: Array, limit: float, unit: str, t: Array, words: str) -> Finding:
-    return worst(check, f"row {int(np.argmax(off))}", off, limit, unit, t, words=words)
-
-
 def _rows(rows: Poses, reported: Any, order: Order) -> Iterator[Finding]:
     """A row every period from 0 on, as many as summary.json says."""
-    off = np.abs(rows.t - np.arange(len(rows.t)) * order.h)
-    yield _row("period", off, PERIOD, "s", rows.t, "is off its place in time by")
+    yield check_times(rows.t, order.h)
     count = float(reported) if isinstance(reported, int) else float("nan")
     same = len(rows.t) == reported
     yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
@@ -188,7 +190,7 @@ def _angle_file(
 ) -> Iterator[Finding]:
     """The file with angles against the one with quaternions: the same rows; and angles without jumps."""
     table = tables[name]
-    t, p, angles = table["t [s]"], columns(table, _PLACE), columns(table, _ANGLES)
+    t, p, angles = table["t [s]"], columns(table, PLACE), columns(table, ANGLES)
     same = len(t) == len(wanted.t)
     yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
     if not same:
@@ -200,14 +202,14 @@ def _angle_file(
     off = np.abs(p - wanted.p).max(axis=1)
     offs = [("period", np.abs(t - wanted.t), PERIOD, "s"), ("position", off, EXACT + off_p, "m")]
     if zero is not None:
-        q = turns.product(turns.from_angles(angles), np.broadcast_to(zero, wanted.q.shape))
+        q = turns.product(turns.from_angles(angles), zero)
         offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT + off_q, "rad"))
     for check, off, limit, kind in offs:
-        yield _row(check, off, limit, kind, t, f"has another {check} than in quaternions, by")
+        yield worst_row(check, off, limit, kind, t, f"has another {check} than in quaternions, by")
     # a quarter turn is no step of any sequence; near the lock two angles swing for one small turn
     free = np.minimum(np.abs(np.cos(angles[:-1, 1])), np.abs(np.cos(angles[1:, 1]))) > _LOCKED
     jump = np.where(free, np.abs(np.diff(angles, axis=0)).max(axis=1), 0.0)
-    yield _row("angle jump", np.r_[0.0, jump], np.pi / 2, "rad", t, "jumps from the row before by")
+    yield worst_row("angle jump", np.r_[0.0, jump], np.pi / 2, "rad", t, "jumps from the row before by")
 
 
 def _joint_file(
@@ -220,7 +222,7 @@ def _joint_file(
     yield from check_limits(order.arm, rows, resolution)
     begins = False
     if same:
-        yield _row("period", np.abs(rows.t - wanted.t), PERIOD, "s", rows.t, "is off the sequence in time by")
+        yield worst_row("period", np.abs(rows.t - wanted.t), PERIOD, "s", rows.t, "is off the sequence in time by")
     if order.X_FT is not None:
         tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
         begins = _begins_at_start(order, tool)
@@ -252,52 +254,7 @@ def _controller(order: Order, said: dict[str, Any], integration: str | None = No
 def _equilibrium(table: dict[str, Array], fed: Poses, order: Order, said: dict[str, Any]) -> Array:
     """What the controller is fed (n, 6): position and angles from the start."""
     if order.start is None or said.get("angles") == "relative":
-        angles = columns(table, _ANGLES)[: len(fed.p)]
+        angles = columns(table, ANGLES)[: len(fed.p)]
         return np.column_stack([fed.p, np.pad(angles, ((0, len(fed.p) - len(angles)), (0, 0)), mode="edge")])
-    q = turns.product(fed.q, np.broadcast_to(turns.conjugate(order.start.q), fed.q.shape))
+    q = turns.product(fed.q, turns.conjugate(order.start.q))
     return np.column_stack([fed.p, np.unwrap(turns.to_angles(q), axis=0)])
-
-
-def _simulation_file(
-    run: ResultsFolder[_Record],
-    order: Order,
-    wanted: Poses,
-    path: Poses,
-    of_law: tuple[Controller, Array, dict[str, Any]],
-) -> tuple[list[Finding], list[str]]:
-    """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say,
-    from what it was fed, or from the path that this leads it along; the rest as check_simulation has it."""
-    law, u, said = of_law
-    equilibrium = [f"{head.split(' ')[0]}_e [{head.split('[')[1]}" for head in (*_PLACE, *_ANGLES)]
-    heads = (*equilibrium, *_PLACE, *_ANGLES, "deviation [m]", *(f"believed {name}" for name in FORCES))
-    table = _table(run, SIMULATION_FILE, heads)
-    t, p_e = table["t [s]"], columns(table, tuple(equilibrium[:3]))
-    file = str(run.folder / SIMULATION_FILE)
-    unchecked = []
-    offs = [("period", np.abs(t - np.arange(len(t)) * order.h), PERIOD, "s", "is off its place in time by")]
-    if order.reframed or order.start is None:
-        why = "the task changes frames during the run" if order.reframed else "the tool is the program's"
-        unchecked.append(f"{file}: what was fed, and what the controller does, because {why}")
-    else:
-        k = np.minimum(np.arange(len(t)), len(wanted.t) - 1)
-        off = np.linalg.norm(p_e - wanted.p[k], axis=1)
-        offs.append(("position fed", off, SIMULATED, "m", "was fed another position, by"))
-        angles = columns(table, tuple(equilibrium[3:]))
-        q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (len(t), 4)))
-        off = turns.angle_between(q, wanted.q[k])
-        offs.append(("orientation fed", off, SIMULATED, "rad", "was fed another turn, by"))
-    led = _LED[0] in run.contents and not order.reframed
-    from_p = path.p[np.minimum(np.arange(len(t)), len(path.t) - 1)] if led else p_e
-    deviation = np.linalg.norm(columns(table, _PLACE) - from_p, axis=1)
-    offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
-    found = [_row(check, off, limit, unit, t, words) for check, off, limit, unit, words in offs]
-    if order.start is not None and not order.reframed:
-        found += check_simulation(order, law, table, u, wanted, said, (_PLACE, _ANGLES))
-        unchecked += [f"{file}: where the controller goes, because of {one}" for one in law.beyond]
-        unknown = [*law.unfelt, *([] if touches_known(said) else ["a contact that is not the task's"])]
-        if said.get("world") not in (None, "spring wall", "ideal arm"):
-            unknown.append(f"its world, {said['world']}")
-        unchecked += [f"{file}: forces and depths, because of {one}" for one in unknown]
-        rest = [head for head in table if head.startswith("manipulability")]
-        unchecked += [f"{file}: {', '.join(rest)}"] if rest else []
-    return found, unchecked
