@@ -83,7 +83,7 @@ _PLANNED = {
 
 def instructions() -> str:
     """Every instruction that is read, by topic and effect."""
-    from trajopt_cli.rapid.execution.registry import Effect
+    from trajopt_cli.rapid.execution.arguments import Effect
     from trajopt_cli.rapid.execution.table import INSTRUCTIONS
 
     out = "| instructions | by name | effect | in a plan |\n|---|---|---|---|\n"

@@ -209,7 +209,7 @@ def job_on(
     )
     plant = at_cycle(flat, plant)
     if not any(isinstance(motion, Move) for motion in flat.motions):
-        from trajopt_cli.rapid.startable import moves_nothing
+        from trajopt_cli.rapid.entry import moves_nothing
 
         message = f"{moves_nothing(flat)}; signal values in the cell file decide branches"
         raise InputError(message, file=str(paths[0]), kind=ErrorKind.UNPLANNABLE)

@@ -146,7 +146,7 @@ class ConfData:
 
 
 # External axes eax_a..eax_f as RAPID states them, in mm or degrees (only the cell knows which); None for 9E9.
-ExternalAxes = tuple[float | None, float | None, float | None, float | None, float | None, float | None]
+ExternalAxes = tuple[float | None, ...]
 NO_EXTERNAL_AXES: ExternalAxes = (None, None, None, None, None, None)
 
 

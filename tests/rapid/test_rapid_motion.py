@@ -27,8 +27,7 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.path.line import Line
-from trajopt_cli.rapid.data.frames import between
-from trajopt_cli.rapid.data.poses import frame, matrix
+from trajopt_cli.rapid.data.frames import between, frame, matrix
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import effective_radii
 from trajopt_cli.scenario import Scenario
@@ -153,7 +152,7 @@ def test_what_does_not_change_is_shared_and_what_changes_is_not_served_stale() -
     assert isinstance(a, MoveL)
     assert (c.tool.X_FT[2, 3], c.speed.v_tcp) == (0.12, 0.05)
     assert a.tool.X_FT[2, 3] == 0.1
-    assert c.zone is a.zone
+    assert c.zone == a.zone
     assert c.settings is a.settings  # ConfL \On changes nothing
     np.testing.assert_allclose([m.X_WT[2, 3] for m in (a, c, d)], [0.65, 0.65, 0.67], atol=1e-15)
     assert d.X_WO is not None

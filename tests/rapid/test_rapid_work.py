@@ -11,7 +11,7 @@ import pytest
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.execution import context, loops
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.language.syntax import walk
 from trajopt_cli.rapid.reader import try_program
 from trajopt_cli.scenario import Scenario
 

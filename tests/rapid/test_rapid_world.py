@@ -10,8 +10,8 @@ from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, SignalEvent, Source, TextFile, Wait
 from trajopt_cli.rapid.data.datatypes import NUM
+from trajopt_cli.rapid.execution.arguments import Effect, Topic
 from trajopt_cli.rapid.execution.instructions import rows
-from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template

@@ -172,7 +172,7 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     from collections import Counter
 
     from trajopt_cli.motion import Move
-    from trajopt_cli.rapid.startable import moves_nothing
+    from trajopt_cli.rapid.entry import moves_nothing
 
     if not any(isinstance(motion, Move) for motion in flat.motions):
         yield moves_nothing(flat)

@@ -151,11 +151,12 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
                 row = replace(row, effective_angle=zones[index].turning / DEG)
             if index in stopped:
                 row = replace(row, stop_reason=stopped[index])
-            if at is not NO_EXTERNAL_AXES and any(
-                value is not None and given is None for value, given in zip(at, motion.extax, strict=True)
-            ):
-                row = replace(row, extax_kept=_kept(at, motion.extax))
-            at = _taken_over(at, motion.extax)
+            kept = tuple(old if new is None else None for old, new in zip(at, motion.extax, strict=True))
+            if any(value is not None for value in kept):
+                row = replace(row, extax_kept=kept)
+            # of the robot's own axes; those that it does not have stay None
+            moved = zip(at, motion.extax, strict=True)
+            at = tuple(old if new is None or old is None else new for old, new in moved)
         rows.append(row)
     lines = sum(row.length for row in rows if row.kind == "MoveL" and row.length is not None)
     arcs = sum(row.length for row in rows if row.kind == "MoveC" and row.length is not None)
@@ -188,20 +189,6 @@ def differing(settings: Settings) -> dict[str, Any]:
     if settings.displaced:
         out["PDisp"] = "On"
     return out
-
-
-def _kept(at: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
-    """Where axes stand that are left open, None for the others."""
-    a, b, c, d, e, f = (old if new is None else None for old, new in zip(at, given, strict=True))
-    return (a, b, c, d, e, f)
-
-
-def _taken_over(at: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
-    """Where the robot's own axes stand after a move; those that it does not have stay None."""
-    if at is NO_EXTERNAL_AXES:
-        return at
-    a, b, c, d, e, f = (old if new is None or old is None else new for old, new in zip(at, given, strict=True))
-    return (a, b, c, d, e, f)
 
 
 class _Spelling:

@@ -9,9 +9,8 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from trajopt_cli.rapid.language.syntax import ModuleFile, ProcedureCall, Routine, Statement
+from trajopt_cli.rapid.language.syntax import ModuleFile, ProcedureCall, Routine, Statement, walk
 from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.rapid.language.walk import walk
 
 DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
 FLAT = "! written flat by trajopt: "  # and what it has written out elsewhere
@@ -83,9 +82,8 @@ def _at(mark: int, places: Places, stretches: Sequence[_Stretch], word: str) -> 
             found = [one for one in stretches if one[0] < mark < one[1] and places.line(one[0]) == line][-1:]
     if not found and not _already_dropped(places.text, mark):
         what = "a move, a wait, a block or a routine" if word == _HOLD else "a move"
-        raise places.error(
-            mark, f"'! trajopt: {word}' marks no instruction; put it after {what} or on the line above it"
-        )
+        message = f"'! trajopt: {word}' marks no instruction; put it after {what} or on the line above it"
+        raise places.error(mark, message)
     return found
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
-from trajopt_cli.rapid.data.errors import Undeclared
+from trajopt_cli.rapid.data.scope import Undeclared
 from trajopt_cli.rapid.entry import NoEntry
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import is_module, leads_out

@@ -11,10 +11,9 @@ from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.rapid.concurrent import laid_beside
 from trajopt_cli.rapid.entry import find_entry
-from trajopt_cli.rapid.execution.free_turns import fill_free
 from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
-from trajopt_cli.rapid.execution.named import fill_constant_speed
+from trajopt_cli.rapid.execution.named import fill_constant_speed, fill_free
 from trajopt_cli.rapid.execution.rail_at import CellRailPlaces
 from trajopt_cli.rapid.execution.rail_hold import fill_holds
 from trajopt_cli.rapid.language.parser import parse_module
@@ -103,8 +102,7 @@ def try_program(
         if run.scenario.rail_at:
             run.rail_places = CellRailPlaces(run, modules)
         run.start(routine, scope)
-        if run.rail_places is not None:
-            run.rail_places.warn_unused()
+        run.rail_places.warn_unused()
         fill_holds(run, modules)
         fill_constant_speed(run, modules)
         fill_free(run, modules)

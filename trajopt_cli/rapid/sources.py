@@ -7,13 +7,13 @@ import re
 import resource
 import stat
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
-from trajopt_cli.rapid.language.text import read_text
+from trajopt_cli.rapid.language.text import listed, read_text
 from trajopt_cli.rapid.not_rapid import foreign
 from trajopt_cli.rapid.program_list import read_list
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -135,7 +135,7 @@ def is_system(path: Path) -> bool:
 
 
 def _files(path: Path, entry: str, warnings: list[ProgramWarning]) -> list[tuple[Path, bool]]:
-    if stat.S_ISDIR(_mode(path)):
+    if stat.S_ISDIR(_stat(path).st_mode):
         return [(found, False) for found in _of_folder(path, entry, warnings)]
     if path.suffix.lower() == LIST_SUFFIX:
         _check_regular(path)
@@ -248,8 +248,7 @@ def _program(folder: Path, files: list[Path], warnings: list[ProgramWarning]) ->
 
 
 def _some(paths: Sequence[Path], folder: Path) -> str:
-    names = [str(path.relative_to(folder)) for path in paths]
-    return ", ".join(names[:10]) + (f" and {len(names) - 10} more" if len(names) > 10 else "")
+    return listed([str(path.relative_to(folder)) for path in paths], 10)
 
 
 def _sorted(paths: Iterable[Path]) -> list[Path]:
@@ -293,33 +292,32 @@ def _folders(folder: Path, name: str) -> list[Path]:
     return [path for path in _entries(folder) if path.name.lower() == name and path.is_dir()]
 
 
-def _entries(folder: Path) -> list[Path]:
+@contextmanager
+def _reading(path: Path) -> Iterator[None]:
     try:
-        return sorted(folder.iterdir())
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", file=str(folder)) from error
-
-
-def _check_regular(path: Path) -> None:
-    """A file that is there, and no device or pipe, which may have no end."""
-    if not stat.S_ISREG(_mode(path)):
-        raise InputError("is not a regular file; save the program in one", file=str(path))
-
-
-def _mode(path: Path) -> int:
-    try:
-        return path.stat().st_mode
+        yield
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
 
 
+def _entries(folder: Path) -> list[Path]:
+    with _reading(folder):
+        return sorted(folder.iterdir())
+
+
+def _check_regular(path: Path) -> None:
+    """A file that is there, and no device or pipe, which may have no end."""
+    if not stat.S_ISREG(_stat(path).st_mode):
+        raise InputError("is not a regular file; save the program in one", file=str(path))
+
+
+def _stat(path: Path) -> os.stat_result:
+    with _reading(path):
+        return path.stat()
+
+
 def _check_sizes(paths: Sequence[Path], given: Path) -> None:
-    total = 0
-    for path in paths:
-        try:
-            total += path.stat().st_size
-        except OSError as error:
-            raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    total = sum(_stat(path).st_size for path in paths)
     size = f"{total / 1e6:.0f} MB of modules"
     if total > MAX_BYTES:
         raise InputError(f"{size}; at most {MAX_BYTES / 1e6:.0f} MB are read, so divide it", file=str(given))

@@ -22,13 +22,10 @@ def template(missing: Sequence[Missing]) -> str:
             continue
         lines.append(f"{section}:")
         for one in found:
-            entry = f"- {yaml_name(one.name)}" if section in NAME_LISTS else _pair(one)
+            name = yaml_name(one.name)
+            entry = f"- {name}" if section in NAME_LISTS else f"{name}: {one.value}"
             lines.append(f"  {entry}{_comment(one)}")
     return "".join(f"{line}\n" for line in lines)
-
-
-def _pair(one: Missing) -> str:
-    return f"{yaml_name(one.name)}: {one.value}"
 
 
 def _comment(one: Missing) -> str:

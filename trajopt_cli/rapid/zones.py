@@ -40,6 +40,7 @@ from trajopt_cli.motion import (
 from trajopt_cli.path.of_motion import segment_of, turns_of
 from trajopt_cli.path.segment import POINT, Segment
 from trajopt_cli.path.turning import turned_back
+from trajopt_cli.rapid.execution.position import merged
 from trajopt_cli.units import MM
 
 # [m], [rad] A shorter way has no corner: seven digits of a num tell points 10 m away no better. Nor frames.
@@ -265,7 +266,7 @@ def courses(
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait | SignalEvent):
             continue
-        start, before, extax = place, extax, _taken_over(extax, motion.extax)
+        start, before, extax = place, extax, merged(extax, motion.extax)
         match motion:
             case PoseMove():
                 place = _Place(motion.X_WT, motion.tool)
@@ -310,8 +311,3 @@ def _curve(motion: PoseMove | MoveAbsJ, before: _Place) -> Segment | None:
         with suppress(InputError):  # what is no circle is refused where it is planned
             return segment_of(motion, before.seen_by(motion.tool))
     return None  # of a stationary tool the work moves: its points pass the tool
-
-
-def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
-    a, b, c, d, e, f = (old if new is None else new for old, new in zip(before, given, strict=True))
-    return (a, b, c, d, e, f)

@@ -49,11 +49,7 @@ class Atomic:
 
     size = 1
     depth = 0
-
-    @cached_property
-    def layout(self) -> Layout | None:
-        """None: only records and arrays have one."""
-        return None
+    layout = None  # only records and arrays have one
 
 
 @dataclass(frozen=True)
@@ -132,10 +128,6 @@ class Array:
             return self.element
         return Array(self.element, self.sizes[1:] if self.sizes else None, self.dimensions - 1)
 
-    def inner(self) -> Type:
-        """The type one dimension further in."""
-        return self.inside
-
 
 Type = Atomic | Record | Array
 # Whatever the type says: a float, a bool, a str, a nested tuple of them, None for a type without values. Checked
@@ -210,8 +202,8 @@ class Layout:
         """The layout of a type, None where it holds anything but numbers, or too many."""
         if type_.size > ARRAY_LIMIT or (isinstance(type_, Array) and not type_.sizes):
             return None
-        formats = _formats(type_)
-        return None if formats is None else Layout(type_, formats, _shape(type_))
+        described = _described(type_)
+        return None if described is None else Layout(type_, *described)
 
     def read(self, text: str) -> Data | None:
         """The value of an aggregate as written, None where it is anything but the type's numbers."""
@@ -245,28 +237,17 @@ def _parts(type_: Record | Array) -> Iterable[Type]:
     return [type_.inside] * type_.sizes[0]
 
 
-def _formats(type_: Type) -> str | None:
-    if type_ is NUM:
-        return "f"
-    if type_ is DNUM:
-        return "d"
+def _described(type_: Type) -> tuple[str, str] | None:
+    """The struct formats of a type's numbers and the brackets and commas of its literal; None for other values."""
     if isinstance(type_, Atomic):
+        return ("f" if type_ is NUM else "d", "") if is_number(type_) else None
+    if isinstance(type_, Array):
+        inner, count = _described(type_.inside), (type_.sizes or (1,))[0]
+        return None if inner is None else (inner[0] * count, f"[{','.join([inner[1]] * count)}]")
+    found = [one for _, part in type_.components if (one := _described(part)) is not None]
+    if len(found) < len(type_.components):
         return None
-    if isinstance(type_, Array):
-        inner = _formats(type_.inside)
-        return None if inner is None else inner * (type_.sizes or (0,))[0]
-    found = [_formats(part) for _, part in type_.components]
-    return None if None in found else "".join(part for part in found if part is not None)
-
-
-def _shape(type_: Type) -> str:
-    if isinstance(type_, Atomic):
-        return ""
-    if isinstance(type_, Array):
-        count = (type_.sizes or (1,))[0]
-        inner = _shape(type_.inside)
-        return f"[{f'{inner},' * (count - 1)}{inner}]"
-    return f"[{','.join(_shape(part) for _, part in type_.components)}]"
+    return "".join(formats for formats, _ in found), f"[{','.join(shape for _, shape in found)}]"
 
 
 def _flat(data: Data) -> Iterator[float]:
@@ -340,6 +321,7 @@ _UNFOLLOWED = """
     finepramp arm ax1 ax4 ax6 pathresol motionsup tunevalue cirpathreori evtbufferact corner_path_warn_suppress
 """
 UNFOLLOWED = frozenset(_UNFOLLOWED.split())
+MODAL = (MOTSETDATA, ACCDATA, SINGDATA, CONFSUPDATA)
 INPOSDATA = _nums("inposdata", "position speed mintime maxtime")
 STOPPOINTDATA = _record(
     "stoppointdata",

@@ -1,14 +1,21 @@
 """Positions, quaternions and frames of RAPID as plain tuples: p (x, y, z), q (w, x, y, z), a frame (p, q).
 
 Plain tuples because a program computes with one frame at a time, where an array costs twenty times the arithmetic.
-The motions leave this room as the arrays of trajopt_cli.geometry.
+The motions leave this room as the arrays of trajopt_cli.geometry: frames are in mm, poses in m.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import chain
 from math import atan2, cos, hypot, sin, sqrt
+from struct import Struct
 
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly, wxyz_from_rotation
 from trajopt_cli.path.circle import cross
+from trajopt_cli.units import MM
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -73,16 +80,6 @@ def about(axis: int, angle: float) -> Quaternion:
     return (q[0], q[1], q[2], q[3])
 
 
-def matrix(q: Quaternion) -> tuple[Vector, Vector, Vector]:
-    """Rotation matrix rows of a unit quaternion."""
-    w, x, y, z = q
-    return (
-        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-    )
-
-
 def length(p: Vector) -> float:
     """Length of a vector."""
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
@@ -106,3 +103,43 @@ def between(a: Frame, b: Frame, share: float) -> Frame:
     (ax, ay, az), (bx, by, bz) = a[0], b[0]
     p = (ax + share * (bx - ax), ay + share * (by - ay), az + share * (bz - az))
     return p, _turned(a[1], b[1], share)
+
+
+X_IDENTITY = readonly(np.eye(4))
+
+
+def matrix(frame: Frame) -> Array:
+    """A frame [mm] as a pose [m], read-only."""
+    (x, y, z), (w, i, j, k) = frame
+    # One packing of sixteen numbers: half the time of an array from rows, and nobody can write to it.
+    return np.frombuffer(
+        _pack(
+            *(1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j), x * MM),
+            *(2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i), y * MM),
+            *(2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j), z * MM),
+            *(0.0, 0.0, 0.0, 1.0),
+        )
+    ).reshape(4, 4)
+
+
+_pack = Struct("16d").pack
+
+
+def matrices(given: Iterable[Frame], count: int) -> Array:
+    """So many frames [mm] as poses [m] (count, 4, 4), read-only: as matrix, in a tenth of its time."""
+    numbers = chain.from_iterable(chain.from_iterable(given))
+    x, y, z, w, i, j, k = np.fromiter(numbers, float, 7 * count).reshape(count, 7).T
+    X = np.zeros((count, 4, 4))
+    X[:, 0] = np.stack((1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j), x * MM), axis=1)
+    X[:, 1] = np.stack((2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i), y * MM), axis=1)
+    X[:, 2] = np.stack((2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j), z * MM), axis=1)
+    X[:, 3, 3] = 1.0
+    X.flags.writeable = False
+    return X
+
+
+def frame(X: Array) -> Frame:
+    """A pose [m] as a frame [mm]."""
+    x, y, z = (float(value) / MM for value in X[:3, 3])
+    w, i, j, k = (float(value) for value in wxyz_from_rotation(X[:3, :3]))
+    return (x, y, z), (w, i, j, k)

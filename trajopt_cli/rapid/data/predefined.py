@@ -6,7 +6,6 @@ from functools import cache
 from math import pi
 from string import ascii_lowercase, ascii_uppercase, digits
 
-from trajopt_cli.rapid.data.constants import CONSTANTS
 from trajopt_cli.rapid.data.datatypes import (
     LOADDATA,
     NUM,
@@ -59,6 +58,37 @@ _IDENTITY: Data = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
 _LOAD0: Data = (0.001, (0.0, 0.0, 0.001), (1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
 
 
+def _counted(first: int, names: str) -> dict[str, tuple[Type, Data]]:
+    """Names in the order of their numbers."""
+    return {name.lower(): (NUM, float(number)) for number, name in enumerate(names.split(), start=first)}
+
+
+WAIT_MAX = 8388608.0  # s, about 97 days: a num that is exact
+# About operator, files, sockets and the controller, by name in lower case.
+_CONSTANTS: dict[str, tuple[Type, Data]] = {
+    **_counted(-1, "btnNone btnOK btnAbrtRtryIgn btnOKCancel btnRetryCancel btnYesNo btnYesNoCancel"),
+    **_counted(0, "resUnkwn resOK resAbort resRetry resIgnore resCancel resYes resNo"),
+    **_counted(0, "iconNone iconInfo iconWarning iconError"),
+    **_counted(1, "SOCKET_CREATED SOCKET_CONNECTED SOCKET_BOUND SOCKET_LISTENING SOCKET_CLOSED"),
+    **_counted(0, "OP_UNDEF OP_AUTO OP_MAN_PROG OP_MAN_TEST"),
+    **_counted(0, "RUN_UNDEF RUN_CONT_CYCLE RUN_INSTR_FWD RUN_INSTR_BWD RUN_SIM RUN_STEP_MOVE"),
+    **_counted(0, "EVENT_NONE EVENT_POWERON EVENT_START EVENT_STOP EVENT_QSTOP EVENT_RESTART EVENT_RESET EVENT_STEP"),
+    **_counted(0, "HANDLER_NONE HANDLER_BWD HANDLER_ERR HANDLER_UNDO"),
+    **_counted(0, "LEVEL_NORMAL LEVEL_TRAP LEVEL_SERVICE"),
+    **_counted(0, "SIGORIG_NONE SIGORIG_CFG SIGORIG_ALIAS"),
+    **{name: (NUM, size) for name, size in {"usint": 1.0, "uint": 2.0, "udint": 4.0, "ulint": 8.0}.items()},
+    **{name: (NUM, -size) for name, size in {"sint": 1.0, "int": 2.0, "dint": 4.0, "lint": 8.0}.items()},
+    "edge": (NUM, 2.0),
+    "eof": (STRING, "EOF"),
+    "eof_num": (NUM, 9.998e36),
+    "eof_bin": (NUM, -1.0),
+    "wait_max": (NUM, WAIT_MAX),
+    "stempty": (STRING, ""),
+    "diskhome": (STRING, "HOME:"),
+    "disktemp": (STRING, "TEMP:"),
+}
+
+
 @cache
 def predefined() -> dict[str, Value]:
     """Values by name in lower case."""
@@ -74,7 +104,7 @@ def predefined() -> dict[str, Value]:
         **{name: (NUM, 0.0) for name in ("low", "off")},
         "edge": (NUM, 2.0),
         **{name: (STRING, characters) for name, characters in _STRINGS.items()},
-        **CONSTANTS,
+        **_CONSTANTS,
     }
     table |= {f"v{v}": (SPEEDDATA, (float(v), _V_ORI, _V_LEAX, _V_REAX)) for v in _SPEEDS}
     table |= {f"vrot{v}": (SPEEDDATA, (0.0, 0.0, 0.0, float(v))) for v in (1, 2, 5, 10, 20, 50, 100)}

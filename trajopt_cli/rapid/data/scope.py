@@ -1,14 +1,101 @@
-"""Where a running program keeps its data: variables, parts of them, module scopes and call frames."""
+"""Where a running program keeps its data, its errors, and the exceptions by which a statement leaves its place.
+
+Data: variables, parts of them, module scopes and call frames.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Source
 from trajopt_cli.rapid.data.datatypes import Array, Atomic, Record, Type, Value
-from trajopt_cli.rapid.data.errors import Fault
-from trajopt_cli.rapid.language.syntax import AliasDeclaration, Argument, RecordDeclaration, Routine
+from trajopt_cli.rapid.language.syntax import AliasDeclaration, Argument, Expression, Goto, RecordDeclaration, Routine
 from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.scenario import asked
+
+
+class Fault(InputError):
+    """A run-time error of the controller, such as a division by zero. Unhandled it is the user's InputError.
+
+    number: what ERRNO is while it is handled. name: the ERR_ constant, or the number in words. passed: the CallFrame
+    whose handler has let it pass. point: the CallFrame whose handler a long jump leads to.
+    """
+
+    def __init__(self, message: str, name: str, number: float, place: Source):
+        super().__init__(message, file=place.file, line=place.line, column=place.column)
+        self.name, self.number = name, number
+        self.passed: object = None
+        self.point: object = None
+
+
+class _Placed(InputError):
+    """An error at the place of another one."""
+
+    def __init__(self, message: str, place: InputError):
+        super().__init__(message, file=place.file, line=place.line, column=place.column, excerpt=place.excerpt)
+
+
+class Undeclared(_Placed):
+    """A name that stands for nothing in the files read: another file may declare it.
+
+    reason: without the remedy. close: the known name that may be meant.
+    """
+
+    def __init__(self, place: InputError, close: str | None, remedy: str = "give the file that declares it"):
+        """place: the reason, at its place."""
+        super().__init__(f"{asked(place.message, close)} {remedy}", place)
+        self.reason, self.close = place.message, close
+
+
+class Mismatch(_Placed):
+    """A value of another type than its place asks for. node: the expression. claim: "needs a num, found bool TRUE".
+
+    Who knows what the place is called says so: the nearest one.
+    """
+
+    def __init__(self, node: Expression, claim: str, place: InputError):
+        super().__init__(f"needs {claim}", place)
+        self.node, self._claim, self._named = node, claim, False
+
+    def about(self, node: Expression | None, subject: str) -> Mismatch:
+        """Itself, with what needs the value where that is the place of node."""
+        if node is self.node and not self._named:
+            self.message, self._named = f"{subject} needs {self._claim}", True
+            self.args = (self.message,)
+        return self
+
+
+# ----------------------------------------------------------------------------------------------------- control flow
+
+
+class Exit(Exception):
+    """The program says that it is over."""
+
+
+class Return(Exception):
+    """RETURN was run; value None in a PROC."""
+
+    def __init__(self, value: Value | None):
+        self.value = value
+
+
+class Jump(Exception):
+    """GOTO was run."""
+
+    def __init__(self, node: Goto):
+        self.node = node
+
+
+class Retry(Exception):
+    """RETRY was run."""
+
+
+class TryNext(Exception):
+    """TRYNEXT was run."""
 
 
 class Datum:
@@ -204,3 +291,40 @@ class Head:
     returns: Type | None
     required: tuple[str, ...]
     groups: tuple[tuple[str, ...], ...]
+
+
+class State(NamedTuple):
+    """How many motions, warnings, missing values and refusals there are at the end of a pass, how often each statement
+    ran, and each instruction without effect."""
+
+    motions: int
+    warnings: int
+    missing: int
+    refusals: int
+    counts: Mapping[int, int]
+    ignored: Counter[str]
+
+
+@dataclass
+class Passes:
+    """The passes of one loop that counted. marks: where they begin and end in the motions. leaves: the loop may take a
+    way out, and nobody says after how many passes it is over; repeats: the first of these passes do. ends: of the
+    first passes."""
+
+    loop: str
+    source: Source
+    marks: list[int]
+    leaves: bool
+    ends: list[State] = field(default_factory=list)
+    count: int = 0
+    repeats: bool = False
+
+
+class Cycle(NamedTuple):
+    """Motions from first up to, not including, last, in so many passes. beyond: where those end that are other ones."""
+
+    first: int
+    last: int
+    passes: int
+    closed: bool = True
+    beyond: int = 0

@@ -6,31 +6,12 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.rapid.data.datatypes import (
-    BOOL,
-    EXTJOINT,
-    NUM,
-    ORIENT,
-    SPEEDDATA,
-    STRING,
-    STRING_LIMIT,
-    TOOLDATA,
-    WOBJDATA,
-    ZONEDATA,
-    Array,
-    Atomic,
-    Data,
-    Record,
-    Type,
-    Value,
-    is_number,
-    single,
-)
+from trajopt_cli.rapid.data import datatypes
+from trajopt_cli.rapid.data.datatypes import BOOL, NUM, Array, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.expressions import parse_expression
-from trajopt_cli.rapid.language.syntax import Aggregate, Call, Component, Element, Expression, Name
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.language.syntax import Aggregate, Call, Expression, Name, base_of, walk
 from trajopt_cli.scenario import NUM_LIMIT, Answer, yaml_answer
 
 if TYPE_CHECKING:
@@ -39,11 +20,10 @@ if TYPE_CHECKING:
 
 def root(run: Context, node: Expression) -> str:
     """The name of the variable that an expression is, or is a part of: `p` of `p{2}.trans.x`."""
-    while isinstance(node, (Component, Element)):
-        node = node.base
-    if not isinstance(node, Name):
-        raise run.error(node, "needs the name of data here, found a value")
-    return node.name
+    base = base_of(node)
+    if not isinstance(base, Name):
+        raise run.error(base, "needs the name of data here, found a value")
+    return base.name
 
 
 def fill(run: Context, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
@@ -76,20 +56,21 @@ def ask(
     reason, close: see World.lack.
     """
     if default is None:
-        default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
+        atomic = isinstance(type_, Atomic)
+        default = type_.default if atomic else _whole(run, node, name, Value(type_, stand_in(type_)))
     return typed(run, node, name, type_, run.answer(node, name, reason, default, close), "answer", "to")
 
 
 @of_kind(ErrorKind.CELL)
 def typed(run: Context, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
     """What the cell file gives under name as a value of a type. what, of: "answer", "to" and the like, for messages."""
-    if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
+    if isinstance(answer, int | float) and not isinstance(answer, bool) and datatypes.is_number(type_):
         if type_ is NUM and abs(answer) > NUM_LIMIT:
             raise run.error(node, f"the {what} {answer:g} {of} '{name}' in the cell file is too large for a num")
-        return Value(type_, single(float(answer)) if type_ is NUM else float(answer))
-    if isinstance(answer, str) and type_ == STRING:
-        if len(answer) > STRING_LIMIT:
-            has = f"{len(answer)} characters, limit {STRING_LIMIT}"
+        return Value(type_, datatypes.single(float(answer)) if type_ is NUM else float(answer))
+    if isinstance(answer, str) and type_ == datatypes.STRING:
+        if len(answer) > datatypes.STRING_LIMIT:
+            has = f"{len(answer)} characters, limit {datatypes.STRING_LIMIT}"
             raise run.error(node, f"the {what} {of} '{name}' in the cell file has {has}")
         return Value(type_, answer)
     if isinstance(answer, bool) and type_ == BOOL:
@@ -100,12 +81,7 @@ def typed(run: Context, node: Node, name: str, type_: Type, answer: Answer, what
     raise run.error(node, f"the {what} {yaml_answer(answer)} {of} '{name}' in the cell file is not {wanted}")
 
 
-_WANTED = {
-    "num": "a number",
-    "dnum": "a number",
-    "bool": "true or false",
-    "string": "a text; put it in quotes",
-}
+_WANTED = {"num": "a number", "dnum": "a number", "bool": "true or false", "string": "a text; put it in quotes"}
 
 
 def _parsed(run: Context, node: Node, subject: str, type_: Type, text: str) -> Value:
@@ -135,11 +111,6 @@ def _names(literal: Expression) -> Iterator[str]:
 _LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
 
 
-def _example(run: Context, node: Node, name: str, type_: Type) -> str:
-    """A value of a record or an array as RAPID writes it."""
-    return _whole(run, node, name, Value(type_, stand_in(type_)))
-
-
 def _whole(run: Context, node: Node, name: str, value: Value) -> str:
     text = _literal(value.type, value.data, _LONGEST)
     if len(text) > _LONGEST:
@@ -153,30 +124,31 @@ def shown_value(run: Context, node: Node, name: str, value: Value) -> str:
     return yaml_answer(value.data if plain else _whole(run, node, name, value))
 
 
-_NOWHERE = single(9e9)  # of an external axis that has no position
+_NOWHERE = datatypes.single(9e9)  # of an external axis that has no position
+_STAND_INS = {"speeddata": "v100", "zonedata": "fine", "tooldata": "tool0", "wobjdata": "wobj0"}
 
 
 def stand_in(type_: Type) -> Data:
     """The value that a type begins with, but one that can be used: turned by nothing, no axis where none is known."""
-    if type_ == EXTJOINT:
+    if type_ == datatypes.EXTJOINT:
         return (_NOWHERE,) * 6
-    for known, name in ((SPEEDDATA, "v100"), (ZONEDATA, "fine"), (TOOLDATA, "tool0"), (WOBJDATA, "wobj0")):
-        if type_ == known:
-            return predefined()[name].data
-    if type_ == ORIENT:
+    if type_ == datatypes.ORIENT:
         return (1.0, 0.0, 0.0, 0.0)
-    if isinstance(type_, Record):
+    known = _STAND_INS.get(type_.name)
+    if known is not None and type_ == datatypes.TYPES[type_.name]:
+        return predefined()[known].data
+    if isinstance(type_, datatypes.Record):
         return tuple(stand_in(part) for _, part in type_.components)
     if isinstance(type_, Array):
-        return (stand_in(type_.inner()),) * (type_.sizes[0] if type_.sizes else 1)
+        return (stand_in(type_.inside),) * (type_.sizes[0] if type_.sizes else 1)
     return type_.default
 
 
 def _literal(type_: Type, data: Data, room: int) -> str:
     """data as RAPID writes it, or more than room characters of it."""
     if isinstance(data, tuple):
-        parts = [part for _, part in type_.components] if isinstance(type_, Record) else None
-        inner = type_.inner() if isinstance(type_, Array) else type_
+        parts = [part for _, part in type_.components] if isinstance(type_, datatypes.Record) else None
+        inner = type_.inside if isinstance(type_, Array) else type_
         texts: list[str] = []
         for i, one in enumerate(data):
             texts.append(_literal(parts[i] if parts else inner, one, room))

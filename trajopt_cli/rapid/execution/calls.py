@@ -5,32 +5,30 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value, convertible
-from trajopt_cli.rapid.data.errors import Jump, Mismatch, Return, Undeclared
-from trajopt_cli.rapid.data.scope import ABSENT, Absent, CallFrame, Datum, Head, ModuleScope, Place
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, SWITCH, Array, Type, Value, convertible
+from trajopt_cli.rapid.data.scope import (
+    ABSENT,
+    Absent,
+    CallFrame,
+    Datum,
+    Head,
+    Jump,
+    Mismatch,
+    ModuleScope,
+    Place,
+    Return,
+    Undeclared,
+)
 from trajopt_cli.rapid.execution.answers import ask
-from trajopt_cli.rapid.execution.arguments import named, present, subject
+from trajopt_cli.rapid.execution.arguments import Effect, named, present, subject
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.waits import hold_up
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
 from trajopt_cli.rapid.execution.operators import computed
-from trajopt_cli.rapid.execution.registry import Effect
 from trajopt_cli.rapid.execution.table import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.execution.types import find_type
-from trajopt_cli.rapid.language.syntax import (
-    Argument,
-    Call,
-    Element,
-    Expression,
-    Goto,
-    Label,
-    LateCall,
-    Name,
-    Node,
-    Parameter,
-    ProcedureCall,
-    Routine,
-)
+from trajopt_cli.rapid.language import syntax
+from trajopt_cli.rapid.language.syntax import Argument, Call, Node, ProcedureCall, Routine
 from trajopt_cli.warnings import WarningKind
 
 CALL_LIMIT = 250  # routines inside routines
@@ -107,15 +105,7 @@ def _stub(run: Context, node: ProcedureCall) -> None:
     if _moves(run, node):  # nothing may stand for it
         error = run.error(node, f"{message}, and by its name or arguments it moves the robot or sets its speed")
         remedy = "write it as MoveL, MoveC, MoveJ, MoveAbsJ or VelSet, or give the file that declares it"
-        raise Undeclared(
-            error.message,
-            close(),
-            remedy,
-            file=error.file,
-            line=error.line,
-            column=error.column,
-            excerpt=error.excerpt,
-        )
+        raise Undeclared(error, close(), remedy)
     run.missing("stubs", node.name, node, message, "", close=close)
 
 
@@ -124,13 +114,13 @@ def _moves(run: Context, node: ProcedureCall) -> bool:
     return _MOVING.fullmatch(node.name) is not None or any(_tells_a_move(run, arg.value) for arg in node.args)
 
 
-def _tells_a_move(run: Context, value: Expression | None) -> bool:
-    while isinstance(value, Element):
+def _tells_a_move(run: Context, value: syntax.Expression | None) -> bool:
+    while isinstance(value, syntax.Element):
         value = value.base
     if isinstance(value, Call):
         found = run.routine(value.name)
         return (found[0].type or "").lower() in _OF_MOVES if found else value.name.lower() in _TARGETS
-    place = run.find(value.name) if isinstance(value, Name) else None
+    place = run.find(value.name) if isinstance(value, syntax.Name) else None
     if place is None or isinstance(place, Absent):
         return False
     type_ = place.type.element if isinstance(place.type, Array) else place.type
@@ -182,16 +172,8 @@ def _about_argument(run: Context, call: ProcedureCall | Call, error: Mismatch) -
     return error.about(error.node, name) if name else error
 
 
-def late_call(run: Context, node: LateCall) -> None:
-    """`%expression% arguments;`."""
-    call_by_name(run, node, str(run.evaluate(node.name, STRING).data), node.args)
-
-
-def call_by_name(run: Context, node: Node, text: str, args: Sequence[Argument]) -> None:
-    """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that module.
-
-    Raises Fault where there is none.
-    """
+def call_by_name(run: Context, node: Node, text: str, args: Sequence[Argument] = ()) -> None:
+    """See Context.call_procedure."""
     match = _NAME.fullmatch(text)
     module, name = (match[1], match[2]) if match else (None, text)
     if module:
@@ -249,11 +231,11 @@ def enter(run: Context, routine: Routine, scope: ModuleScope, args: Sequence[Arg
     return None
 
 
-def _lost(run: Context, routine: Routine, node: Goto) -> Exception:
+def _lost(run: Context, routine: Routine, node: syntax.Goto) -> Exception:
     stack: list[object] = list(routine.body)
     while stack:
         inner = stack.pop()
-        if isinstance(inner, Label) and inner.name.lower() == node.label.lower():
+        if isinstance(inner, syntax.Label) and inner.name.lower() == node.label.lower():
             return run.error(node, f"GOTO {node.label} leads into a block; a label is reached from its own block only")
         if isinstance(inner, tuple):
             stack += inner
@@ -318,7 +300,9 @@ def _pass(run: Context, routine: Routine, head: Head, args: list[Argument], fram
         raise run.error(arg, f"{routine.name} has no optional parameter \\{arg.name}")
 
 
-def _argument(run: Context, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
+def _argument(
+    run: Context, routine: Routine, parameter: syntax.Parameter, type_: Type, arg: Argument
+) -> Place | Absent:
     if arg.value is None:
         if type_ is not SWITCH:
             raise run.error(arg, f"\\{parameter.name} needs a value of type {type_.name}")

@@ -9,45 +9,37 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
-from typing import Optional, Protocol
+from math import trunc
+from typing import Optional
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import (
-    DEFAULT_SETTINGS,
-    ExternalAxes,
-    Hold,
-    Motion,
-    Move,
-    PathEvent,
-    Refusal,
-    Source,
-    Span,
-    Wait,
-    Written,
-)
-from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Type, Value
-from trajopt_cli.rapid.data.errors import Fault, Mismatch, Undeclared
+from trajopt_cli.motion import DEFAULT_SETTINGS, ExternalAxes, Hold, Motion, Move, Refusal, Source, Span, Wait, Written
+from trajopt_cli.rapid.data.datatypes import BOOL, MOTSETDATA, NUM, PROGDISP, SIGNALS, Type, Value, is_number
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
-from trajopt_cli.rapid.data.scope import Absent, CallFrame, Datum, Head, ModuleScope, Part, Place, Scope
+from trajopt_cli.rapid.data.scope import (
+    Absent,
+    CallFrame,
+    Cycle,
+    Datum,
+    Fault,
+    Head,
+    Mismatch,
+    ModuleScope,
+    Part,
+    Passes,
+    Place,
+    Scope,
+    Undeclared,
+)
 from trajopt_cli.rapid.execution.external import External
-from trajopt_cli.rapid.execution.passes import Cycle, Passes
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.units import Units
-from trajopt_cli.rapid.language.syntax import (
-    Block,
-    Call,
-    Component,
-    Element,
-    Expression,
-    Name,
-    Node,
-    Routine,
-    Statement,
-)
+from trajopt_cli.rapid.language import syntax
+from trajopt_cli.rapid.language.syntax import Argument, Call, Expression, Name, Node, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Missing, Scenario, yaml_answer
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -69,17 +61,16 @@ def _renumbered(known: str, number: str, stem: str) -> bool:
     return known.startswith(stem) and known[len(stem) :].isdigit() and known[len(stem) :] != number
 
 
-class RailPlaces(Protocol):
-    """What a run asks rail_at.py."""
+class RailPlaces:
+    """What a run asks of a cell file's rail_at; this is one that says nothing."""
 
     def set(self, signal: str, value: float) -> bool:
         """An output is set; whether that drives the rail."""
-
-    def happened(self, events: Iterable[PathEvent]) -> None:
-        """Outputs are set on the way of a move."""
+        return False
 
     def fill(self, point: Expression, extax: ExternalAxes) -> ExternalAxes:
         """The external axes [mm or deg] of a target with the rail where the cell file has it."""
+        return extax
 
     def warn_unused(self) -> None:
         """Tell of the entries that no target took."""
@@ -92,7 +83,7 @@ class Context(ABC):
         self.scenario = scenario
         self.units = Units(scenario)
         self.position = Position(kinematics)
-        self.rail_places: RailPlaces | None = None  # None where the cell file gives none
+        self.rail_places = RailPlaces()
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
         self.external = External(scenario)
@@ -162,8 +153,7 @@ class Context(ABC):
 
     def fault(self, node: Node, name: str, message: str) -> Fault:
         """An error that the program may handle, placed at a node; name is one of predefined.ERRORS."""
-        place = self.source(node)
-        return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
+        return Fault(message, name, ERRORS[name], self.source(node))
 
     def undeclared(self, node: Name, what: str = "", known: Missing | None = None) -> Undeclared:
         """The error for a name that stands for nothing; what: "robtarget " and the like. known: as noted before."""
@@ -177,8 +167,7 @@ class Context(ABC):
             close = self.close(node.name, [name for names in data for name in names])
         else:
             close = known.close
-        error = self.error(node, "")
-        return Undeclared(message, close, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+        return Undeclared(self.error(node, message), close)
 
     def meant(self, name: str, message: str, names: Iterable[str]) -> str:
         """The message, with the one of names that is spelled nearly like name."""
@@ -264,7 +253,7 @@ class Context(ABC):
 
     def signal(self, node: Expression) -> str:
         """The name, in lower case, of the signal that an argument stands for. Signals are not declared in RAPID."""
-        if isinstance(node, (Component, Element)):
+        if isinstance(node, (syntax.Component, syntax.Element)):
             place: Place | Absent | None = self.locate(node)
         elif isinstance(node, Name):
             place = self.find(node.name)
@@ -360,17 +349,31 @@ class Context(ABC):
     def evaluate(self, node: Expression, wanted: Type | None = None) -> Value:
         """The value of an expression, of the type the place asks for. Raises InputError, placed at the wrong part."""
 
-    @abstractmethod
     def number(self, node: Expression) -> float:
-        """The value of a num or dnum expression."""
+        """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
+        if type(node) is syntax.Number and abs(node.value) <= NUM_LIMIT:
+            return node.value
+        value = self.evaluate(node)
+        if not is_number(value.type):
+            raise self.mismatch(node, NUM, value)
+        return float(value.data)
 
-    @abstractmethod
     def integer(self, node: Expression, what: str) -> int:
         """The value of an expression that must be a whole number; what names it in the message."""
+        try:
+            value = self.number(node)
+        except Mismatch as error:
+            raise error.about(node, what) from None
+        if value != trunc(value):
+            raise self.error(node, f"{what} must be a whole number, found {value:.6g}")
+        return int(value)
 
-    @abstractmethod
     def condition(self, node: Expression) -> bool:
         """The value of a bool expression."""
+        try:
+            return self.evaluate(node, BOOL).data is True
+        except Mismatch as error:
+            raise error.about(node, "a condition") from None
 
     @abstractmethod
     def locate(self, node: Expression) -> Place:
@@ -385,7 +388,7 @@ class Context(ABC):
         self.store(self.locate(target), target, value)
 
     @abstractmethod
-    def block(self, block: Block) -> None:
+    def block(self, block: syntax.Block) -> None:
         """Run statements in order."""
 
     @abstractmethod
@@ -397,8 +400,9 @@ class Context(ABC):
         """Whether a function is one of the program's or of RAPID's."""
 
     @abstractmethod
-    def call_procedure(self, node: Node, name: str) -> None:
-        """Call a procedure of the program without arguments by its name. Raises Fault where there is none."""
+    def call_procedure(self, node: Node, text: str, args: Sequence[Argument] = ()) -> None:
+        """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that
+        module. Raises Fault where there is none."""
 
     def spend(self, node: Node, size: int) -> None:
         """Charge work on a large piece of data to the budget of statements. Raises InputError when that is used up."""
@@ -408,11 +412,9 @@ class Context(ABC):
 
     def exhausted(self, node: Node) -> InputError:
         """The error for a program that runs on and on."""
-        return self.error(
-            node,
-            f"the program has not ended after {self.scenario.statement_limit} statements (statement_limit); "
-            "give values that end it (signals, data, answers), or raise statement_limit in the cell file",
-        )
+        message = f"the program has not ended after {self.scenario.statement_limit} statements (statement_limit); "
+        message += "give values that end it (signals, data, answers), or raise statement_limit in the cell file"
+        return self.error(node, message)
 
     def settle_stop(self, in_position: bool = False, behind: int = 0) -> None:
         r"""The program waits, or reads or sets a signal: at a stop it comes to that when every axis is in position, see

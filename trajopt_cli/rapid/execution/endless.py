@@ -16,8 +16,8 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Motion, Move, MoveExtJ, Tool, Wait
+from trajopt_cli.rapid.data.scope import Cycle, Passes, State
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.passes import Cycle, Passes, State
 from trajopt_cli.warnings import WarningKind
 
 _SEEN = 26  # passes that are run at most to see whether they repeat: enough for a period of twelve

@@ -14,8 +14,7 @@ from math import isfinite
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ExternalAxes, Load, Tool
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data, Record, Value
-from trajopt_cli.rapid.data.frames import IDENTITY
-from trajopt_cli.rapid.data.poses import X_IDENTITY, matrix
+from trajopt_cli.rapid.data.frames import IDENTITY, X_IDENTITY, matrix
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.context import Context
@@ -37,8 +36,8 @@ def setup_of(run: Context, tool: Expression, wobj: Expression | None, displaced:
 
     Raises InputError for frames without a valid orientation, and where neither or both are held by the robot.
     """
-    tool_data = data_of(run, tool, TOOLDATA, "tool", "tool0")
-    wobj_data = _WOBJ0 if wobj is None else data_of(run, wobj, WOBJDATA, "work object", "wobj0")
+    tool_data = data_of(run, tool, TOOLDATA)
+    wobj_data = _WOBJ0 if wobj is None else data_of(run, wobj, WOBJDATA)
     name = run.text(tool)
     wobj_name = "wobj0" if wobj is None else run.text(wobj)
     displacement = run.position.displacement if displaced else None
@@ -80,10 +79,10 @@ def current_setup(run: Context, node: Node, last: Setup, tool: Expression | None
         return turned(run, last, run.position.extax)
     name, tool_data = last.name, last.tool_data
     if tool is not None:
-        name, tool_data = run.text(tool), data_of(run, tool, TOOLDATA, "tool", "tool0")
+        name, tool_data = run.text(tool), data_of(run, tool, TOOLDATA)
     wobj_name, wobj_data = last.wobj, last.wobj_data
     if wobj is not None:
-        wobj_name, wobj_data = run.text(wobj), data_of(run, wobj, WOBJDATA, "work object", "wobj0")
+        wobj_name, wobj_data = run.text(wobj), data_of(run, wobj, WOBJDATA)
     setup = _setup(
         run, (name, tool_data, tool or node), (wobj_name, wobj_data, wobj or node), run.position.displacement
     )
@@ -127,12 +126,17 @@ def unoriented(run: Context, node: Expression, value: Value) -> str:
     return f"{run.text(node)} has orientation [0,0,0,0], which is not a rotation; {hint}"
 
 
-def data_of(run: Context, node: Expression, type_: Record, what: str, stand_in: str) -> Data:
-    """The data of a tool, work object or load. One that no file declares is noted as lacking; stand_in is taken."""
+_EQUIPMENT = {"tooldata": ("tool", "tool0"), "wobjdata": ("work object", "wobj0"), "loaddata": ("load", "load0")}
+
+
+def data_of(run: Context, node: Expression, type_: Record) -> Data:
+    """The data of a tool, work object or load; of one that no file declares, which is noted as lacking, ABB's own."""
     if type(node) is Name:
         place = run.find(node.name)
         if place is None:
-            _undeclared(run, node, what)
+            what, stand_in = _EQUIPMENT[type_.name]
+            why = f"{what} '{node.name}' is not declared in the files read"
+            _ask_identity(run, node, (node.name,), why, "it", "give the file that declares it, or take it")
             return predefined()[stand_in].data
         if type(place) is Datum and place.type is type_:
             return place.value.data
@@ -148,19 +152,16 @@ def value_of(run: Context, node: Expression, type_: Record) -> Value:
     return run.evaluate(node, type_)
 
 
-def _undeclared(run: Context, node: Name, what: str) -> None:
-    name = node.name
-    if assumed(run, name):
-        run.warn(
-            WarningKind.ASSUMED,
-            f"{what} '{name}' is not declared in the files read; it is taken as the identity, as asked",
-        )
+def _ask_identity(run: Context, node: Node, names: tuple[str, ...], why: str, taken: str, remedy: str) -> None:
+    """Take the frame of what the program does not tell as the identity, where the user wants that; else it lacks.
+
+    names: any of them says so. why: the program does not tell it.
+    """
+    if any([assumed(run, name) for name in names]):  # all are asked for
+        run.warn(WarningKind.ASSUMED, f"{why}; {taken} is taken as the identity, as asked")
         return
-    reason = (
-        f"{what} '{name}' is not declared in the files read; give the file that declares it, or take it as the "
-        f"identity: --assume-identity {name}"
-    )
-    run.missing("assume_identity", name, node, reason, name)
+    name = names[0] or names[-1]
+    run.missing("assume_identity", name, node, f"{why}; {remedy} as the identity: --assume-identity {name}", name)
 
 
 def assumed(run: Context, name: str) -> bool:
@@ -170,10 +171,7 @@ def assumed(run: Context, name: str) -> bool:
 
 
 def _setup(
-    run: Context,
-    tool: tuple[str, Data, Node],
-    wobj: tuple[str, Data, Node],
-    displacement: frames.Frame | None,
+    run: Context, tool: tuple[str, Data, Node], wobj: tuple[str, Data, Node], displacement: frames.Frame | None
 ) -> Setup:
     name, tool_data, node = tool
     wobj_name, wobj_data, wobj_node = wobj
@@ -200,7 +198,11 @@ def _setup(
         if run.units.moves_by_itself(str(unit)):
             assumed(run, str(unit))  # which helps nothing: every move on it is refused
         else:
-            _unit(run, wobj_name, str(unit), wobj_node)
+            why = (
+                f"work object {wobj_name} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program"
+            )
+            remedy = "describe it under positioners in the cell file, or take the unit's frame"
+            _ask_identity(run, wobj_node, (str(unit), wobj_name), why, "its user frame", remedy)
         frame_of_user = IDENTITY
     base: frames.Frame | None = frames.compose(frame_of_user, object_frame)
     if displacement is not None:
@@ -230,26 +232,9 @@ def _tool_load(name: str, data: Data) -> Load | None:
     return Load(name, mass, (x * MM, y * MM, z * MM), tuple(aom), (ix, iy, iz)) if mass > _NO_MASS else None
 
 
-def _unit(run: Context, wobj: str, unit: str, node: Node) -> None:
-    """A user frame that a mechanical unit carries: only the user can say where it is."""
-    name = unit or wobj
-    if any([assumed(run, unit), assumed(run, wobj)]):  # both are asked for
-        run.warn(
-            WarningKind.ASSUMED,
-            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; its "
-            "user frame is taken as the identity, as asked",
-        )
-        return
-    reason = (
-        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; describe it "
-        f"under positioners in the cell file, or take the unit's frame as the identity: --assume-identity {name}"
-    )
-    run.missing("assume_identity", name, node, reason, name)
-
-
 def load(run: Context, node: Expression) -> Load | None:
     """A load in SI units, None for no load (load0)."""
-    data = data_of(run, node, LOADDATA, "load", "load0")
+    data = data_of(run, node, LOADDATA)
     if data == predefined()["load0"].data:
         return None
     mass, (x, y, z), aom, *inertia = data

@@ -3,44 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import isfinite, trunc
+from math import isfinite
 
+from trajopt_cli.rapid.data import datatypes
 from trajopt_cli.rapid.data.datatypes import (
-    ACCDATA,
     BOOL,
-    CONFDATA,
-    CONFSUPDATA,
     DNUM,
-    EXTJOINT,
-    MOTSETDATA,
     NUM,
-    NUM_LIMIT,
     POS,
-    SIGNALS,
-    SINGDATA,
-    UNFOLLOWED,
     Array,
     Data,
-    Opaque,
-    Origin,
-    Record,
     Type,
     Value,
     is_number,
     is_opaque,
-    same_type,
     single,
 )
-from trajopt_cli.rapid.data.errors import Mismatch
-from trajopt_cli.rapid.data.scope import Absent, Datum, ExternalDatum, Part, Place, item
+from trajopt_cli.rapid.data.scope import Absent, Datum, ExternalDatum, Mismatch, Part, Place, item
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
-    Boolean,
     Call,
     Component,
     Element,
@@ -48,8 +35,6 @@ from trajopt_cli.rapid.language.syntax import (
     Name,
     Node,
     Number,
-    Placeholder,
-    String,
     Unary,
 )
 from trajopt_cli.warnings import WarningKind
@@ -81,47 +66,14 @@ def _converted(run: Context, node: Expression, value: Value, wanted: Type) -> Va
     if is_number(wanted) and is_number(value.type):
         _mixed(run, node)
         return Value(DNUM, value.data) if wanted is DNUM else computed(run, node, NUM, value.data)
-    if not same_type(wanted, value.type):
+    if not datatypes.same_type(wanted, value.type):
         raise run.mismatch(node, wanted, value)
     return value
 
 
 def _mixed(run: Context, node: Node) -> None:
-    run.note(
-        "dnum",
-        WarningKind.UNUSUAL,
-        "num and dnum are mixed: a controller refuses this, here the value is converted",
-        node,
-    )
-
-
-def number(run: Context, node: Expression) -> float:
-    """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
-    if type(node) is Number and abs(node.value) <= NUM_LIMIT:
-        return node.value
-    value = evaluate(run, node)
-    if not is_number(value.type):
-        raise run.mismatch(node, NUM, value)
-    return float(value.data)
-
-
-def integer(run: Context, node: Expression, what: str) -> int:
-    """The value of an expression that must be a whole number; what names it in the message."""
-    try:
-        value = number(run, node)
-    except Mismatch as error:
-        raise error.about(node, what) from None
-    if value != trunc(value):
-        raise run.error(node, f"{what} must be a whole number, found {value:.6g}")
-    return int(value)
-
-
-def condition(run: Context, node: Expression) -> bool:
-    """The value of a bool expression."""
-    try:
-        return evaluate(run, node, BOOL).data is True
-    except Mismatch as error:
-        raise error.about(node, "a condition") from None
+    what = "num and dnum are mixed: a controller refuses this, here the value is converted"
+    run.note("dnum", WarningKind.UNUSUAL, what, node)
 
 
 # -------------------------------------------------------------------------------------------------------- literals
@@ -136,29 +88,13 @@ def _number(run: Context, node: Number, wanted: Type | None) -> Value:
         raise run.fault(node, "ERR_NUM_LIMIT", f"number {run.text(node)} is too large for a num") from None
 
 
-def _string(run: Context, node: String, wanted: Type | None) -> Value:
-    return string(run, node, node.value)
-
-
-def _boolean(run: Context, node: Boolean, wanted: Type | None) -> Value:
-    return TRUE if node.value else FALSE
-
-
-def _call(run: Context, node: Call, wanted: Type | None) -> Value:
-    return run.call_function(node, wanted)
-
-
-def _placeholder(run: Context, node: Placeholder, wanted: Type | None) -> Value:
+def _placeholder(run: Context, node: syntax.Placeholder, wanted: Type | None) -> Value:
     if node.name == "*":
         raise run.error(node, "a target '*' has no coordinates in the text; declare it as a robtarget")
     raise run.error(node, f"unfinished code {node.name} cannot be run")
 
 
 # ------------------------------------------------------------------------------------------------------ data names
-
-
-def _name(run: Context, node: Name, wanted: Type | None) -> Value:
-    return _read(run, node, run.find(node.name), wanted)
 
 
 def _read(run: Context, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
@@ -175,7 +111,7 @@ def _read(run: Context, node: Name, place: Place | Absent | None, wanted: Type |
 
 def _readable(run: Context, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
     type_ = value.type
-    if type_.name in SIGNALS and type_ is not wanted:
+    if type_.name in datatypes.SIGNALS and type_ is not wanted:
         name = value.data or (node.name if isinstance(node, Name) else run.text(node))
         return Value(NUM, single(run.read_signal(node, str(name))))
     if not type_.known:
@@ -184,11 +120,8 @@ def _readable(run: Context, node: Name | Component | Element, value: Value, want
 
 
 def _absent(run: Context, node: Name) -> Exception:
-    return run.fault(
-        node,
-        "ERR_NOTPRES",
-        f"optional parameter '{node.name}' was not given; ask Present({node.name}) before",
-    )
+    message = f"optional parameter '{node.name}' was not given; ask Present({node.name}) before"
+    return run.fault(node, "ERR_NOTPRES", message)
 
 
 def locate(run: Context, node: Expression) -> Place:
@@ -265,11 +198,16 @@ def _part_value(run: Context, node: Component | Element, wanted: Type | None) ->
 
 
 def _component(run: Context, node: Component, type_: Type) -> tuple[int, Type]:
-    if isinstance(type_, Record):
+    if isinstance(type_, datatypes.Record):
         wanted = node.name.lower()
         for index, (name, part) in enumerate(type_.components):
             if name == wanted:
-                if wanted in UNFOLLOWED and type_ in (MOTSETDATA, ACCDATA, SINGDATA, CONFSUPDATA):
+                if wanted in datatypes.UNFOLLOWED and type_ in (
+                    datatypes.MOTSETDATA,
+                    datatypes.ACCDATA,
+                    datatypes.SINGDATA,
+                    datatypes.CONFSUPDATA,
+                ):
                     raise run.error(node, f"{wanted} of a {type_.name} is not followed here; write its value instead")
                 return index, part
         known = ", ".join(name for name, _ in type_.components)
@@ -292,7 +230,7 @@ def _elements(run: Context, node: Element, base: Value) -> list[tuple[int, Type]
     path: list[tuple[int, Type]] = []
     for expression in node.indices:
         assert isinstance(type_, Array)
-        index = integer(run, expression, "an index")
+        index = run.integer(expression, "an index")
         if not 1 <= index <= len(data):
             which = f"index {index}" if len(node.indices) == 1 else f"index {index} in dimension {len(path) + 1}"
             message = f"{which} of {run.text(node)} lies outside 1..{len(data)}"
@@ -305,31 +243,27 @@ def _elements(run: Context, node: Element, base: Value) -> list[tuple[int, Type]
 # ------------------------------------------------------------------------------------------------------ aggregates
 
 
+_value, _origin = maker(Value), maker(datatypes.Origin)
+
+
 def _aggregate(run: Context, node: Aggregate, wanted: Type | None) -> Value:
+    """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
     if wanted is None:
         raise run.error(node, "an aggregate has no type here; declare it as data and use its name")
-    return aggregate(run, node, wanted)
-
-
-_value, _origin = maker(Value), maker(Origin)
-
-
-def aggregate(run: Context, node: Aggregate, wanted: Type) -> Value:
-    """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
     if wanted.layout is not None:
         places = run.places()
         data = wanted.layout.read(places.text[node.start : node.end])
         if data is not None:
             return _value((wanted, data, _origin((places.file, node, None))))
     parts: list[Type]
-    if isinstance(wanted, Record):
+    if isinstance(wanted, datatypes.Record):
         parts = [part for _, part in wanted.components]
         shape = f"[{','.join(name for name, _ in wanted.components)}]"
-        if wanted is CONFDATA and len(node.items) == len(parts) - 1:
-            return Value(wanted, (*(number(run, value) for value in node.items), 0.0))  # S4 wrote no cfx: it is 0
+        if wanted is datatypes.CONFDATA and len(node.items) == len(parts) - 1:
+            return Value(wanted, (*(run.number(value) for value in node.items), 0.0))  # S4 wrote no cfx: it is 0
         if len(node.items) != len(parts):
             text = f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}"
-            if parts[-1] == EXTJOINT and len(node.items) == len(parts) - 1:
+            if parts[-1] == datatypes.EXTJOINT and len(node.items) == len(parts) - 1:
                 text += "; the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9], "
                 text += "with the rail's position in its place if the robot rides on one"
             raise run.error(node, text)
@@ -352,7 +286,7 @@ def aggregate(run: Context, node: Aggregate, wanted: Type) -> Value:
         raise error.about(error.node, f"{name} of a {wanted.name}") from None
     if isinstance(wanted, Array) and not wanted.sizes and values:
         wanted = _closed(wanted, values[0].type, len(values))
-    return Value(wanted, tuple([value.data for value in values]), Origin(run.file, node, None))
+    return Value(wanted, tuple([value.data for value in values]), datatypes.Origin(run.file, node, None))
 
 
 def opaque(run: Context, node: Expression, type_: Type) -> Value:
@@ -363,7 +297,7 @@ def opaque(run: Context, node: Expression, type_: Type) -> Value:
         return Value(type_, tuple([opaque(run, item, type_.inside).data for item in node.items]))
     if isinstance(node, Name):
         return _read(run, node, run.find(node.name), type_)
-    return Value(type_, Opaque(run.text(node)))
+    return Value(type_, datatypes.Opaque(run.text(node)))
 
 
 def _literals(node: Aggregate) -> Data:
@@ -432,7 +366,7 @@ def _binary(run: Context, node: Binary, wanted: Type | None) -> Value:
             return TRUE if compare(a.data, b.data) else FALSE
         return arithmetic(run, node, a, b)
     if operator in ("=", "<>"):
-        if not same_type(a.type, b.type):
+        if not datatypes.same_type(a.type, b.type):
             raise run.error(node, f"cannot compare {a.type.name} with {b.type.name}")
         if isinstance(a.data, tuple):
             run.spend(node, len(a.data))
@@ -475,15 +409,15 @@ def _operands(run: Context, node: Binary, wanted: Type | None) -> tuple[Value, V
 
 
 _EVALUATE: dict[type, Callable[..., Value]] = {
-    Name: _name,
+    Name: lambda run, node, wanted: _read(run, node, run.find(node.name), wanted),
     Number: _number,
     Aggregate: _aggregate,
-    String: _string,
-    Boolean: _boolean,
+    syntax.String: lambda run, node, wanted: string(run, node, node.value),
+    syntax.Boolean: lambda run, node, wanted: TRUE if node.value else FALSE,
     Component: _part_value,
     Element: _part_value,
-    Call: _call,
+    Call: lambda run, node, wanted: run.call_function(node, wanted),
     Unary: _unary,
     Binary: _binary,
-    Placeholder: _placeholder,
+    syntax.Placeholder: _placeholder,
 }

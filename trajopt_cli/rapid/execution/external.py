@@ -15,6 +15,7 @@ from contextlib import contextmanager
 
 from trajopt_cli.rapid.data.datatypes import Type, Value
 from trajopt_cli.rapid.data.scope import ExternalDatum
+from trajopt_cli.rapid.language.text import listed
 from trajopt_cli.scenario import Answer, Missing, Scenario, condition_key
 
 _SHOWN = 7  # names in a warning
@@ -32,23 +33,25 @@ class External:
     def __init__(self, scenario: Scenario):
         self.scenario = scenario
         self.missing: dict[tuple[str, str], Missing] = {}
-        self._signals = {name.lower(): values for name, values in scenario.signals.items()}
-        self._answers = {name.lower(): values for name, values in scenario.answers.items()}
-        self._data = {name.lower(): given.value for name, given in scenario.data.items()}
+        self._given: dict[str, dict[str, Answer | tuple[Answer, ...]]] = {  # by section of the cell file
+            "signals": {name.lower(): values for name, values in scenario.signals.items()},
+            "answers": {name.lower(): values for name, values in scenario.answers.items()},
+            "data": {name.lower(): given.value for name, given in scenario.data.items()},
+        }
         self._waits = {condition_key(text): seconds for text, seconds in scenario.waits.items()}
         self._values: dict[str, float] = {}
         self.fitting: dict[str, Answer] = {}
         self.grows: set[str] = set()
         self.spelled = {name.lower(): given.type for name, given in scenario.data.items()}
         self._typed: dict[tuple[str, Type, type, Answer], Value] = {}
-        self.data = {name: ExternalDatum(name, self.reading) for name in self._data}
+        self.data = {name: ExternalDatum(name, self.reading) for name in self._given["data"]}
         self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
         self._trying = 0
         self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
         # Of a digital signal that would be a slip, which only the instruction that uses it can tell.
         self.not_digital = {
-            name: value
-            for name, given in self._signals.items()
+            name.lower(): value
+            for name, given in scenario.signals.items()
             for value in (given if isinstance(given, tuple) else (given,))
             if value not in (0, 1)
         }
@@ -89,8 +92,7 @@ class External:
             key = condition_key if section == "waits" else str.lower
             left = sorted(name for name in names if (section, key(name)) not in self._asked)
             if left:
-                shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
-                sentences.append(f"the program never uses {shown} ({section} in the cell file)")
+                sentences.append(f"the program never uses {listed(left, _SHOWN)} ({section} in the cell file)")
         for name in sorted(self.scenario.assume_identity):
             if ("assume_identity", name.lower()) not in self._asked:
                 sentences.append(f"--assume-identity {name}: the program uses no such tool, work object or unit")
@@ -105,16 +107,12 @@ class External:
         value = self._values.get(key)
         if value is not None:
             return value
-        self._asked.add(("signals", key))
-        given = self._signals.get(key)
-        return None if given is None else float(self._next("signals", key, given))
+        given = self._next("signals", key)
+        return None if given is None else float(given)
 
     def output(self, signal: str) -> float:
         """The value that a reading of an output gives; nothing is missing."""
-        self._asked.add(("signals", signal))
-        if signal in self._values:
-            return self._values[signal]
-        return float(self._next("signals", signal, self._signals.get(signal, 0.0)))
+        return self.signal(signal) or 0.0
 
     def now(self, signal: str) -> float:
         """An output's value without reading it: its sequence stays where it is."""
@@ -128,14 +126,13 @@ class External:
         what is left of a sequence of which no value fits, else nothing.
         """
         self._asked.add(("signals", signal))
-        given = self._signals.get(signal)
-        if signal not in self._values and isinstance(given, tuple):
+        if signal not in self._values and isinstance(self._given["signals"].get(signal), tuple):
             left = tuple(float(one) for one in self.left("signals", signal))
-            for count, one in enumerate(left):
-                if fits(one):
-                    self._taken["signals", signal] = self._taken.get(("signals", signal), 0) + count
-                    return ()
-            return left
+            count = next((count for count, one in enumerate(left) if fits(one)), None)
+            if count is None:
+                return left
+            self.take("signals", signal, count)
+            return ()
         if value is not None:
             self._values[signal] = value
         return ()
@@ -156,16 +153,11 @@ class External:
 
     def _went_on(self, before: dict[tuple[str, str], int]) -> bool:
         """Whether a later reading can differ: some sequence has gone on to another of its values."""
-        for key, taken in self._taken.items():
-            section, name = key
-            given: Answer | tuple[Answer, ...]
-            if section == "data":
-                given = self._data[name]
-            else:
-                given = self._signals[name] if section == "signals" else self._answers[name]
-            if isinstance(given, tuple) and min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
-                return True
-        return False
+        sequences = ((key, taken, self._given[key[0]][key[1]]) for key, taken in self._taken.items())
+        return any(
+            isinstance(given, tuple) and min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1)
+            for key, taken, given in sequences
+        )
 
     # --------------------------------------------------------------------------------------------------- the rest
 
@@ -180,15 +172,16 @@ class External:
     def known(self, name: str) -> bool:
         """Whether the scenario has an answer under name."""
         self._asked.add(("answers", name.lower()))
-        return name.lower() in self._answers
+        return name.lower() in self._given["answers"]
 
     def answer(self, key: str) -> Answer | None:
         """The answer under a name, None where the scenario has none."""
-        self._asked.add(("answers", key))
-        given = self._answers.get(key)
-        return None if given is None else self._next("answers", key, given)
+        return self._next("answers", key)
 
-    def _next(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> Answer:
+    def _next(self, section: str, key: str) -> Answer | None:
+        """The value that the next reading gives, None where the scenario has none."""
+        self._asked.add((section, key))
+        given = self._given[section].get(key)
         if not isinstance(given, tuple):
             return given
         count = self._taken.get((section, key), 0)
@@ -197,7 +190,7 @@ class External:
 
     def gives(self, name: str) -> bool:
         """Whether the scenario has a value for data of this name; in lower case."""
-        return name in self._data
+        return name in self._given["data"]
 
     def typed(self, datum: ExternalDatum, answer: Answer, value: Value) -> None:
         """Remember one of the scenario's values for data, as a value of its type."""
@@ -209,12 +202,13 @@ class External:
 
     def reading(self, datum: ExternalDatum) -> Value:
         """What the next reading of data gives."""
-        self._asked.add(("data", datum.name))
-        return self.value(datum, self._next("data", datum.name, self._data[datum.name]))
+        answer = self._next("data", datum.name)
+        assert answer is not None  # such data has a value in the cell file
+        return self.value(datum, answer)
 
     def left(self, section: str, key: str) -> tuple[Answer, ...]:
         """The values that readings to come can give; 0 for a signal without any."""
-        given: Answer | tuple[Answer, ...] = self._data[key] if section == "data" else self._signals.get(key, 0.0)
+        given = self._given[section].get(key, 0.0)
         if not isinstance(given, tuple):
             return (given,)
         return given[min(self._taken.get((section, key), 0), len(given) - 1) :]

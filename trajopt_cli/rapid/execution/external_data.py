@@ -15,22 +15,8 @@ from collections.abc import Callable, Iterator, Sequence
 from math import prod
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.rapid.data.datatypes import (
-    BOOL,
-    NUM,
-    SPEEDDATA,
-    STRING,
-    TYPES,
-    ZONEDATA,
-    Array,
-    Data,
-    Record,
-    Type,
-    Value,
-    convertible,
-    is_number,
-    is_opaque,
-)
+from trajopt_cli.rapid.data import datatypes
+from trajopt_cli.rapid.data.datatypes import NUM, TYPES, Array, Data, Record, Type, Value, is_opaque
 from trajopt_cli.rapid.data.scope import Datum, ExternalDatum, Place
 from trajopt_cli.rapid.execution.answers import root, shown_value, stand_in, typed
 from trajopt_cli.rapid.execution.context import Context
@@ -95,13 +81,13 @@ def _types(run: Context, spelled: str | None, sample: Answer, wanted: Type | Non
     if part:
         return _with(run, part)
     if depth:
-        elements: list[Type] = [wanted] if wanted else [NUM, BOOL, STRING, *records]
+        elements: list[Type] = [wanted] if wanted else [NUM, datatypes.BOOL, datatypes.STRING, *records]
         return [Array(type_, None, depth) for type_ in elements]
     if wanted is not None:
         return [wanted]
     if isinstance(sample, str):
-        return [Array(NUM, None, 1)] if sample.lstrip().startswith("[") else [STRING]
-    return [BOOL if isinstance(sample, bool) else NUM]
+        return [Array(NUM, None, 1)] if sample.lstrip().startswith("[") else [datatypes.STRING]
+    return [datatypes.BOOL if isinstance(sample, bool) else NUM]
 
 
 def _with(run: Context, part: str, wanted: Type | None = None) -> list[Type]:
@@ -112,7 +98,7 @@ def _with(run: Context, part: str, wanted: Type | None = None) -> list[Type]:
         type_
         for type_ in types
         if isinstance(type_, Record)
-        and any(name == part and convertible(wanted or of, of) for name, of in type_.components)
+        and any(name == part and datatypes.convertible(wanted or of, of) for name, of in type_.components)
     ]
 
 
@@ -171,9 +157,9 @@ def _as_named(type_: Type, name: str) -> Data:
     if not (match := re.fullmatch(r"[vz](\d{1,5})", name)):
         return None
     size = float(match[1])
-    if type_ == SPEEDDATA and name[0] == "v":
+    if type_ == datatypes.SPEEDDATA and name[0] == "v":
         return (size, 500.0, 5000.0, 1000.0)
-    if type_ == ZONEDATA and name[0] == "z":
+    if type_ == datatypes.ZONEDATA and name[0] == "z":
         turn = round(0.15 * size, 3)
         return (False, size, 1.5 * size, 1.5 * size, turn, 1.5 * size, turn)
     return None
@@ -278,7 +264,7 @@ def _tried(holds: Callable[[], bool]) -> bool:
 
 
 def _type_of(data: Data) -> Type:
-    return STRING if isinstance(data, str) else BOOL if isinstance(data, bool) else NUM
+    return datatypes.STRING if isinstance(data, str) else datatypes.BOOL if isinstance(data, bool) else NUM
 
 
 def _together(columns: list[list[tuple[Value, int]]]) -> Iterator[list[tuple[Value, int]]]:
@@ -289,7 +275,7 @@ def _together(columns: list[list[tuple[Value, int]]]) -> Iterator[list[tuple[Val
 
 def _like(type_: Type, data: Data) -> bool:
     """Whether data may be a value of a plain type."""
-    return is_number(type_) if isinstance(data, float) else type_ is _type_of(data)
+    return datatypes.is_number(type_) if isinstance(data, float) else type_ is _type_of(data)
 
 
 def _grown(data: Data, type_: Type) -> Data:

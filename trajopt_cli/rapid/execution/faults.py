@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, NoReturn
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import NUM, Value
-from trajopt_cli.rapid.data.errors import Fault, Jump, Retry, TryNext
 from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
-from trajopt_cli.rapid.data.scope import CallFrame
+from trajopt_cli.rapid.data.scope import CallFrame, Fault, Jump, Retry, TryNext
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.warnings import WarningKind
 
@@ -57,9 +56,8 @@ def handle(run: Context, fault: Fault, statement: Statement) -> Handled:
     try:
         run.block(handler.body)
     except Jump as jump:
-        raise run.error(
-            jump.node, f"GOTO {jump.node.label} leads out of the ERROR handler; use TRYNEXT or RETRY"
-        ) from None
+        message = f"GOTO {jump.node.label} leads out of the ERROR handler; use TRYNEXT or RETRY"
+        raise run.error(jump.node, message) from None
     except TryNext:
         return Handled.NEXT
     except Retry:
@@ -76,9 +74,8 @@ def raise_error(run: Context, node: Node, what: str, name: str, number: float) -
     known = next((known for known, its in ERRORS.items() if its == number), None)
     if not (number in USER_ERRORS or known or BOOKED < number <= BOOKED + run.booked):
         raise run.fault(node, "ERR_ILLRAISE", f"{what}: {number:.6g} is not an error number; get one with BookErrNo")
-    place = run.source(node)
     message = f"{what} is not handled by any ERROR handler"
-    raise passed_on(run, Fault(message, known or name, number, file=place.file, line=place.line, column=place.column))
+    raise passed_on(run, Fault(message, known or name, number, run.source(node)))
 
 
 def passed_on(run: Context, fault: Fault) -> Fault:

@@ -8,38 +8,18 @@ from math import prod
 from typing import TypeVar
 
 from trajopt_cli.motion import Span
-from trajopt_cli.rapid.data.datatypes import (
-    ARRAY_LIMIT,
-    SIZE_LIMIT,
-    Array,
-    Origin,
-    Type,
-    Value,
-    is_opaque,
-    same_type,
-)
-from trajopt_cli.rapid.data.errors import Mismatch
-from trajopt_cli.rapid.data.scope import CallFrame, Datum, ExternalDatum, ModuleScope, Scope
+from trajopt_cli.rapid.data import datatypes
+from trajopt_cli.rapid.data.datatypes import ARRAY_LIMIT, SIZE_LIMIT, Array, Origin, Type, Value
+from trajopt_cli.rapid.data.scope import CallFrame, Datum, ExternalDatum, Mismatch, ModuleScope, Scope
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.construction import maker
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.evaluate import opaque
 from trajopt_cli.rapid.execution.recursion_limit import room
 from trajopt_cli.rapid.execution.types import find_type
-from trajopt_cli.rapid.language.syntax import (
-    Aggregate,
-    AliasDeclaration,
-    DataDeclaration,
-    Expression,
-    Module,
-    Name,
-    Node,
-    Number,
-    RecordDeclaration,
-    Routine,
-)
+from trajopt_cli.rapid.language import syntax
+from trajopt_cli.rapid.language.syntax import Aggregate, DataDeclaration, Module, Name, Node, walk
 from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.warnings import WarningKind
 
 _Entry = TypeVar("_Entry", bound=tuple[Node, ModuleScope])
@@ -65,10 +45,10 @@ def _load(run: Context, modules: Sequence[tuple[Module, Places]]) -> tuple[Modul
         run.modules[module.name.lower()] = scope
         run.files[places.file] = places
         for node in module.items:
-            if isinstance(node, Routine):
+            if isinstance(node, syntax.Routine):
                 for target in _targets(run, scope, node.scope):
                     _enter(target.routines, node.name, (node, scope))
-            elif isinstance(node, (RecordDeclaration, AliasDeclaration)):
+            elif isinstance(node, (syntax.RecordDeclaration, syntax.AliasDeclaration)):
                 for target in _targets(run, scope, node.scope):
                     _enter(target.types, node.name, (node, scope))
     for arrays in (False, True):  # their sizes may need constants of every module
@@ -118,7 +98,7 @@ def _add(
             first = _declaration(scopes, key, scope if key in scope.data else None)
             _refuse(node.name, (scope, node), first)
             return
-        if not same_type(shared.type, datum.type):
+        if not datatypes.same_type(shared.type, datum.type):
             first = _declaration(scopes, key, None)
             where = first[0].places.source(first[1].start)
             message = f"PERS {node.name} is a {datum.type.name} here and a {shared.type.name} in {where}"
@@ -128,11 +108,8 @@ def _add(
                 shared.take(datum)
             elif shared.value.data != datum.value.data:
                 place = scope.places.source(node.start)
-                run.warn(
-                    WarningKind.UNUSUAL,
-                    f"PERS {node.name} has a different value in another module, and that one is used",
-                    place,
-                )
+                what = f"PERS {node.name} has a different value in another module, and that one is used"
+                run.warn(WarningKind.UNUSUAL, what, place)
         datum = shared
     scope.data[key] = datum
     if node.scope != "LOCAL":
@@ -187,11 +164,11 @@ def declare(run: Context, node: DataDeclaration, frame: CallFrame) -> Datum:
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
 
 
-def _ask_size(run: Context, node: DataDeclaration, size: Expression, depth: int) -> None:
+def _ask_size(run: Context, node: DataDeclaration, size: syntax.Expression, depth: int) -> None:
     """Ask for an array size that nothing declares; the array's own value tells one that fits."""
-    for name in walk(size) if type(size) is not Number else ():
+    for name in walk(size) if type(size) is not syntax.Number else ():
         if isinstance(name, Name) and run.find(name.name) is None:
-            value: Expression | None = node.value
+            value: syntax.Expression | None = node.value
             for _ in range(depth):
                 value = value.items[0] if isinstance(value, Aggregate) and value.items else None
             count = len(value.items) if isinstance(value, Aggregate) and size is name else 1
@@ -208,7 +185,7 @@ def _initial(run: Context, node: DataDeclaration, type_: Type, frame: CallFrame)
     run.computing.add(id(node))
     before, run.frame = run.frame, frame
     try:
-        if is_opaque(type_):
+        if datatypes.is_opaque(type_):
             return opaque(run, node.value, type_)
         value = run.evaluate(node.value, type_)
     except Mismatch as error:

@@ -7,38 +7,15 @@ from collections.abc import Collection, Sequence
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
-from trajopt_cli.rapid.data.errors import Exit
-from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.data.scope import Datum, Exit, Passes
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.endless import add_pass
-from trajopt_cli.rapid.execution.passes import Passes
-from trajopt_cli.rapid.language.syntax import (
-    Binary,
-    Boolean,
-    DataDeclaration,
-    Expression,
-    For,
-    Goto,
-    If,
-    Label,
-    Name,
-    Number,
-    ProcedureCall,
-    Raise,
-    Return,
-    Routine,
-    Simple,
-    Statement,
-    String,
-    Test,
-    Unary,
-    While,
-)
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.language import syntax
+from trajopt_cli.rapid.language.syntax import Expression, Name, Statement, While, walk
 from trajopt_cli.warnings import WarningKind
 
 
-def run_for(run: Context, node: For) -> None:
+def run_for(run: Context, node: syntax.For) -> None:
     """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs.
 
     The step is added pass by pass and rounded to a num each time. ABB leaves open whether the last pass of a loop of
@@ -100,12 +77,12 @@ def run_while(run: Context, node: While) -> None:
             counted = count_endless(run, node, loop, True, passes, counted, motions, ends=True)
 
 
-def backwards(run: Context, node: Goto, body: Sequence[Statement]) -> None:
+def backwards(run: Context, node: syntax.Goto, body: Sequence[Statement]) -> None:
     """Count a GOTO to a label before it; body: from the label to the statement that holds the GOTO."""
     seen = run.frame.passes
     passes = seen[id(node)] = seen.get(id(node), 0) + 1
     ends = body[-1] is not node  # under a condition
-    if ends and not (isinstance(body[-1], If) and asks_signals(run, *(test for test, _ in body[-1].branches))):
+    if ends and not (isinstance(body[-1], syntax.If) and asks_signals(run, *(test for test, _ in body[-1].branches))):
         return count_pass(run, node, passes)
     # The motions of the pass that ends here: those since the last time, or all of the run's for the first pass.
     key = -id(node)
@@ -203,14 +180,14 @@ def never(run: Context, node: Expression) -> bool:
     return _constant(run, node) and not run.condition(node)
 
 
-def _named_in(routine: Routine) -> tuple[frozenset[str], Counter[str]]:
+def _named_in(routine: syntax.Routine) -> tuple[frozenset[str], Counter[str]]:
     """What a routine declares, and how often it names anything; in lower case."""
     declared: set[str] = set()
     used: Counter[str] = Counter()
     for node in walk((routine.body, routine.handlers)):
         name = getattr(node, "name", None)
         if isinstance(name, str):
-            if isinstance(node, DataDeclaration):
+            if isinstance(node, syntax.DataDeclaration):
                 declared.add(name.lower())
             else:
                 used[name.lower()] += 1
@@ -235,16 +212,11 @@ def unchanged(run: Context, loop: While) -> frozenset[str]:
 
 
 def _constant(run: Context, node: Expression, kept: Collection[str] = ()) -> bool:
-    if isinstance(node, (Boolean, Number, String)):
-        return True
-    if isinstance(node, Binary):
-        return _constant(run, node.left, kept) and _constant(run, node.right, kept)
-    if isinstance(node, Unary):
-        return _constant(run, node.operand, kept)
-    if isinstance(node, Name):
-        place = run.find(node.name)
-        return isinstance(place, Datum) and (place.declared_constant or node.name.lower() in kept)
-    return False
+    def holds(name: Name) -> bool:
+        place = run.find(name.name)
+        return isinstance(place, Datum) and (place.declared_constant or name.name.lower() in kept)
+
+    return syntax.steady(node, holds)
 
 
 def leaves(block: Sequence[Statement]) -> bool:
@@ -254,18 +226,18 @@ def leaves(block: Sequence[Statement]) -> bool:
     stack = list(block)
     while stack:
         node = stack.pop()
-        if isinstance(node, (Return, Raise)) or (isinstance(node, Simple) and node.word == "EXIT"):
+        if isinstance(node, (syntax.Return, syntax.Raise)) or (isinstance(node, syntax.Simple) and node.word == "EXIT"):
             return True
-        if isinstance(node, ProcedureCall) and node.name.lower() == "exitcycle":
+        if isinstance(node, syntax.ProcedureCall) and node.name.lower() == "exitcycle":
             return True
-        if isinstance(node, Label):
+        if isinstance(node, syntax.Label):
             labels.add(node.name.lower())
-        elif isinstance(node, Goto):
+        elif isinstance(node, syntax.Goto):
             jumps.add(node.label.lower())
-        elif isinstance(node, (For, While)):
+        elif isinstance(node, (syntax.For, While)):
             stack += node.body
-        elif isinstance(node, If):
+        elif isinstance(node, syntax.If):
             stack += [inner for _, body in node.branches for inner in body] + list(node.otherwise)
-        elif isinstance(node, Test):
+        elif isinstance(node, syntax.Test):
             stack += [inner for _, body in node.cases for inner in body] + list(node.default or ())
     return not jumps <= labels

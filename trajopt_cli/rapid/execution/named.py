@@ -7,14 +7,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import PurePath
+from types import UnionType
 
 from trajopt_cli.errors import ErrorKind, InputError
-from trajopt_cli.motion import PathMove, Source, Span
+from trajopt_cli.motion import Hold, Motion, PathMove, PoseMove, Source, Span, instruction_name, motion_name
 from trajopt_cli.rapid.execution.context import Context, Link
-from trajopt_cli.rapid.language.syntax import DataDeclaration, Module, Name, Routine, Statement
-from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.rapid.language.walk import walk
-from trajopt_cli.scenario import Lines
+from trajopt_cli.rapid.language.syntax import DataDeclaration, Module, Name, Routine, Statement, walk
+from trajopt_cli.rapid.language.text import Places, listed
+from trajopt_cli.scenario import FreeTool, Lines
 from trajopt_cli.warnings import WarningKind
 
 Modules = Sequence[tuple[Module, Places]]
@@ -96,8 +96,7 @@ def check_name(modules: Modules, name: str, message: str, place: Source) -> None
 
 
 def _few(names: Sequence[str]) -> str:
-    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    return f"there is {', '.join(names[:_SHOWN])}{more}"
+    return f"there is {listed(names, _SHOWN)}"
 
 
 def _statements(file: str | None, modules: Modules) -> Iterator[tuple[int, Span]]:
@@ -137,21 +136,90 @@ class Around:
         return self._statements[id(node)]
 
 
+@dataclass(frozen=True)
+class Entry:
+    """One mark of the program or one name or line of the cell file: where it holds, and what to say if it does not."""
+
+    spans: tuple[Span, ...]
+    unused: str
+    place: Source | None = None
+    hold: Hold | None = None
+
+
+def within(run: Context, entries: Sequence[Entry], kinds: UnionType | type[Motion]) -> dict[int, Entry]:
+    """The first entry that each motion of these kinds stands in, by the motion's index; warns of those without any."""
+    if not entries:
+        return {}
+    around, used, out = Around([entry.spans for entry in entries]), set[int](), dict[int, Entry]()
+    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True)):
+        if isinstance(motion, kinds) and (found := around(link)):
+            used |= found
+            out[index] = entries[min(found)]
+    for number, entry in enumerate(entries):
+        if number not in used:
+            run.warn(WarningKind.UNUSED, entry.unused, entry.place)
+    return out
+
+
 def fill_constant_speed(run: Context, modules: Modules) -> None:
     """Mark the lines and arcs of a finished run that constant_speed names, and warn of entries that name none.
 
     Raises InputError for a procedure or a line in the cell file that the program does not have.
     """
-    wish = run.scenario.constant_speed
-    entries = [*named(run, modules, "constant_speed", wish.procedures, wish.lines)]
-    if not entries:
+    wish, unused = run.scenario.constant_speed, "constant_speed in the cell file: no line and no arc ran in "
+    found = named(run, modules, "constant_speed", wish.procedures, wish.lines)
+    for index in within(run, [Entry(one.spans, f"{unused}{one.text}") for one in found], PathMove):
+        object.__setattr__(run.motions[index], "constant_speed", True)  # still the run's own
+
+
+_EVERYWHERE = "the program"
+
+
+def fill_free(run: Context, modules: Modules) -> None:
+    """Fill the free turn of every move of a finished run, and warn of what frees none.
+
+    A name is that of a procedure, with all that it calls, else of an instruction (DispL) or of a tool. A tool that
+    stands in the world while the robot holds the work object (robhold FALSE) is not turned: it does not move.
+    Raises InputError for a line that the program does not have, and for a name that is none of it.
+    """
+    for entry in run.scenario.free:
+        used, standing = set[str](), list[PoseMove]()
+        for where, motion in _moves(run, modules, entry):
+            used.add(where)
+            if motion.tool.stationary:
+                standing.append(motion)
+            else:
+                object.__setattr__(motion, "free", entry.turn)  # still the run's own
+        if standing:
+            text = "moves a work object that the robot holds, the tool stands in the world (robhold FALSE)"
+            told = f"free in the cell file: {motion_name(standing[0])} {text}; it stays as taught"
+            run.warn(WarningKind.UNUSED, told, standing[0].source)
+        for where in [*entry.names, *map(str, entry.lines)] or [_EVERYWHERE]:
+            if where in used:
+                continue
+            named_so = where if where in (*entry.names, _EVERYWHERE) else f"line {where}"
+            text = f"free in the cell file: no move to a robtarget ran in {named_so}"
+            run.warn(WarningKind.UNUSED, text, entry.place)
+
+
+def _moves(run: Context, modules: Modules, entry: FreeTool) -> Iterator[tuple[str, PoseMove]]:
+    """The moves to poses that an entry names, each with every name or line that names it."""
+    moves = [(one, link) for one, link in zip(run.motions, run.links, strict=True) if isinstance(one, PoseMove)]
+    if not entry.names and not entry.lines:
+        yield from ((_EVERYWHERE, motion) for motion, _ in moves)
         return
-    around = Around([entry.spans for entry in entries])
-    used: set[int] = set()
-    for motion, link in zip(run.motions, run.links, strict=True):
-        if isinstance(motion, PathMove) and (found := around(link)):
-            used |= found
-            object.__setattr__(motion, "constant_speed", True)  # still the run's own
-    for number, entry in enumerate(entries):
-        if number not in used:
-            run.warn(WarningKind.UNUSED, f"constant_speed in the cell file: no line and no arc ran in {entry.text}")
+    procedures = {name.lower() for _, name in routines_of(modules)}
+    for name in entry.names:
+        words = [{instruction_name(motion).lower(), motion.tool.name.lower()} for motion, _ in moves]
+        if name.lower() in procedures:
+            around = Around([one.spans for one in named(run, modules, "free", [name.lower()], ())])
+            yield from ((name, motion) for motion, link in moves if around(link))
+        elif any(name.lower() in own for own in words):
+            yield from ((name, motion) for (motion, _), own in zip(moves, words, strict=True) if name.lower() in own)
+        else:
+            message = f"free: '{name}' is no procedure, no instruction and no tool that moves here"
+            check_name(modules, name, message, entry.place)
+    for line in entry.lines:
+        with placed(entry.place):
+            around = Around([one.spans for one in named(run, modules, "free", (), [line])])
+        yield from ((str(line), motion) for motion, link in moves if around(link))

@@ -7,21 +7,8 @@ from collections.abc import Callable
 from math import copysign, fmod, trunc
 
 from trajopt_cli.path.circle import cross
-from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.datatypes import (
-    DNUM,
-    NUM,
-    ORIENT,
-    POS,
-    STRING,
-    STRING_LIMIT,
-    Atomic,
-    Data,
-    Type,
-    Value,
-    is_number,
-    single,
-)
+from trajopt_cli.rapid.data import datatypes, frames
+from trajopt_cli.rapid.data.datatypes import NUM, POS, Data, Type, Value, is_number, single
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.language.syntax import Binary, Node
 
@@ -40,7 +27,7 @@ def computed(run: Context, node: Node, type_: Type, data: Data) -> Value:
     try:
         if type_ is NUM:
             data = single(data)
-        elif not isinstance(type_, Atomic) and type_.layout is not None:
+        elif not isinstance(type_, datatypes.Atomic) and type_.layout is not None:
             data = type_.layout.rounded(data)
     except OverflowError:
         raise run.fault(node, "ERR_NUM_LIMIT", f"{run.text(node)} is too large for a num") from None
@@ -51,11 +38,10 @@ def computed(run: Context, node: Node, type_: Type, data: Data) -> Value:
 
 def string(run: Context, node: Node, text: str) -> Value:
     """A string that is not too long. Raises Fault."""
-    if len(text) > STRING_LIMIT:
-        raise run.fault(
-            node, "ERR_STRTOOLNG", f"string of {len(text)} characters, limit {STRING_LIMIT}: '{text[:20]}...'"
-        )
-    return Value(STRING, text)
+    if len(text) > datatypes.STRING_LIMIT:
+        message = f"string of {len(text)} characters, limit {datatypes.STRING_LIMIT}: '{text[:20]}...'"
+        raise run.fault(node, "ERR_STRTOOLNG", message)
+    return Value(datatypes.STRING, text)
 
 
 def arithmetic(run: Context, node: Binary, left: Value, right: Value) -> Value:
@@ -83,16 +69,16 @@ def arithmetic(run: Context, node: Binary, left: Value, right: Value) -> Value:
             result = float("inf")
     if result - result != 0:
         raise run.fault(node, "ERR_NUM_LIMIT", f"the result of '{operator}' is too large for a {left.type.name}")
-    return Value(DNUM, result)
+    return Value(datatypes.DNUM, result)
 
 
 def vectors(run: Context, node: Binary, left: Value, right: Value) -> Value | None:
     """Every other operator but comparisons; None where there is none for these types. Raises Fault."""
     a, b, operator = left.data, right.data, node.operator
-    if left.type is STRING and right.type is STRING and operator == "+":
+    if left.type is datatypes.STRING and right.type is datatypes.STRING and operator == "+":
         return string(run, node, f"{a}{b}")
-    if left.type is ORIENT and right.type is ORIENT and operator == "*":
-        return computed(run, node, ORIENT, frames.product(a, b))
+    if left.type is datatypes.ORIENT and right.type is datatypes.ORIENT and operator == "*":
+        return computed(run, node, datatypes.ORIENT, frames.product(a, b))
     if left.type is POS and right.type is POS:
         p: frames.Vector = a
         q: frames.Vector = b

@@ -11,20 +11,10 @@ from typing import NamedTuple
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import (
-    NO_EXTERNAL_AXES,
-    ConfData,
-    ExternalAxes,
-    PoseMove,
-    Settings,
-    Speed,
-    Tool,
-    Zone,
-)
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, PoseMove, Settings, Speed, Tool, Zone
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import Data
-from trajopt_cli.rapid.data.frames import IDENTITY
-from trajopt_cli.rapid.data.poses import matrices, matrix
+from trajopt_cli.rapid.data.frames import IDENTITY, matrices, matrix
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.construction import maker
 
@@ -114,7 +104,7 @@ class Position:
     object of the last move. pose: where the flange is, unless away; away: external axes have moved since, alone.
     joints: the arm's, where they are known; near: the last that were; trail: the poses since then, from the last one
     whose configuration counts on. displacement: the active program displacement D.
-    speeds, zones, manners, setups, turned: in use, by name. rough: the orientations off unit length that were
+    manners, setups, turned: in use, by name. rough: the orientations off unit length that were
     reported. unplaced: the moves to a pose so far, with where each goes; their X_WT is made for all at once, as one by
     one it is a tenth of a run.
     """
@@ -124,8 +114,6 @@ class Position:
         self.setup = _first_setup()
         self.extax: ExternalAxes = NO_EXTERNAL_AXES
         self.displacement: frames.Frame | None = None
-        self.speeds: dict[str, tuple[Data, Speed]] = {}
-        self.zones: dict[str, tuple[Data, Zone]] = {}
         self.manners: dict[tuple[str, ...], Known] = {}  # by the names of speed, zone, tool and work object
         self.setups: dict[tuple[str, str], Setup] = {}
         self.turned: dict[tuple[Setup, tuple[float, ...]], Setup] = {}

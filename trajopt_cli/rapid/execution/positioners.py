@@ -12,7 +12,7 @@ from trajopt_cli.motion import ExternalAxes, Speed, UnitMove
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.position import merged
-from trajopt_cli.rapid.language.syntax import Expression, Node
+from trajopt_cli.rapid.language.syntax import Expression
 from trajopt_cli.scenario import PositionerAxis
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -73,7 +73,8 @@ def moved(
                     of = f"{v / axis.unit:g} {sign}/s (v_{word} of {speed.name})"
                     where = f"{verb} {unit}'s eax_{'abcdef'[axis.eax]} at {of}"
                     raise run.error(point, f"{where}: give at least {_SLOWEST / axis.unit:.3g} {sign}/s")
-                least = _trapezoid(abs(b - a), v, axis.acceleration)
+                way, most = abs(b - a), axis.acceleration  # from rest to rest, a trapezoid of speed or a triangle
+                least = way / v + v / most if way > v * v / most else 2 * sqrt(way / most)
                 p = origin[0] * MM, origin[1] * MM, origin[2] * MM
                 u = frames.rotate(q, (0.0, 0.0, 1.0))
                 shared = axis.eax in run.units.shared
@@ -82,17 +83,11 @@ def moved(
     return tuple(out)
 
 
-def _trapezoid(way: float, v: float, a: float) -> float:
-    """Least time from rest to rest over a way, at speed v and acceleration a at most."""
-    return way / v + v / a if way > v * v / a else 2 * sqrt(way / a)
-
-
-def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
+def driven_axes(run: Context, point: Expression, extax: ExternalAxes) -> ExternalAxes:
     """The external axes of a move's target that active units drive; reports once per unit that a value is ignored, or
     missing. Where it leaves the rail open, the cell file may say where that stands."""
     units = run.units
-    if run.rail_places is not None and isinstance(point, Expression):
-        extax = run.rail_places.fill(point, extax)
+    extax = run.rail_places.fill(point, extax)
     if not units.axes:  # nearly always
         return extax
     for eax, names in units.inactive.items():
@@ -102,21 +97,13 @@ def driven_axes(run: Context, point: Node, extax: ExternalAxes) -> ExternalAxes:
             for one in names
         ]
         if value is not None and any(one is None or abs(value - one) > _STILL for one in at):
-            run.note(
-                f"{names} ignored",
-                WarningKind.NO_EFFECT,
-                f"{run.text(point)} gives eax_{'abcdef'[eax]} = {value:.6g}, and {' and '.join(names)} "
-                f"{'are' if len(names) > 1 else 'is'} not active: the axis stays, as on the controller",
-                point,
-            )
+            what = f"{run.text(point)} gives eax_{'abcdef'[eax]} = {value:.6g}, and {' and '.join(names)} "
+            what += f"{'are' if len(names) > 1 else 'is'} not active: the axis stays, as on the controller"
+            run.note(f"{names} ignored", WarningKind.NO_EFFECT, what, point)
     for eax, unit in units.wanted.items():
         if extax[eax] is None:
-            run.note(
-                f"{unit} open",
-                WarningKind.DOUBTFUL,
-                f"{run.text(point)} gives no position for eax_{'abcdef'[eax]} (9E9), and {unit} is active: a "
-                "controller stops here with a missing external axis value, a plan lets it stand. Give the value, "
-                f"deactivate {unit} before, or leave it out of the active ones (start.units in the cell file)",
-                point,
-            )
+            what = f"{run.text(point)} gives no position for eax_{'abcdef'[eax]} (9E9), and {unit} is active: a "
+            what += "controller stops here with a missing external axis value, a plan lets it stand. Give the value, "
+            what += f"deactivate {unit} before, or leave it out of the active ones (start.units in the cell file)"
+            run.note(f"{unit} open", WarningKind.DOUBTFUL, what, point)
     return units.driven(extax)

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from trajopt_cli.motion import ExternalAxes, Happens, PathEvent
+from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.rapid.data.scope import CallFrame, Datum, ExternalDatum
-from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.context import Context, RailPlaces
 from trajopt_cli.rapid.execution.named import Modules, check_name
-from trajopt_cli.rapid.language.syntax import DataDeclaration, Expression, Name
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.language.syntax import DataDeclaration, Expression, Name, walk
 from trajopt_cli.scenario import condition_key
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
 
-class CellRailPlaces:
+class CellRailPlaces(RailPlaces):
     """The rail_at of a cell file while a program runs: of a target's point, of the routines that run from the innermost
     on, and of the output that was set last, the first that it names says where the rail stands."""
 
@@ -40,12 +39,6 @@ class CellRailPlaces:
             self._last = key
         return key == self._last
 
-    def happened(self, events: Iterable[PathEvent]) -> None:
-        """Outputs are set on the way of a move."""
-        for event in events:
-            if event.kind is Happens.SIGNAL and event.value is not None:
-                self.set(event.name, event.value)
-
     def fill(self, point: Expression, extax: ExternalAxes) -> ExternalAxes:
         """The external axes [mm or deg] of a target with the rail where the cell file has it."""
         rail = self._run.scenario.rail
@@ -55,8 +48,7 @@ class CellRailPlaces:
         if key is None:
             return extax
         self._used.add(key)
-        a, b, c, d, e, f = (self._given[key].d / MM if i == rail.eax else old for i, old in enumerate(extax))
-        return a, b, c, d, e, f
+        return tuple(self._given[key].d / MM if i == rail.eax else old for i, old in enumerate(extax))
 
     def _keys(self, point: Expression) -> Iterator[str]:
         run = self._run

@@ -4,12 +4,13 @@ comment of the program says so."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import PurePath
 
-from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
+from trajopt_cli.motion import Happens, Hold, Motion, Move, PathEvent, Program, SignalEvent, Wait
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.named import Around, Modules, check_name, named, placed, routines_of
+from trajopt_cli.rapid.execution.named import Around, Entry, Modules, check_name, named, placed, routines_of, within
+from trajopt_cli.rapid.language.text import listed
 from trajopt_cli.scenario import HoldRail, Lines, condition_key
 from trajopt_cli.warnings import WarningKind
 
@@ -19,29 +20,18 @@ _SHOWN = 3  # places in a sentence
 _UNASKED = (Hold.GRIPPER, Hold.WAIT)  # who holds the rail where nobody has said so
 
 
-@dataclass(frozen=True)
-class _Entry:
-    """One mark of the program or one name or line of the cell file: where it holds, and what to say if it does not."""
-
-    hold: Hold
-    spans: tuple[Span, ...]
-    unused: str
-    place: Source | None = None
-
-
 def fill_holds(run: Context, modules: Modules) -> None:
     """Fill the hold of every motion of a finished run, and warn of marks and entries that hold none.
 
     Raises InputError for a procedure or a line in the cell file that the program does not have.
     """
     wish = run.scenario.hold_rail
-    entries = [*_marked(run), *_named(run, modules)]
-    held = _held(run, entries) if entries else {}
+    held = within(run, [*_entries(run, modules)], Move | Wait)
     after, freed = frozenset(map(id, _after_outputs(run.motions))), _freed(run, modules)
     for index, motion in enumerate(run.motions):
         if isinstance(motion, Wait) and motion.settles:
             continue
-        hold = held.get(index)
+        hold = held[index].hold if index in held else None
         if hold is None and isinstance(motion, Wait) and motion.hold is None and index not in freed:
             hold = _of_wait(wish, id(motion) in after, run.scenario.rail is not None)
         if hold is not None:
@@ -95,10 +85,9 @@ def held_unasked(program: Program) -> str | None:
     if not waits:
         return None
     places = list(dict.fromkeys(f"{PurePath(wait.source.file).name}:{wait.source.line}" for wait in waits))
-    more = f" and {len(places) - _SHOWN} more" if len(places) > _SHOWN else ""
     count = f"{len(waits)} waits" if len(waits) > 1 else "1 wait"
     return (
-        f"the rail holds still in {count} ({', '.join(places[:_SHOWN])}{more}); "
+        f"the rail holds still in {count} ({listed(places, _SHOWN)}); "
         "'waits: {rail: free}' in the cell file lets it move"
     )
 
@@ -111,32 +100,14 @@ def without_unasked(program: Program) -> Program:
     return replace(program, motions=tuple(motions))
 
 
-def _marked(run: Context) -> Iterator[_Entry]:
+def _entries(run: Context, modules: Modules) -> Iterator[Entry]:
+    """The program's own marks, then what the cell file names by procedure or line."""
     for span in run.held:
         place = run.files[span.file].source(span.start)
-        yield _Entry(Hold.PROGRAM, (span,), "marked 'hold rail', but no move and no wait ran there", place)
-
-
-def _named(run: Context, modules: Modules) -> Iterator[_Entry]:
-    """What the cell file names by procedure or line."""
-    wish = run.scenario.hold_rail
+        yield Entry((span,), "marked 'hold rail', but no move and no wait ran there", place, Hold.PROGRAM)
+    wish, unused = run.scenario.hold_rail, "hold_rail in the cell file: no move and no wait ran in "
     for one in named(run, modules, "hold_rail", wish.procedures, wish.lines):
-        yield _Entry(Hold.CELL, one.spans, f"hold_rail in the cell file: no move and no wait ran in {one.text}")
-
-
-def _held(run: Context, entries: Sequence[_Entry]) -> dict[int, Hold]:
-    """Why motions are held, by their index; warns of the entries that hold none."""
-    around = Around([entry.spans for entry in entries])
-    used: set[int] = set()
-    out: dict[int, Hold] = {}
-    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True) if entries else ()):
-        if not isinstance(motion, SignalEvent) and (found := around(link)):
-            used |= found
-            out[index] = entries[min(found)].hold  # the program's own marks come first
-    for number, entry in enumerate(entries):
-        if number not in used:
-            run.warn(WarningKind.UNUSED, entry.unused, entry.place)
-    return out
+        yield Entry(one.spans, f"{unused}{one.text}", hold=Hold.CELL)
 
 
 def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:

@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from trajopt_cli.rapid.execution.functions import data, numbers, poses, rows, strings, targets
-from trajopt_cli.rapid.execution.functions import signals as read_signals
+from trajopt_cli.rapid.execution.arguments import FUNCTIONS, INSTRUCTIONS
 from trajopt_cli.rapid.execution.instructions import (
     displacement,
     flow,
     moves,
     multimove,
     processes,
+    rows,
     searches,
     settings,
     signals,
-    symbols,
+    targets,
     triggers,
     units,
-    variables,
+    values,
     waits,
 )
-from trajopt_cli.rapid.execution.instructions import rows as instruction_rows
-from trajopt_cli.rapid.execution.registry import FUNCTIONS, INSTRUCTIONS
 
 FILES = (
-    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, symbols,
-    multimove, instruction_rows, targets, poses, numbers, data, read_signals, strings, rows,
+    moves, triggers, searches, processes, displacement, waits, signals, settings, units, flow, multimove, rows, targets,
+    values,
 )  # fmt: skip
 __all__ = ["FUNCTIONS", "INSTRUCTIONS"]

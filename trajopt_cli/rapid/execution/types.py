@@ -36,9 +36,8 @@ def _type(run: Context, scope: ModuleScope, name: str, above: tuple[str, ...]) -
         return TYPES.get(key) or Atomic(key, known=False)
     node, home = found
     if len(above) >= _CHAIN_LIMIT:
-        raise home.places.error(
-            node.start, f"type '{name}' is at the end of a chain of more than {_CHAIN_LIMIT} others"
-        )
+        message = f"type '{name}' is at the end of a chain of more than {_CHAIN_LIMIT} others"
+        raise home.places.error(node.start, message)
     if home is not scope or key not in home.resolved:
         if key in above:
             raise home.places.error(node.start, f"type '{node.name}' contains itself")

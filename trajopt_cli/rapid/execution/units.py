@@ -110,5 +110,4 @@ class Units:
 
 
 def _with(extax: ExternalAxes, values: dict[int, float | None] | dict[int, float]) -> ExternalAxes:
-    a, b, c, d, e, f = (values.get(i, old) for i, old in enumerate(extax))
-    return a, b, c, d, e, f
+    return tuple(values.get(i, old) for i, old in enumerate(extax))

@@ -130,11 +130,9 @@ class Cursor:
         """Say that what stands at start cannot be a name."""
         match = _ODD_NAME.match(self.text, start)
         assert match is not None  # it matches nothing at all, too
-        raise self.error(
-            start,
-            f"expected a name, found '{short(match[0])}'; "
-            "a name begins with a letter and has only letters, digits and '_', so rename it wherever it is used",
-        )
+        message = f"expected a name, found '{short(match[0])}'; "
+        message += "a name begins with a letter and has only letters, digits and '_', so rename it wherever it is used"
+        raise self.error(start, message)
 
     def deeper(self) -> None:
         """Count one level of nesting; the caller takes it back."""

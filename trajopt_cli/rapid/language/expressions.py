@@ -9,22 +9,9 @@ from __future__ import annotations
 import re
 from math import inf
 
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.cursor import Cursor, short
-from trajopt_cli.rapid.language.syntax import (
-    Aggregate,
-    Argument,
-    Binary,
-    Boolean,
-    Call,
-    Component,
-    Element,
-    Expression,
-    Name,
-    Number,
-    Placeholder,
-    String,
-    Unary,
-)
+from trajopt_cli.rapid.language.syntax import Expression
 
 PRIORITY = {
     **dict.fromkeys(("OR", "XOR"), 0),
@@ -62,7 +49,7 @@ class ExpressionParser(Cursor):
                 return left
             self.i += 1
             right = self.expression(priority + 1)
-            left = Binary(start, self.behind, operator, left, right)
+            left = syntax.Binary(start, self.behind, operator, left, right)
 
     def _not(self) -> Expression:
         start = self.here
@@ -70,7 +57,7 @@ class ExpressionParser(Cursor):
         self.deeper()
         operand = self.expression(PRIORITY["AND"])
         self.depth -= 1
-        return Unary(start, self.behind, "NOT", operand)
+        return syntax.Unary(start, self.behind, "NOT", operand)
 
     def _factor(self, level: int) -> Expression:
         kind = self.kinds[self.i]
@@ -80,14 +67,14 @@ class ExpressionParser(Cursor):
         self.i += 1
         if self.kinds[self.i] == "number":
             number = self._number()
-            return Number(start, number.end, -number.value if kind == "-" else number.value)
+            return syntax.Number(start, number.end, -number.value if kind == "-" else number.value)
         self.deeper()
         # By RAPID's grammar a leading sign stands before a whole term: -a*b is -(a*b).
         operand = self.expression(max(level, PRIORITY["*"]))
         self.depth -= 1
-        return Unary(start, self.behind, kind, operand)
+        return syntax.Unary(start, self.behind, kind, operand)
 
-    def _number(self) -> Number:
+    def _number(self) -> syntax.Number:
         start, text = self.here, self.texts[self.i]
         self.i += 1
         based = text[:2].lower() in ("0x", "0o", "0b")
@@ -95,7 +82,7 @@ class ExpressionParser(Cursor):
         value = inf if based and len(text) > _LONGEST else float(int(text, 0)) if based else float(text)
         if value == inf:
             raise self.error(start, f"number {short(text)} is too large")
-        return Number(start, self.behind, value)
+        return syntax.Number(start, self.behind, value)
 
     def _primary(self) -> Expression:
         kind, start = self.kinds[self.i], self.here
@@ -103,18 +90,18 @@ class ExpressionParser(Cursor):
             return self._suffixes(self._name(), start)
         if kind == "aggregate":
             self.i += 1
-            return Aggregate(start, self.behind, self.text)
+            return syntax.Aggregate(start, self.behind, self.text)
         if kind == "number":
             return self._number()
         if kind == "string":
             self.i += 1
-            return String(start, self.behind, unescape(self.texts[self.i - 1]))
+            return syntax.String(start, self.behind, unescape(self.texts[self.i - 1]))
         if kind in ("TRUE", "FALSE"):
             self.i += 1
-            return Boolean(start, self.behind, kind == "TRUE")
+            return syntax.Boolean(start, self.behind, kind == "TRUE")
         if kind in ("placeholder", "*"):
             self.i += 1
-            return Placeholder(start, self.behind, self.texts[self.i - 1])
+            return syntax.Placeholder(start, self.behind, self.texts[self.i - 1])
         if kind in ("(", "["):
             self.i += 1
             self.deeper()
@@ -132,13 +119,13 @@ class ExpressionParser(Cursor):
         alone = self.i and self.kinds[self.i - 1] == "," and self.kind in (",", ";", ")", "]", "}")
         return "one ',' is too many" if alone else ""
 
-    def _aggregate(self, start: int) -> Aggregate:
+    def _aggregate(self, start: int) -> syntax.Aggregate:
         items = [self.expression()]
         while self.accept(","):
             items.append(self.expression())
         if not self.accept("]"):
             self.fail("']' or ',' in the aggregate", self.behind)
-        return Aggregate(start, self.behind, given=tuple(items))
+        return syntax.Aggregate(start, self.behind, given=tuple(items))
 
     def _name(self) -> Expression:
         start, name = self.here, self.texts[self.i]
@@ -148,17 +135,17 @@ class ExpressionParser(Cursor):
             args = self.arguments(")", f"after the arguments of {name}")
             self.depth -= 1
             self.expect(")", f"or ',' after the arguments of {name}")
-            return Call(start, self.behind, name, args)
-        return Name(start, self.behind, name)
+            return syntax.Call(start, self.behind, name, args)
+        return syntax.Name(start, self.behind, name)
 
     def _suffixes(self, base: Expression, start: int) -> Expression:
         while True:
             if self.accept("."):
                 name = self.identifier("the name of a component after '.'")
-                base = Component(start, self.behind, base, name)
+                base = syntax.Component(start, self.behind, base, name)
             elif self.kinds[self.i] == "{":
                 indices = self.indices()
-                base = Element(start, self.behind, base, indices)
+                base = syntax.Element(start, self.behind, base, indices)
             else:
                 return base
 
@@ -178,9 +165,9 @@ class ExpressionParser(Cursor):
 
     # ---------------------------------------------------------------------------------------------- the arguments
 
-    def arguments(self, closing: str, where: str) -> tuple[Argument, ...]:
+    def arguments(self, closing: str, where: str) -> tuple[syntax.Argument, ...]:
         r"""Arguments up to (not including) the closing token. The comma before a `\name` is optional."""
-        args: list[Argument] = []
+        args: list[syntax.Argument] = []
         while self.kinds[self.i] != closing:
             if args and self.kinds[self.i] != "\\":
                 if not self.accept(","):
@@ -192,34 +179,34 @@ class ExpressionParser(Cursor):
             args.append(self._optional() if self.kinds[self.i] == "\\" else self._required())
         return tuple(args)
 
-    def _required(self) -> Argument:
+    def _required(self) -> syntax.Argument:
         """`[ <ident> ':=' ] <expression>`: a value, with its parameter's name where that is written."""
         if self.kinds[self.i] == "name" and self.kinds[self.i + 1] in (",", ";", "\\"):  # nearly always
             start = self.here
             self.i += 1
-            return Argument(start, self.behind, None, Name(start, self.behind, self.texts[self.i - 1]))
+            return syntax.Argument(start, self.behind, None, syntax.Name(start, self.behind, self.texts[self.i - 1]))
         parameter = None
         if self.kinds[self.i] == "name" and self.kinds[self.i + 1] == ":=":
             parameter = self.texts[self.i]
             self.i += 2
         start = self.here
         value = self.expression()
-        return Argument(start, self.behind, None, value, parameter=parameter)
+        return syntax.Argument(start, self.behind, None, value, parameter=parameter)
 
-    def _optional(self) -> Argument:
+    def _optional(self) -> syntax.Argument:
         start = self.here
         self.i += 1
         name = self.identifier("the name of an optional argument after '\\'")
         if self.accept(":="):
             value = self.expression()
-            return Argument(start, self.behind, name, value)
+            return syntax.Argument(start, self.behind, name, value)
         if self.accept("?"):
             at = self.here
             parameter = self.identifier("the name of an optional parameter after '?'")
-            return Argument(start, self.behind, name, Name(at, self.behind, parameter), forward=True)
+            return syntax.Argument(start, self.behind, name, syntax.Name(at, self.behind, parameter), forward=True)
         if self.kinds[self.i] in ("=", "=="):
             self.fail(f"':=' after \\{name}")
-        return Argument(start, self.behind, name, None)
+        return syntax.Argument(start, self.behind, name, None)
 
 
 def parse_expression(text: str, file: str) -> Expression:

@@ -9,28 +9,15 @@ building. Statement instructions are procedure calls, so no instruction is known
 from __future__ import annotations
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.rapid.language.blocks import ROUTINES
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.cursor import HANDLERS, STORAGE
-from trajopt_cli.rapid.language.statements import StatementParser
-from trajopt_cli.rapid.language.syntax import (
-    AliasDeclaration,
-    DataDeclaration,
-    Expression,
-    Handler,
-    Item,
-    Module,
-    ModuleFile,
-    Parameter,
-    RecordDeclaration,
-    Routine,
-    Statement,
-)
+from trajopt_cli.rapid.language.statements import ROUTINES, StatementParser
 
 _ATTRIBUTES = ("SYSMODULE", "NOVIEW", "NOSTEPIN", "VIEWONLY", "READONLY")
 
 
 @of_kind(ErrorKind.PROGRAM)
-def parse_module(text: str, file: str) -> ModuleFile:
+def parse_module(text: str, file: str) -> syntax.ModuleFile:
     """The syntax tree of one file: usually one module, sometimes several, or loose declarations.
 
     file: the name for messages. Raises InputError with file, line and column, what was expected and what was found; an
@@ -39,7 +26,7 @@ def parse_module(text: str, file: str) -> ModuleFile:
     return Parser(text, file).file()
 
 
-def parse_statement(text: str, file: str) -> Statement:
+def parse_statement(text: str, file: str) -> syntax.Statement:
     """The syntax tree of one statement with its semicolon. Raises InputError."""
     parser = Parser(text, file)
     statement = parser.statement()
@@ -52,9 +39,9 @@ class Parser(StatementParser):
 
     # ------------------------------------------------------------------------------------------ files and modules
 
-    def file(self) -> ModuleFile:
+    def file(self) -> syntax.ModuleFile:
         """All modules of the file."""
-        modules: list[Module] = []
+        modules: list[syntax.Module] = []
         leftovers: list[tuple[int, int]] = []
         while self.kind != "end":
             if self.kind == "MODULE":
@@ -62,7 +49,7 @@ class Parser(StatementParser):
             elif not modules:
                 start, behind = self.here, self.behind
                 if items := self._items(loose=True):
-                    modules.append(Module(start, behind, "", (), items))
+                    modules.append(syntax.Module(start, behind, "", (), items))
             else:
                 leftovers.append(self._leftover())
         self.finish()
@@ -72,7 +59,7 @@ class Parser(StatementParser):
             if self.text.count("\x00") > sum(text.count("\x00") for text in self.texts):
                 self.warnings.append((nul, "NUL bytes between the tokens are read as blanks"))
         warnings = tuple(sorted(self.warnings))
-        return ModuleFile(0, len(self.text), tuple(modules), tuple(leftovers), self.comments, warnings)
+        return syntax.ModuleFile(0, len(self.text), tuple(modules), tuple(leftovers), self.comments, warnings)
 
     def _leftover(self) -> tuple[int, int]:
         start = self.here
@@ -84,7 +71,7 @@ class Parser(StatementParser):
         self.warnings.append((start, f"text after ENDMODULE ({counted}) is not part of the program and does not run"))
         return start, end
 
-    def _module(self) -> Module:
+    def _module(self) -> syntax.Module:
         start = self.here
         self.i += 1
         attributes: list[str] = []
@@ -99,7 +86,7 @@ class Parser(StatementParser):
         self.open_block("MODULE", start, name)
         items = self._items()
         self.close_block("ENDMODULE")
-        return Module(start, self.behind, name, tuple(attributes), items)
+        return syntax.Module(start, self.behind, name, tuple(attributes), items)
 
     def _attributes(self) -> list[str]:
         attributes: list[str] = []
@@ -113,12 +100,12 @@ class Parser(StatementParser):
         self.expect(")", "after the module's attributes")
         return attributes
 
-    def _items(self, loose: bool = False) -> tuple[Item, ...]:
+    def _items(self, loose: bool = False) -> tuple[syntax.Item, ...]:
         """Declarations up to ENDMODULE, to the next MODULE or to the end of the file. loose: there is no MODULE."""
-        items: list[Item] = []
+        items: list[syntax.Item] = []
         while (kind := self.kinds[self.i]) not in ("MODULE", "end"):
             whole = self.wholes.get(self.i) if kind == "whole" else None
-            if isinstance(whole, DataDeclaration):
+            if isinstance(whole, syntax.DataDeclaration):
                 items.append(whole)
                 self.i += 1
             elif kind == ";":
@@ -131,7 +118,7 @@ class Parser(StatementParser):
                 self._try_item(items)
         return tuple(items)
 
-    def _try_item(self, items: list[Item]) -> None:
+    def _try_item(self, items: list[syntax.Item]) -> None:
         before, depth, blocks = self.i, self.depth, len(self._open)
         try:
             items.append(self._item())
@@ -145,7 +132,7 @@ class Parser(StatementParser):
             else:
                 self.skip()
 
-    def _item(self) -> Item:
+    def _item(self) -> syntax.Item:
         start = self.here
         scope = self.kind if self.kind in ("LOCAL", "TASK") else None
         if scope:
@@ -164,7 +151,7 @@ class Parser(StatementParser):
             type_ = self.identifier("a data type after ALIAS")
             name = self.new_name("the new type's name")
             self.semicolon("after the ALIAS declaration")
-            return AliasDeclaration(start, self.behind, scope, type_, name)
+            return syntax.AliasDeclaration(start, self.behind, scope, type_, name)
         if kind == "ENDMODULE":
             self.fail("a declaration", advice="no MODULE is open here")
         if kind.startswith("END") and kind[3:] in (*ROUTINES, "RECORD", "IF", "FOR", "WHILE", "TEST"):
@@ -174,7 +161,7 @@ class Parser(StatementParser):
         advice = "instructions belong in a PROC" if kind in ("name", "whole") else ""
         self.fail("a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS) or ENDMODULE", advice=advice)
 
-    def _record(self, start: int, scope: str | None) -> RecordDeclaration:
+    def _record(self, start: int, scope: str | None) -> syntax.RecordDeclaration:
         self.i += 1
         name = self.new_name("the record's name")
         self.accept(";")
@@ -185,11 +172,11 @@ class Parser(StatementParser):
             components.append((type_, self.new_name("a component's name")))
             self.semicolon("after the component")
         self.close_block("ENDRECORD")
-        return RecordDeclaration(start, self.behind, scope, name, tuple(components))
+        return syntax.RecordDeclaration(start, self.behind, scope, name, tuple(components))
 
     # --------------------------------------------------------------------------------------------------- routines
 
-    def _routine(self, start: int, scope: str | None) -> Routine:
+    def _routine(self, start: int, scope: str | None) -> syntax.Routine:
         kind = self.kind
         self.i += 1
         type_, name, parameters = self._head(kind)
@@ -201,12 +188,12 @@ class Parser(StatementParser):
         while self.kind in HANDLERS:
             handlers.append(self._handler(stops))
         self.close_block(f"END{kind}")
-        return Routine(start, self.behind, scope, kind, type_, name, parameters, body, tuple(handlers))
+        return syntax.Routine(start, self.behind, scope, kind, type_, name, parameters, body, tuple(handlers))
 
-    def _head(self, kind: str) -> tuple[str | None, str, tuple[Parameter, ...]]:
+    def _head(self, kind: str) -> tuple[str | None, str, tuple[syntax.Parameter, ...]]:
         """A routine's type, name and parameters. After a mistake reading goes on in the next line."""
         type_, name, start = None, "", self.here
-        parameters: tuple[Parameter, ...] = ()
+        parameters: tuple[syntax.Parameter, ...] = ()
         try:
             type_ = self.identifier("the type that the FUNC returns") if kind == "FUNC" else None
             start = self.here
@@ -221,17 +208,17 @@ class Parser(StatementParser):
             name = name or self.text[start : self.behind].partition("(")[0]
         return type_, name, parameters
 
-    def _handler(self, stops: tuple[str, ...]) -> Handler:
+    def _handler(self, stops: tuple[str, ...]) -> syntax.Handler:
         start, kind = self.here, self.kind
         self.i += 1
-        numbers: tuple[Expression, ...] | None = ()
+        numbers: tuple[syntax.Expression, ...] | None = ()
         if kind == "ERROR" and self.accept("("):
             numbers = self.header(self.values, ")", "after the error numbers")
         body = self.block(stops)
-        return Handler(start, self.behind, kind, numbers or (), body)
+        return syntax.Handler(start, self.behind, kind, numbers or (), body)
 
-    def _parameters(self, routine: str) -> tuple[Parameter, ...]:
-        parameters: list[Parameter] = []
+    def _parameters(self, routine: str) -> tuple[syntax.Parameter, ...]:
+        parameters: list[syntax.Parameter] = []
         alternative = False
         while not self.accept(")"):
             if parameters and not alternative and self.kinds[self.i] != "\\" and not self.accept(","):
@@ -240,11 +227,11 @@ class Parser(StatementParser):
             alternative = self.accept("|")
         return tuple(parameters)
 
-    def _parameter(self, alternative: bool) -> Parameter:
+    def _parameter(self, alternative: bool) -> syntax.Parameter:
         start = self.here
         if self.kinds[self.i] == "placeholder":
             place = self.placeholder()
-            return Parameter(start, place.end, None, "", place.name)
+            return syntax.Parameter(start, place.end, None, "", place.name)
         optional = self.accept("\\") or alternative
         mode = self.kinds[self.i] if self.kinds[self.i] in ("INOUT", "VAR", "PERS") else None
         if mode:
@@ -259,4 +246,4 @@ class Parser(StatementParser):
                 self.expect("*", "for each dimension of an array parameter")
                 dimensions += 1
             self.expect("}", "after the dimensions")
-        return Parameter(start, self.behind, mode, type_, name, dimensions, optional, alternative)
+        return syntax.Parameter(start, self.behind, mode, type_, name, dimensions, optional, alternative)

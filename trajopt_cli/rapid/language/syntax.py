@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any, TypeVar, dataclass_transform
 
 _Class = TypeVar("_Class")
@@ -408,3 +409,42 @@ class ModuleFile(Node):
     leftovers: tuple[tuple[int, int], ...] = field(compare=False)
     comments: tuple[tuple[int, int], ...] = field(compare=False, repr=False)
     warnings: tuple[tuple[int, str], ...] = field(default=(), compare=False)
+
+
+def walk(node: object) -> list[Node]:
+    """A node of a syntax tree and all nodes under it, in no particular order."""
+    stack, found = [node], []
+    while stack:
+        thing = stack.pop()
+        if isinstance(thing, tuple):
+            stack += thing
+        elif isinstance(thing, Node):
+            found.append(thing)
+            if is_dataclass(thing):
+                stack += [getattr(thing, part.name) for part in fields(thing)]
+    return found
+
+
+def base_of(node: Expression) -> Expression:
+    """What an expression is a part of, `p` of `p{2}.trans.x`; itself where it is no part."""
+    while isinstance(node, (Component, Element)):
+        node = node.base
+    return node
+
+
+def steady(node: Expression, holds: Callable[[Name], bool]) -> bool:
+    """Whether an expression has one value all along: no call in it, and only names that hold."""
+    match node:
+        case Number() | Boolean() | String():
+            return True
+        case Name():
+            return holds(node)
+        case Unary():
+            return steady(node.operand, holds)
+        case Binary():
+            return steady(node.left, holds) and steady(node.right, holds)
+        case Component():
+            return steady(node.base, holds)
+        case Element():
+            return all(steady(part, holds) for part in (node.base, *node.indices))
+    return False

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Sequence
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from unicodedata import combining, east_asian_width
@@ -21,21 +23,19 @@ def decode(data: bytes) -> tuple[str, str]:
     UTF-16 is known by its mark, or by the zero that every second byte is in a text that is mostly ASCII.
     Latin-1 differs from cp1252 only where cp1252 has no character at all, and takes every byte.
     """
+    encoding = "utf-8"
+    zeros = [data[half:2000:2].count(0) * 4 > len(data[half:2000:2]) * 3 for half in (0, 1)]
     if data.startswith(b"\xef\xbb\xbf"):
-        encodings = ("utf-8-sig", "cp1252", "latin-1")
+        encoding = "utf-8-sig"
     elif data.startswith((b"\xff\xfe", b"\xfe\xff")):
         # The mark stays in the text as U+FEFF (a blank to the scanner), so that it is written back.
-        encodings = ("utf-16-le" if data[0] == 0xFF else "utf-16-be", "cp1252", "latin-1")
-    elif (zeros := [data[half:2000:2].count(0) * 4 > len(data[half:2000:2]) * 3 for half in (0, 1)]) != [False, False]:
-        encodings = ("utf-16-le" if zeros[1] else "utf-16-be", "cp1252", "latin-1")
-    else:
-        encodings = ("utf-8", "cp1252", "latin-1")
-    for encoding in encodings[:-1]:
-        try:
-            return data.decode(encoding), encoding
-        except UnicodeDecodeError:
-            continue
-    return data.decode(encodings[-1]), encodings[-1]
+        encoding = "utf-16-le" if data[0] == 0xFF else "utf-16-be"
+    elif any(zeros):
+        encoding = "utf-16-le" if zeros[1] else "utf-16-be"
+    for known in (encoding, "cp1252"):
+        with suppress(UnicodeDecodeError):
+            return data.decode(known), known
+    return data.decode("latin-1"), "latin-1"
 
 
 def read_text(path: str | Path) -> TextFile:
@@ -101,6 +101,11 @@ class Places:
         if not (before + behind).strip():
             return None
         return f"{_MARGIN}{before}{behind}\n{_MARGIN}{' ' * sum(map(_columns, before))}^"
+
+
+def listed(names: Sequence[str], most: int) -> str:
+    """Names in a sentence, of many the first and how many more there are."""
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 _BEFORE, _BEHIND = 70, 50  # characters of a long line that are shown before and behind the place

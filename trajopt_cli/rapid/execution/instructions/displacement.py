@@ -11,12 +11,12 @@ from dataclasses import replace
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import POSE, Data
 from trajopt_cli.rapid.data.frames import IDENTITY
+from trajopt_cli.rapid.execution.arguments import Effect, Topic
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import current_target, read_at_rest
 from trajopt_cli.rapid.execution.equipment import orientation, setup_of
 from trajopt_cli.rapid.execution.instructions.moves import NO_POSITION, robtarget
 from trajopt_cli.rapid.execution.instructions.settings import change
-from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import isfinite
 
 from trajopt_cli.motion import Speed, Zone
-from trajopt_cli.rapid.data.datatypes import LOADDATA, SPEEDDATA, ZONEDATA, Data
+from trajopt_cli.rapid.data.datatypes import LOADDATA, SPEEDDATA, ZONEDATA
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.arguments import Arguments
 from trajopt_cli.rapid.execution.context import Context
@@ -34,25 +34,12 @@ def speed_of(run: Context, node: Expression, args: Arguments, external: bool = F
     r"""Speed in SI with VelSet applied; \V replaces the TCP speed. external: the TCP speed does not count."""
     name, data = run.text(node), value_of(run, node, SPEEDDATA).data
     override = args.optional.get("v")
-    shared = run.position.speeds
-    if override is None:
-        known = shared.get(name)
-        if known is not None and known[0] is data and (known[1].v_tcp > 0 or external or "t" in args.optional):
-            return known[1]
     v_tcp, v_ori, v_leax, v_reax = data
     if override is not None:
         v_tcp = run.number(override)
     if not external and "t" not in args.optional and not v_tcp > 0:
         of = name if override is None else "\\V"
         raise run.error(override or node, f"TCP speed {v_tcp:.6g} mm/s of {of} must be above 0")
-    made = _speed(run, node, name, (v_tcp, v_ori, v_leax, v_reax))
-    if override is None:
-        shared[name] = (data, made)
-    return made
-
-
-def _speed(run: Context, node: Expression, name: str, data: Data) -> Speed:
-    v_tcp, v_ori, v_leax, v_reax = data
     settings = run.settings
     share = settings.override
     values = (v_tcp * MM * share, v_ori * DEG * share, v_leax * MM * share, v_reax * DEG * share)
@@ -77,19 +64,6 @@ def duration_of(run: Context, args: Arguments) -> float | None:
 def zone_of(run: Context, node: Expression, args: Arguments) -> Zone:
     r"""Accuracy; \Inpos makes a stop of any zone, \Z replaces the radius of the TCP's path."""
     name, data = run.text(node), value_of(run, node, ZONEDATA).data
-    plain = "inpos" not in args.optional and "z" not in args.optional
-    shared = run.position.zones
-    if plain:
-        known = shared.get(name)
-        if known is not None and known[0] is data:
-            return known[1]
-    made = _zone(run, node, args, name, data)
-    if plain:
-        shared[name] = (data, made)
-    return made
-
-
-def _zone(run: Context, node: Expression, args: Arguments, name: str, data: Data) -> Zone:
     finep, *sizes = data
     if "inpos" in args.optional:
         return Zone(name, stop=True, criterion=_criterion(run, node, args))
@@ -177,10 +151,9 @@ def _note_unplanned(run: Context, place: Expression, args: Arguments) -> None:
     r"""\TLoad, the total load of one move, and \Corr, a sensor's correction of its path: no plan looks at them."""
     node = args.optional.get("tload")
     if node is not None:
-        data_of(run, node, LOADDATA, "load", "load0")
-        run.note(
-            "tload", WarningKind.NO_EFFECT, "\\TLoad changes nothing here; the cell's limits hold for any load", node
-        )
+        data_of(run, node, LOADDATA)
+        what = "\\TLoad changes nothing here; the cell's limits hold for any load"
+        run.note("tload", WarningKind.NO_EFFECT, what, node)
     if "corr" in args.optional:
         what = "\\Corr adds what a sensor finds to the path, which is not known here: the path stays as written"
         run.note("corr", WarningKind.NO_EFFECT, what, place)

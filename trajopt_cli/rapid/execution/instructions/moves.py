@@ -15,6 +15,7 @@ import numpy as np
 from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
+    Happens,
     MoveAbsJ,
     MoveC,
     MoveExtJ,
@@ -33,18 +34,16 @@ from trajopt_cli.motion import (
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
-from trajopt_cli.rapid.data.frames import IDENTITY
-from trajopt_cli.rapid.data.poses import matrix
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.data.frames import IDENTITY, matrix
+from trajopt_cli.rapid.execution.arguments import Arguments, Effect, Topic, bind
 from trajopt_cli.rapid.execution.construction import made, maker
 from trajopt_cli.rapid.execution.context import Context
+from trajopt_cli.rapid.execution.current_position import settle_before
 from trajopt_cli.rapid.execution.equipment import orientation, turned, value_of
 from trajopt_cli.rapid.execution.instructions.motion_settings import duration_of, manner, speed_of, zone_of
 from trajopt_cli.rapid.execution.instructions.multimove import together
 from trajopt_cli.rapid.execution.position import Setup
 from trajopt_cli.rapid.execution.positioners import driven_axes, kept_axes, moved
-from trajopt_cli.rapid.execution.registry import Effect, Topic
-from trajopt_cli.rapid.execution.rests import settle_before
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 from trajopt_cli.warnings import WarningKind
@@ -251,8 +250,9 @@ def to_pose(
     run.motions.append(motion)
     counts = settings.conf_j if kind is MoveJ else settings.conf_l
     run.position.to_pose(setup, place, conf, counts, extax, line=kind is MoveL)
-    if run.rail_places is not None:
-        run.rail_places.happened(events)
+    for event in events:
+        if event.kind is Happens.SIGNAL and event.value is not None:
+            run.rail_places.set(event.name, event.value)
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
     if duration is not None and kind is MoveL and run.scenario.settle.counts:
         settle_before(run)
@@ -272,21 +272,13 @@ def _check_unit(run: Context, node: ProcedureCall, setup: Setup) -> None:
     """Refuse a move on a work object that moves by itself."""
     unit = "" if setup.wobj_data[1] else str(setup.wobj_data[2])
     if unit and run.units.moves_by_itself(unit):
-        run.refuse(
-            "moving work objects",
-            node,
-            f"{node.name} goes to a target on work object {setup.wobj}, which {unit} moves, and the program "
-            "does not say how fast; plan the motions between such moves on their own (--entry)",
-        )
+        what = f"{node.name} goes to a target on work object {setup.wobj}, which {unit} moves, and the program "
+        what += "does not say how fast; plan the motions between such moves on their own (--entry)"
+        run.refuse("moving work objects", node, what)
 
 
 def _check_circle(
-    run: Context,
-    node: Expression,
-    end: Expression,
-    start: frames.Frame | None,
-    via: frames.Frame,
-    place: frames.Frame,
+    run: Context, node: Expression, end: Expression, start: frames.Frame | None, via: frames.Frame, place: frames.Frame
 ) -> None:
     """The three points must be apart. start None: only the robot knows, and the check waits for it."""
     at, through, to = None if start is None else start[0], run.text(node), run.text(end)
@@ -301,12 +293,9 @@ def _check_circle(
     if course is None:
         run.warn(WarningKind.UNUSUAL, f"start, {through} and {to} lie on one line, not on a circle", run.source(node))
     elif degrees(course.angle) > _WIDEST_ARC:
-        run.warn(
-            WarningKind.UNUSUAL,
-            f"the arc through {through} is {degrees(course.angle):.4g} deg long; "
-            f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two",
-            run.source(node),
-        )
+        what = f"the arc through {through} is {degrees(course.angle):.4g} deg long; "
+        what += f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
+        run.warn(WarningKind.UNUSUAL, what, run.source(node))
 
 
 def written(run: Context, node: ProcedureCall, point: Expression) -> Written:
@@ -359,9 +348,9 @@ _MANY = 4096
 def external(run: Context, extax: Data, offset: bool = True) -> ExternalAxes:
     """External axes as the controller drives them. offset: whether EOffs adds to them."""
     offsets = run.settings.eax_offset
-    a, b, c, d, e, f = extax
     if offset and offsets != _NO_OFFSET:
-        a, b, c, d, e, f = (value + more for value, more in zip(extax, offsets, strict=True))
+        extax = [value + more for value, more in zip(extax, offsets, strict=True)]
+    a, b, c, d, e, f = extax
     return (
         None if a > NO_POSITION or a < -NO_POSITION else a,
         None if b > NO_POSITION or b < -NO_POSITION else b,

@@ -10,14 +10,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from trajopt_cli.rapid.execution.arguments import Arguments
+from trajopt_cli.rapid.execution.arguments import Arguments, Effect, Refused, Topic
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.settings import change
 from trajopt_cli.rapid.execution.instructions.waits import record
-from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
-_TOPIC = Topic(__doc__)
+_MULTIMOVE = Topic("MultiMove")
 
 
 def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | None, float | None]:
@@ -30,9 +29,8 @@ def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | 
             message = (
                 f"{node.name} without \\ID runs behind SyncMoveOn, where every move needs the \\ID that it has in "
             )
-            raise run.error(
-                node, f"{message}the other tasks; give it one, or end the sequence with SyncMoveOff before it"
-            )
+            message = f"{message}the other tasks; give it one, or end the sequence with SyncMoveOff before it"
+            raise run.error(node, message)
         return None, None
     given = args.optional["id"]
     if given is None:
@@ -47,7 +45,7 @@ def together(run: Context, node: ProcedureCall, args: Arguments) -> tuple[int | 
     return int(value), run.scenario.partner.get(int(value))
 
 
-@_TOPIC.instruction(Effect.WAITS, r"SyncMoveOn SyncID TaskList \TimeOut:num", r"SyncMoveOff SyncID \TimeOut:num")
+@_MULTIMOVE.instruction(Effect.WAITS, r"SyncMoveOn SyncID TaskList \TimeOut:num", r"SyncMoveOff SyncID \TimeOut:num")
 def _meeting(run: Context, node: ProcedureCall, sync: Expression, *_: Expression, timeout: float | None = None) -> None:
     """SyncMoveOn or SyncMoveOff: a wait for the other tasks, at a stop point."""
     name = run.text(sync)
@@ -62,7 +60,7 @@ def _meeting(run: Context, node: ProcedureCall, sync: Expression, *_: Expression
     change(run, replace(run.settings, synchronised=node.name.lower() == "syncmoveon"))
 
 
-@_TOPIC.instruction(Effect.WAITS, "SyncMoveSuspend", "SyncMoveResume", "SyncMoveUndo")
+@_MULTIMOVE.instruction(Effect.WAITS, "SyncMoveSuspend", "SyncMoveResume", "SyncMoveUndo")
 def _set(run: Context, node: ProcedureCall) -> None:
     """Moves go together from here on, or each by itself; at a stop point, without a wait for the other tasks."""
     on = node.name.lower() == "syncmoveresume"

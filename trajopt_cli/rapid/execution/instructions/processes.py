@@ -9,17 +9,16 @@ from __future__ import annotations
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
 from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
 from trajopt_cli.rapid.data.scope import Place
-from trajopt_cli.rapid.execution.arguments import Arguments, named, present
+from trajopt_cli.rapid.execution.arguments import Arguments, Effect, Topic, named, present
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.motion_settings import speed_of
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
-from trajopt_cli.rapid.execution.registry import Effect, Topic
-from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Component, Expression, Name, ProcedureCall, base_of
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
-_TOPIC = Topic(__doc__)
+_PROCESSES = Topic("Welding, spot welding, painting, dispensing")
 
 
 def _loose(
@@ -63,7 +62,7 @@ def _process(
     kinds = [data[:count] for count in range(len(data) + 1)] + ([(*data[:-1], more, data[-1])] if more else [])
     forms = [(*points, "Speed", *form, *ends) for form in kinds]
 
-    @_TOPIC.enter(Effect.PLANNED, name)
+    @_PROCESSES.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
@@ -75,18 +74,16 @@ def _process(
         parts = tuple((label, run.text(value)) for label, value in zip(kinds[len(extra)], extra, strict=True))
         parts += tuple((label, "" if value is None else run.text(value)) for label, value in own.items())
         rest = places[-behind:] if zone else [places[len(points)], places[-1]]  # a zone that is not read
+        if not zone:
+            plain.optional.pop("inpos", None)
         request = asked(Arguments((*places[: len(points) + 1], *rest), plain.optional), via=bool(kind.via))
         if not zone:
-            request = request._replace(zone=None, args=Arguments((), _without_stop(plain.optional)))
+            request = request._replace(zone=None)
         speed = None
         before = name.endswith("Start") or any(option.lower() == "on" for option in own)  # on the way to the process
         if governing is not None and len(extra) > governing and not before:
             speed = _process_speed(run, node, request.speed, extra[governing])
         to_pose(run, node, kind, request, process=Process(name, parts), speed=speed)
-
-
-def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression | None]:
-    return {name: value for name, value in options.items() if name != "inpos"}
 
 
 def _process_speed(run: Context, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
@@ -96,11 +93,8 @@ def _process_speed(run: Context, node: ProcedureCall, speed: Expression, data: E
     value = None if place is None or at is None else _at(place.value.data, at)
     if not (isinstance(value, float) and value > 0):
         what = "speed_data.main" if node.name.lower().startswith("cap") else "weld_speed"
-        run.warn(
-            WarningKind.ASSUMED,
-            f"the {what} of {run.text(data)} is not known; the move goes at its Speed {run.text(speed)}",
-            run.source(node),
-        )
+        what = f"the {what} of {run.text(data)} is not known; the move goes at its Speed {run.text(speed)}"
+        run.warn(WarningKind.ASSUMED, what, run.source(node))
         return None
     if place is not None and at is not None and len(at) == 2 and any(_at(place.value.data, at[:1])[2:4]):
         what = f"startspeed_time and startmove_delay of {run.text(data)} are not planned: the move starts at full speed"
@@ -130,9 +124,7 @@ def set_speed(run: Context, target: Expression, value: Expression) -> bool:
 
 
 def _place(run: Context, node: Expression) -> Place | None:
-    base = node
-    while isinstance(base, (Component, Element)):
-        base = base.base
+    base = base_of(node)
     known = isinstance(base, Name) and isinstance(run.find(base.name), Place)
     return run.locate(node) if known else None
 

@@ -14,15 +14,13 @@ from trajopt_cli.motion import ExternalAxes, Move, MoveC, MoveJ, MoveL, Process
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
-from trajopt_cli.rapid.data.frames import between
-from trajopt_cli.rapid.data.poses import frame, matrix
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.data.frames import between, frame, matrix
+from trajopt_cli.rapid.execution.arguments import Arguments, Effect, Topic, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import current_joints, current_target, reach, read_at_rest, the_robot
 from trajopt_cli.rapid.execution.equipment import setup_of
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
 from trajopt_cli.rapid.execution.position import Setup
-from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -79,9 +77,8 @@ def _tell_stop(run: Context, node: ProcedureCall, args: Arguments) -> None:
         what = f"{node.name} \\Stop is allowed below 100 mm/s only, found {move.speed.v_tcp / MM:.6g} mm/s"
         run.warn(WarningKind.UNUSUAL, f"{what}: search more slowly, or with \\PStop", run.source(node))
     what = f"{node.name} ends at the hit; a controller stops behind it and stays there (at 50 mm/s 1 to 3 mm "
-    run.note(
-        "search stop", WarningKind.ASSUMED, f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)", node
-    )
+    what = f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)"
+    run.note("search stop", WarningKind.ASSUMED, what, node)
 
 
 def _share(run: Context, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
@@ -142,8 +139,7 @@ def _hit(
 
 def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalAxes:
     """External axes on the way; one whose start or end is open stays what is known of it."""
-    a, b, c, d, e, f = (
+    return tuple(
         last if first is None else first if last is None else first + share * (last - first)
         for first, last in zip(start, end, strict=True)
     )
-    return (a, b, c, d, e, f)

@@ -8,10 +8,10 @@ from trajopt_cli.motion import CirPathMode, Settings, Singularity
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, PROGDISP, Value
 from trajopt_cli.rapid.data.frames import IDENTITY
 from trajopt_cli.rapid.data.predefined import VMAX
+from trajopt_cli.rapid.execution.arguments import Effect, Refused, Topic
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import still_moving
 from trajopt_cli.rapid.execution.equipment import load
-from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
@@ -125,7 +125,6 @@ def _pace(run: Context) -> None:
     share, highest = run.velset
     v_max = None if highest is None else highest * run.refresh
     change(run, replace(run.settings, override=share * run.refresh, v_max=v_max))
-    run.position.speeds.clear()
 
 
 @_TOPIC.instruction(Effect.RUN, "SpeedRefresh Override:num")

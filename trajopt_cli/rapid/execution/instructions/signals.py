@@ -1,22 +1,22 @@
-"""Outputs set, and signals under another name."""
+"""Signals: outputs set, values read, other names. Inputs lack where the scenario says nothing, outputs begin at 0."""
 
 from __future__ import annotations
 
 from trajopt_cli.motion import SignalEvent, Written
-from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
+from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, SIGNALS, STRING, TYPES, Type, Value
 from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.execution.arguments import Effect, Refused, Topic
 from trajopt_cli.rapid.execution.context import Context
-from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
 from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
 from trajopt_cli.warnings import WarningKind
 
-_TOPIC = Topic(__doc__)
+_OUTPUTS = Topic("Outputs set, and signals under another name")
 
 
 def _event(run: Context, node: ProcedureCall, signal: str, value: float, delay: float, given: float) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
     run.settle_stop()
-    drives = run.rail_places is not None and run.rail_places.set(signal, given)
+    drives = run.rail_places.set(signal, given)
     run.motions.append(
         SignalEvent(
             source=run.source(node), written=written, signal=signal, value=value, delay=delay, drives_rail=drives
@@ -38,27 +38,27 @@ def _check_seconds(name: str, seconds: float) -> None:
         raise Refused(f"\\{name} of {seconds:.6g} s must not be negative", name)
 
 
-@_TOPIC.instruction(Effect.RUN, "Set Signal:signal")
+@_OUTPUTS.instruction(Effect.RUN, "Set Signal:signal")
 def _set(run: Context, node: ProcedureCall, signal: str) -> None:
     _change(run, node, signal, 1.0)
 
 
-@_TOPIC.instruction(Effect.RUN, "Reset Signal:signal")
+@_OUTPUTS.instruction(Effect.RUN, "Reset Signal:signal")
 def _reset(run: Context, node: ProcedureCall, signal: str) -> None:
     _change(run, node, signal, 0.0)
 
 
-@_TOPIC.instruction(Effect.RUN, "InvertDO Signal:signal")
+@_OUTPUTS.instruction(Effect.RUN, "InvertDO Signal:signal")
 def _invert(run: Context, node: ProcedureCall, signal: str) -> None:
     _change(run, node, signal, 1.0 - run.external.now(signal))
 
 
-@_TOPIC.instruction(Effect.RUN, "SetAO Signal:signal Value:num")
+@_OUTPUTS.instruction(Effect.RUN, "SetAO Signal:signal Value:num")
 def _set_analog(run: Context, node: ProcedureCall, signal: str, value: float) -> None:
     _change(run, node, signal, value)
 
 
-@_TOPIC.instruction(Effect.RUN, r"SetDO Signal Value:num \SDelay:num \Sync")
+@_OUTPUTS.instruction(Effect.RUN, r"SetDO Signal Value:num \SDelay:num \Sync")
 def _set_digital(
     run: Context, node: ProcedureCall, argument: Expression, given: float, sdelay: float = 0.0, sync: bool = False
 ) -> None:
@@ -68,7 +68,7 @@ def _set_digital(
     _change(run, node, signal, float(given != 0), sdelay, given)
 
 
-@_TOPIC.instruction(Effect.RUN, r"SetGO Signal:signal Value:num \SDelay:num")
+@_OUTPUTS.instruction(Effect.RUN, r"SetGO Signal:signal Value:num \SDelay:num")
 def _set_group(run: Context, node: ProcedureCall, signal: str, value: float, sdelay: float = 0.0) -> None:
     if value < 0 or value != int(value):
         message = f"{node.name} {signal} needs a whole number, 0 or more, found {value:.15g}"
@@ -76,7 +76,7 @@ def _set_group(run: Context, node: ProcedureCall, signal: str, value: float, sde
     _change(run, node, signal, value, sdelay)
 
 
-@_TOPIC.instruction(Effect.RUN, r"PulseDO Signal:signal \High \PLength:num")
+@_OUTPUTS.instruction(Effect.RUN, r"PulseDO Signal:signal \High \PLength:num")
 def _pulse(run: Context, node: ProcedureCall, signal: str, high: bool = False, plength: float = 0.0) -> None:
     r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
     _check_seconds("PLength", plength)
@@ -87,13 +87,13 @@ def _pulse(run: Context, node: ProcedureCall, signal: str, high: bool = False, p
 # ------------------------------------------------------------------------------------------------------ other names
 
 
-@_TOPIC.instruction(Effect.RUN, "AliasIO FromSignal ToSignal")
+@_OUTPUTS.instruction(Effect.RUN, "AliasIO FromSignal ToSignal")
 def _alias(run: Context, node: ProcedureCall, original: Expression, alias: Expression) -> None:
     """From here on the alias stands for the signal."""
     _rename(run, alias, _signal_name(run, original))
 
 
-@_TOPIC.instruction(Effect.RUN, "AliasIOReset Signal")
+@_OUTPUTS.instruction(Effect.RUN, "AliasIOReset Signal")
 def _alias_reset(run: Context, node: ProcedureCall, alias: Expression) -> None:
     _rename(run, alias, None)
 
@@ -118,3 +118,36 @@ def _rename(run: Context, alias: Expression, signal: str | None) -> None:
     if place.type.name not in SIGNALS:
         raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
     place.value = Value(place.type, signal)
+
+
+_READINGS = Topic("Functions that read signals. Inputs lack where the scenario says nothing, outputs begin at 0")
+
+
+@_READINGS.function("AInput Signal", "GInput Signal", "GInputDnum Signal")
+def _input(run: Context, node: Call, argument: Expression) -> Value:
+    signal, written = run.signal(argument), run.text(argument)
+    value = run.read_signal(argument, written if written.lower() == signal else signal)
+    return Value(_type_of(node), value)
+
+
+@_READINGS.function("TestDI Signal", "DInput Signal")
+def _digital(run: Context, node: Call, argument: Expression) -> Value:
+    run.check_digital(argument, run.signal(argument))
+    value = _input(run, node, argument)
+    return Value(BOOL, value.data == 1.0) if node.name.lower() == "testdi" else value
+
+
+@_READINGS.function(
+    "DOutput Signal:signal", "GOutput Signal:signal", "GOutputDnum Signal:signal", "AOutput Signal:signal"
+)
+def _output(run: Context, node: Call, signal: str) -> Value:
+    """The state of an output."""
+    run.settle_stop()
+    return Value(_type_of(node), run.external.output(signal))
+
+
+def _type_of(node: Call) -> Type:
+    return DNUM if node.name.lower().endswith("dnum") else NUM
+
+
+_READINGS.values("ValidIO Signal", BOOL)(lambda _: True)  # every signal works, inputs and outputs alike

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from trajopt_cli.motion import Happens, MoveC, MoveJ, MoveL, PathEvent, Process
 from trajopt_cli.rapid.data.datatypes import STRING, Value
-from trajopt_cli.rapid.execution.arguments import Arguments, bind
+from trajopt_cli.rapid.execution.arguments import Arguments, Effect, Form, Topic, bind
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.instructions.moves import PoseKind, asked, to_pose
-from trajopt_cli.rapid.execution.registry import Effect, Form, Topic
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 
 _OUTPUTS = ("DOp", "GOp", "AOp")
 _ANY = r"\DOp \GOp \AOp"
 _NUMBERED = tuple(f"T{i}" for i in range(2, 9))
-_TOPIC = Topic(__doc__)
+_TRIGGERS = Topic("Moves on whose way something happens")
 
 # --------------------------------------------------------------------------------------------- setting up triggers
 
@@ -28,7 +27,7 @@ def _set_up(name: str, takes: str, kind: Happens = Happens.SIGNAL, *, valued: bo
     """
     required, optional = (form := Form(takes)).required, form.optional
 
-    @_TOPIC.enter(Effect.PLANNED, name)
+    @_TRIGGERS.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, required, optional)
         given = dict(zip(required, args.required, strict=True))
@@ -62,9 +61,7 @@ _set_up("TriggIO", rf"TriggData Distance SetValue \Start \Time {_ANY} \ProcID \D
 _set_up("TriggEquip", rf"TriggData Distance EquipLag SetValue \Start {_ANY} \ProcID \Inhib \InhibDO \Mode")
 _set_up("TriggInt", r"TriggData Distance Interrupt \Start \Time", Happens.INTERRUPT)
 _set_up(
-    "TriggCheckIO",
-    r"TriggData Distance Signal Relation CheckValue Interrupt \Start \Time \StopMove",
-    Happens.INTERRUPT,
+    "TriggCheckIO", r"TriggData Distance Signal Relation CheckValue Interrupt \Start \Time \StopMove", Happens.INTERRUPT
 )
 _set_up("TriggRampAO", r"TriggData Distance EquipLag AOutput SetValue RampLength \Start \Time")
 _set_up(
@@ -88,7 +85,7 @@ def _triggered(kind: PoseKind, name: str) -> None:
     via = kind.via
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
-    @_TOPIC.enter(Effect.PLANNED, name)
+    @_TRIGGERS.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg_1", "Zone", "Tool"), options)
         *points, speed, trigger, zone, tool = args.required
@@ -105,9 +102,8 @@ def _events(run: Context, argument: Expression) -> tuple[PathEvent, ...]:
     found = tuple(data) if isinstance(data, tuple) else ()
     flat = tuple(event for part in found for event in (part if isinstance(part, tuple) else (part,)))
     if not any(isinstance(event, PathEvent) for event in flat):
-        raise run.error(
-            argument, f"trigger {run.text(argument)} was never set up; TriggIO, TriggInt ... must come first"
-        )
+        message = f"trigger {run.text(argument)} was never set up; TriggIO, TriggInt ... must come first"
+        raise run.error(argument, message)
     return tuple(event for event in flat if isinstance(event, PathEvent))
 
 
@@ -121,7 +117,7 @@ def _with_output(kind: PoseKind, name: str) -> None:
     via = kind.via
     group = name.endswith("GO")
 
-    @_TOPIC.enter(Effect.PLANNED, name)
+    @_TRIGGERS.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "Signal", *(() if group else ("Value",)))
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad", *(("Value", "DValue") if group else ())))
@@ -138,7 +134,7 @@ def _with_procedure(kind: PoseKind, name: str) -> None:
     """MoveLSync and its like: a procedure is run in the middle of the corner; here right after the move."""
     via = kind.via
 
-    @_TOPIC.enter(Effect.PLANNED, name)
+    @_TRIGGERS.enter(Effect.PLANNED, name)
     def handler(run: Context, node: ProcedureCall) -> None:
         required = (*via, "ToPoint", "Speed", "Zone", "Tool", "ProcName")
         args = bind(run, node, required, ("ID", "T", "WObj", "TLoad"))

@@ -8,19 +8,19 @@ from __future__ import annotations
 from typing import Any
 
 from trajopt_cli.rapid.data.datatypes import WOBJDATA
+from trajopt_cli.rapid.execution.arguments import Effect, Topic
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.equipment import data_of, load
 from trajopt_cli.rapid.execution.instructions.waits import TIMEOUT, record, wait_for
-from trajopt_cli.rapid.execution.registry import Effect, Topic
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 from trajopt_cli.warnings import WarningKind
 
 _MOVING = "moving work objects"
 _APART = "plan the motions between such moves on their own (--entry)"
-_TOPIC = Topic(__doc__, load=load)
+_UNITS = Topic("Mechanical units", load=load)
 
 
-@_TOPIC.instruction(Effect.WAITS, "ActUnit MechUnit:unit", "DeactUnit MechUnit:unit")
+@_UNITS.instruction(Effect.WAITS, "ActUnit MechUnit:unit", "DeactUnit MechUnit:unit")
 def _switch(run: Context, node: ProcedureCall, unit: str) -> None:
     on = node.name.lower() == "actunit"
     record(run, node, 0.0, in_position=True)
@@ -60,7 +60,7 @@ def _activate(run: Context, node: ProcedureCall, unit: str, on: bool) -> None:
 _WAYS = r"\ToAbsPos \ToAbsNum \ToRelPos \ToRelNum \Short \Fwd \Bwd \Ramp"
 
 
-@_TOPIC.instruction(
+@_UNITS.instruction(
     Effect.REFUSED,
     f"IndAMove MecUnit:unit Axis:num Speed {_WAYS}",
     f"IndCMove MecUnit:unit Axis:num Speed {_WAYS}",
@@ -83,7 +83,7 @@ def _alone(run: Context, node: ProcedureCall, name: str, axis: float, *_: Expres
 
 
 # The load of a positioner's axis changes nothing: the axis keeps the limits of the cell file with any load.
-@_TOPIC.instruction(
+@_UNITS.instruction(
     Effect.IGNORED,
     r"IndReset MecUnit:unit Axis:num \RefPos \RefNum \Short \Fwd \Bwd \Old",
     "MechUnitLoad MechUnit:unit AxisNo:num Load:load",
@@ -92,7 +92,7 @@ def _without_effect(run: Context, node: ProcedureCall, *_: object, **__: bool) -
     """The arguments are held against their types, and that is all."""
 
 
-@_TOPIC.enter(Effect.IGNORED, "LoadId")
+@_UNITS.enter(Effect.IGNORED, "LoadId")
 def _identify(run: Context, node: ProcedureCall) -> None:
     text = f"{node.name} moves the arm by itself to identify a load; that motion is not planned"
     run.note(node.name, WarningKind.NOT_CHECKED, text, node)
@@ -101,7 +101,7 @@ def _identify(run: Context, node: ProcedureCall) -> None:
 # ------------------------------------------------------------------------------- work objects that move by themselves
 
 
-@_TOPIC.instruction(
+@_UNITS.instruction(
     Effect.REFUSED,
     rf"WaitWObj WObj \RelDist \PosStop {TIMEOUT}",
     rf"DropWObj WObj {TIMEOUT}",
@@ -116,7 +116,7 @@ def _belt(run: Context, node: ProcedureCall, what: Expression, **options: Any) -
     elif isinstance(what, Name) and run.find(what.name) is None:
         moved = ""
     else:
-        moved = str(data_of(run, what, WOBJDATA, "work object", "wobj0")[2])
+        moved = str(data_of(run, what, WOBJDATA)[2])
     if moved:
         run.units.moving.add(moved.lower())
         run.external.missing.pop(("assume_identity", moved.lower()), None)

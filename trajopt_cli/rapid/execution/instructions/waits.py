@@ -17,24 +17,12 @@ from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic,
 from trajopt_cli.rapid.data.scope import ExternalDatum, Place
 from trajopt_cli.rapid.execution import external_data
 from trajopt_cli.rapid.execution.answers import root
+from trajopt_cli.rapid.execution.arguments import Effect, Refused, Topic
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.loops import never
 from trajopt_cli.rapid.execution.operators import COMPARE
-from trajopt_cli.rapid.execution.registry import Effect, Refused, Topic
-from trajopt_cli.rapid.language.syntax import (
-    Binary,
-    Boolean,
-    Call,
-    Component,
-    Element,
-    Expression,
-    Name,
-    Number,
-    ProcedureCall,
-    String,
-    Unary,
-)
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.language import syntax
+from trajopt_cli.rapid.language.syntax import Binary, Call, Expression, Name, ProcedureCall, Unary
 from trajopt_cli.scenario import LONGEST_WAIT, condition_key, yaml_name
 from trajopt_cli.warnings import WarningKind
 
@@ -230,7 +218,7 @@ def _given(run: Context, name: str) -> ExternalDatum | None:
 
 def _parts(run: Context, node: Expression) -> Iterator[Expression]:
     """The data in a condition that the program may change, each part as written."""
-    if isinstance(node, Name | Component | Element):
+    if isinstance(node, Name | syntax.Component | syntax.Element):
         if _variable(run, node) is not None:
             yield node
     else:
@@ -265,9 +253,9 @@ def _unanswered(run: Context, node: Expression, type_: Type) -> bool:
 
 def _kind(run: Context, node: Expression) -> Type:
     """The type of what a function is held against; a number's where only a run tells."""
-    if isinstance(node, Boolean):
+    if isinstance(node, syntax.Boolean):
         return BOOL
-    return STRING if isinstance(node, String) else _variable(run, node) or NUM
+    return STRING if isinstance(node, syntax.String) else _variable(run, node) or NUM
 
 
 def _unknown(run: Context, node: Expression) -> list[Name]:
@@ -279,7 +267,7 @@ def _unknown(run: Context, node: Expression) -> list[Name]:
 
 def _values(run: Context, wanted: Expression, parts: list[Expression]) -> list[Data]:
     """Values to try for data of a condition: what it is held against, and a little more or less."""
-    held = [node.value for node in walk(wanted) if isinstance(node, Number | String)]
+    held = [node.value for node in syntax.walk(wanted) if isinstance(node, syntax.Number | syntax.String)]
     held += [run.locate(part).value.data for part in parts]
     numbers = [float(value) for value in held if isinstance(value, float)]
     near = [value + step for step in (0.0, 1.0, -1.0) for value in numbers]
@@ -302,7 +290,7 @@ def _assume(run: Context, node: ProcedureCall, term: _Term, shown: str) -> None:
     if place.value.data == term.value.data:
         return
     counter = isinstance(term.target, Name) and isinstance(place.type, Atomic)
-    flag = isinstance(term.target, Element) and isinstance(term.target.base, Name) and place.type is BOOL
+    flag = isinstance(term.target, syntax.Element) and isinstance(term.target.base, Name) and place.type is BOOL
     if counter or flag:
         run.assign(term.target, term.value)
         return
@@ -359,9 +347,7 @@ def _argument(call: Call, functions: frozenset[str]) -> Expression | None:
 
 def _variable(run: Context, node: Expression) -> Type | None:
     """The type of data that the program may change; None for anything else."""
-    base = node
-    while isinstance(base, (Component, Element)):
-        base = base.base
+    base = syntax.base_of(node)
     if not isinstance(base, Name) or not isinstance(run.find(base.name), Place) or _is_signal(run, base):
         return None
     place = run.locate(node)
@@ -375,21 +361,12 @@ def _is_signal(run: Context, node: Name) -> bool:
 
 def _steady(run: Context, node: Expression, constant: bool) -> bool:
     """Whether an expression has one value during the wait: no signal in it, no call, only constants if wanted."""
-    match node:
-        case Number() | Boolean() | String():
-            return True
-        case Name():
-            place = run.find(node.name)
-            return isinstance(place, Place) and not _is_signal(run, node) and bool(place.constant or not constant)
-        case Unary():
-            return _steady(run, node.operand, constant)
-        case Binary():
-            return _steady(run, node.left, constant) and _steady(run, node.right, constant)
-        case Component():
-            return _steady(run, node.base, constant)
-        case Element():
-            return all(_steady(run, part, constant) for part in (node.base, *node.indices))
-    return False
+
+    def holds(name: Name) -> bool:
+        place = run.find(name.name)
+        return isinstance(place, Place) and not _is_signal(run, name) and bool(place.constant or not constant)
+
+    return syntax.steady(node, holds)
 
 
 def _names(node: Expression) -> list[str]:

@@ -1,1 +1,0 @@
-"""Functions by topic; table.py lists them all."""
