@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -20,6 +20,11 @@ app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", ri
 TaskResults = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa segments.")]
 
 
+def _given(name: str, metavar: str | None, about: str) -> Any:
+    """An option that takes a value of this kind; None where its choices say so."""
+    return typer.Option(name, metavar=metavar, help=about)
+
+
 @app.callback()
 def _group() -> None:
     """Cartesian segments for a compliant KUKA LBR iiwa 7, its joints, and how the controller will follow them."""
@@ -31,16 +36,13 @@ def segments(
         Path,
         typer.Argument(metavar="TASK", help="Task file (YAML), or a RAPID program or CSV path that gives the poses."),
     ],
-    output: Annotated[
-        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/TASK.")
-    ] = None,
+    output: Annotated[Path | None, _given("--output", "FOLDER", "Results folder; default: results/TASK.")] = None,
     task_file: Annotated[
-        Path | None,
-        typer.Option("--task", metavar="FILE.yaml", help="Task file of a program or path; default: beside it."),
+        Path | None, _given("--task", "FILE.yaml", "Task file of a program or path; default: beside it.")
     ] = None,
     angles: Annotated[
         Literal["relative", "absolute"] | None,
-        typer.Option("--angles", help="Count angles from the start's orientation or from the world's axes."),
+        _given("--angles", None, "Count angles from the start's orientation or from the world's axes."),
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -61,17 +63,13 @@ def joints(
     results: TaskResults,
     arm_angle: Annotated[
         Literal["fixed", "free", "optimal"],
-        typer.Option(
-            "--arm-angle", help="Keep it, let it change where the fixed one fails, or choose the best course."
-        ),
+        _given("--arm-angle", None, "Keep it, let it change where the fixed one fails, or choose the best course."),
     ] = "fixed",
     goal: Annotated[
         Literal["limits", "speed", "torque"] | None,
-        typer.Option("--for", help="What is best: far from limits (default), slow joints, or little torque."),
+        _given("--for", None, "What is best: far from limits (default), slow joints, or little torque."),
     ] = None,
-    plots: Annotated[
-        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw the map of path and arm angle, too.")
-    ] = None,
+    plots: Annotated[Path | None, _given("--plots", "FOLDER", "Draw the map of path and arm angle, too.")] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
@@ -98,26 +96,24 @@ def joints(
 def simulate(
     results: TaskResults,
     contact: Annotated[
-        Path | None,
-        typer.Option("--contact", metavar="FILE.yaml", help="What the tool may run into; default: the task's own."),
+        Path | None, _given("--contact", "FILE.yaml", "What the tool may run into; default: the task's own.")
     ] = None,
     engine: Annotated[
         Literal["spring", "mujoco"] | None,
-        typer.Option("--engine", help="What answers the tool; default: MuJoCo where it is installed."),
+        _given("--engine", None, "What answers the tool; default: MuJoCo where it is installed."),
     ] = None,
     feed: Annotated[
         Literal["position", "velocity"] | None,
-        typer.Option("--feed", help="Feed the equilibrium's speed, too; default: what RESULTS were made for."),
+        _given("--feed", None, "Feed the equilibrium's speed, too; default: what RESULTS were made for."),
     ] = None,
     integration: Annotated[
-        Literal["euler", "exact"] | None, typer.Option("--integration", help="How the law is stepped.")
+        Literal["euler", "exact"] | None, _given("--integration", None, "How the law is stepped.")
     ] = None,
     settle: Annotated[
         float | None, typer.Option("--settle", min=0, max=600, metavar="S", help="How long the last pose is held.")
     ] = None,
     plots: Annotated[
-        Path | None,
-        typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag and contact, too."),
+        Path | None, _given("--plots", "FOLDER", "Draw equilibrium, answer, lag and contact, too.")
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -141,39 +137,30 @@ def simulate(
 @app.command("dose", short_help="RESULTS retimed so that the controller follows.")
 def dose(
     results: TaskResults,
-    max_lag: Annotated[str, typer.Option("--max-lag", metavar="5mm", help="How far the arm may be from its plan.")],
+    max_lag: Annotated[str, _given("--max-lag", "5mm", "How far the arm may be from its plan.")],
     max_lead: Annotated[
         str | None,
-        typer.Option(
-            "--max-lead",
-            metavar="50N|40mm",
-            help="How hard the tool may begin to push if somebody holds it, or how far a spring that pushes as much is"
+        _given(
+            *("--max-lead", "50N|40mm"),
+            "How hard the tool may begin to push if somebody holds it, or how far a spring that pushes as much is"
             " stretched; default: the lag.",
         ),
     ] = None,
-    max_turn_lag: Annotated[
-        str | None, typer.Option("--max-turn-lag", metavar="2deg", help="How far its orientation may.")
-    ] = None,
-    max_turn_lead: Annotated[
-        str | None, typer.Option("--max-turn-lead", metavar="5Nm|8deg", help="The same of the moment.")
-    ] = None,
+    max_turn_lag: Annotated[str | None, _given("--max-turn-lag", "2deg", "How far its orientation may.")] = None,
+    max_turn_lead: Annotated[str | None, _given("--max-turn-lead", "5Nm|8deg", "The same of the moment.")] = None,
     feed: Annotated[
         Literal["position", "velocity", "inverse"] | None,
-        typer.Option(
-            "--feed",
-            help="Without --max-lead: position (default) pushes no harder than a spring stretched by the lag, inverse"
+        _given(
+            *("--feed", None),
+            "Without --max-lead: position (default) pushes no harder than a spring stretched by the lag, inverse"
             " as hard as the programmed speed asks. Fed is what moves the arm on its plan: u = x + D/K x' + M/K x''.",
         ),
     ] = None,
     front: Annotated[
         bool, typer.Option("--front", help="Show the least times for other leads, too; needs --max-lead.")
     ] = False,
-    output: Annotated[
-        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: RESULTS-dosed.")
-    ] = None,
-    plots: Annotated[
-        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw lag and speed before and after, too.")
-    ] = None,
+    output: Annotated[Path | None, _given("--output", "FOLDER", "Results folder; default: RESULTS-dosed.")] = None,
+    plots: Annotated[Path | None, _given("--plots", "FOLDER", "Draw the lag before and after, too.")] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
@@ -202,11 +189,11 @@ def dose(
 
 @app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")
 def experiments(
-    output: Annotated[Path, typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures.")] = Path(
+    output: Annotated[Path, _given("--output", "FOLDER", "Folder for numbers and pictures.")] = Path(
         "results/iiwa_experiments"
     ),
     engine: Annotated[
-        Literal["auto", "spring", "mujoco"], typer.Option("--engine", help="What moves the arm and answers the tool.")
+        Literal["auto", "spring", "mujoco"], _given("--engine", None, "What moves the arm and answers the tool.")
     ] = "auto",
     as_json: AsJson = False,
     quiet: Quiet = False,

@@ -21,7 +21,7 @@ from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.experiments import moving, pushed
 from trajopt_cli.iiwa.experiments.catalogue import EXPERIMENTS, Experiments, bench_of, collected, write_experiments
 from trajopt_cli.iiwa.experiments.setup import START, Bench, Experiment, compliance
-from trajopt_cli.iiwa.report.runs import Following
+from trajopt_cli.iiwa.report.follow import Following
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.model import Clamps, Compliance, Push, Zeroing
 from trajopt_cli.iiwa.world.mujoco_world import available

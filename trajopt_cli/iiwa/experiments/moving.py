@@ -19,9 +19,8 @@ from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.experiments.setup import Bench, Experiment, H, compliance, program
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, run_controller
-from trajopt_cli.iiwa.report.follow import family_figure
+from trajopt_cli.iiwa.report.follow import Following, family_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
-from trajopt_cli.iiwa.report.runs import Following
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import (

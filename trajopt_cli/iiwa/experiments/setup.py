@@ -13,7 +13,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.iiwa.controller.forces import zero
 from trajopt_cli.iiwa.controller.regulator import response
-from trajopt_cli.iiwa.report.runs import Draw, Following, picture
+from trajopt_cli.iiwa.report.follow import Draw, Following, picture
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_checks import stops_loop

@@ -11,9 +11,8 @@ from trajopt_cli.iiwa.job.feed_scheduling import AS_PROGRAMMED, SCHEDULED, Sched
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
 from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
-from trajopt_cli.iiwa.report.follow import feed_figure, following_figure
+from trajopt_cli.iiwa.report.follow import Following, family_figure, following_figure, picture
 from trajopt_cli.iiwa.report.forces import contact_figure, steps_figure
-from trajopt_cli.iiwa.report.runs import Following, picture
 from trajopt_cli.iiwa.task.arm_map import ArmTask, arm_map, stages
 from trajopt_cli.iiwa.task.joints import Followed
 from trajopt_cli.units import MM
@@ -37,11 +36,11 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 
 
 def feed_pictures(job: ScheduledJob) -> dict[str, bytes]:
-    """Deviation and fed speed as programmed, and scheduled."""
+    """Deviation as programmed, and scheduled."""
     allowed = job.scheduled.allowed
     runs = [_following(job.programmed, AS_PROGRAMMED), _following(job.run, SCHEDULED)]
     title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
-    return picture("dosing", title, partial(feed_figure, runs, allowed.lag))
+    return picture("dosing", title, partial(family_figure, runs, "feed", bound=allowed.lag))
 
 
 def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:

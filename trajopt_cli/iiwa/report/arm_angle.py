@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.runs import curve
+from trajopt_cli.iiwa.report.follow import curve
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, margins
 from trajopt_cli.iiwa.task.joint_checks import ELBOW
 from trajopt_cli.iiwa.task.joint_rows import position_excess, speeds

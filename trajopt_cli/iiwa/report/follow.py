@@ -1,8 +1,10 @@
-"""Following over time, families of runs, feed schedules; stability map, loop time. Graf 6.10 to 6.16, 6.19."""
+"""Runs of the compliant controller and how their pictures are drawn: following over time, families of runs, stability
+map, loop time. Graf 6.10 to 6.16, 6.19."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,20 +17,10 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.runs import (
-    COORDINATES,
-    POSE_UNITS,
-    Following,
-    curve,
-    finish,
-    mark_peak,
-    moving,
-    number_of,
-    room_above,
-    room_around,
-)
-from trajopt_cli.report.over_time import TIME, legend
+from trajopt_cli.iiwa.report.page import thinned
+from trajopt_cli.report.over_time import TIME, legend, number
 from trajopt_cli.report.style import (
+    AXIS_STYLES,
     BLACK,
     BLUE,
     GREY,
@@ -37,17 +29,160 @@ from trajopt_cli.report.style import (
     TEXT,
     VERMILLION,
     LineStyle,
+    files,
+    house_style,
     name_limit,
     new_figure,
+    settle,
 )
 from trajopt_cli.units import DEG, MM
 
+COORDINATES = ("x", "y", "z", "α", "β", "γ")
+# Of a shown coordinate: SI per shown unit and the unit's sign, of poses and of forces.
+POSE_UNITS = ((MM, "mm"),) * 3 + ((DEG, "deg"),) * 3
+FORCE_UNITS = ((1.0, "N"),) * 3 + ((1.0, "Nm"),) * 3
+MOVES = 1e-6
+"""m or rad: a coordinate that travels less does not move."""
+
+Draw = Callable[[str], Figure]
+"""Draws a figure under a title."""
+
+# The thesis draws the planned trajectory and the controller's in two colours and the flange dashed.
+PLANNED: dict[str, Any] = {"color": "#a9a9a9", "linewidth": 4.2, "label": "equilibrium (planned)"}
+CONTROLLER: dict[str, Any] = {"color": BLUE, "linewidth": 1.8, "label": "controller"}
+FLANGE: dict[str, Any] = {"color": VERMILLION, "linewidth": 1.8, "linestyle": (0, (2.5, 1.5)), "label": "tool itself"}
+_PEAK: dict[str, Any] = {"marker": "o", "markersize": 6.5, "linestyle": "", "color": BLACK, "markerfacecolor": "white"}
 APART = 5.0
-"""Runs whose durations differ by more share a logarithmic time axis."""
+"""Runs whose durations differ by more, or deviations that pass their bound by more, share a logarithmic axis."""
 _PLAIN = FuncFormatter(lambda value, _: number_of(value))  # no powers of ten
 _TURNS = 1e-4  # rad: angles that move less are not drawn
 # Six runs as joints have styles of their own, two more by wider and finer dashes.
 _STYLES: tuple[tuple[str, LineStyle], ...] = (*JOINT_STYLES, ("#56b4e9", "-"), (GREY, (0, (8, 1.5, 1.5, 1.5))))
+
+
+@dataclass(frozen=True, eq=False)
+class Following:
+    """One run of the controller. x_e, x (n, 6): equilibrium and controller, positions [m] and angles [rad] over t [s].
+
+    force (n, 6): on the tool [N, Nm], None where there is none to show. true (n, 6): the flange as it moved, None
+    where it is the controller's.
+    """
+
+    label: str
+    t: Array
+    x_e: Array
+    x: Array
+    force: Array | None = None
+    true: Array | None = None
+
+    @property
+    def flange(self) -> Array:
+        """Where the flange was (n, 6): as measured, else as the controller has it."""
+        return self.x if self.true is None else self.true
+
+    @property
+    def shown(self) -> list[tuple[str, Array, dict[str, Any]]]:
+        """Name, poses (n, 6) and style of what is drawn of it: equilibrium, controller, and the flange if measured."""
+        both = [("equilibrium", self.x_e, PLANNED), ("controller", self.x, CONTROLLER)]
+        return both if self.true is None else [*both, ("flange", self.true, FLANGE)]
+
+    @property
+    def deviation(self) -> Array:
+        """The controller's distance from the equilibrium (n,) [m], eq. 6.8."""
+        return np.asarray(np.linalg.norm(self.x[:, :3] - self.x_e[:, :3], axis=1))
+
+    @property
+    def turn(self) -> Array:
+        """The same of the angles (n,) [rad]: the norm of their differences."""
+        return np.asarray(np.linalg.norm(self.x[:, 3:] - self.x_e[:, 3:], axis=1))
+
+
+def picture(name: str, title: str, make: Draw) -> dict[str, bytes]:
+    """What make draws under a title, as name.svg and name.png; the same input gives the same bytes."""
+    with house_style():
+        return files(name, make(title), title)
+
+
+def curve(axes: Axes, t: Array, values: Array, gid: str, **style: Any) -> None:
+    """A curve of values (n,) over t (n,), thinned to what the page shows."""
+    rows = thinned(values)
+    axes.plot(t[rows], values[rows], gid=gid, solid_joinstyle="round", **style)
+
+
+def components(axes: Axes, t: Array, values: Array, which: Sequence[int], factor: float, gid: str) -> None:
+    """Coordinates (n, 6) in the styles of x, y and z; gid is followed by the coordinate's sign."""
+    for i in which:
+        color, line = AXIS_STYLES[i % 3]
+        curve(axes, t, values[:, i] / factor, f"{gid} {COORDINATES[i]}", color=color, linestyle=line)
+
+
+def component_handles(which: Sequence[int]) -> list[Line2D]:
+    """What the legend shows for components: one entry per style that is used."""
+    out = []
+    for i, (color, line) in enumerate(AXIS_STYLES):
+        signs = [COORDINATES[k] for k in sorted(which) if k % 3 == i]
+        if signs:
+            name = signs[0] if len(signs) == 1 else f"{signs[0]}, about {signs[0]}"
+            out.append(Line2D([], [], color=color, linestyle=line, label=name))
+    return out
+
+
+def moving(*paths: Array, rows: Sequence[int] = range(6), least: float = MOVES) -> list[int]:
+    """Coordinates of rows that any of the paths (n, 6) travels along."""
+    return [i for i in rows if max(float(np.ptp(path[:, i])) for path in paths) > least]
+
+
+def mark_peak(axes: Axes, t: Array, values: Array, unit: str, of: str = "", offset: Array | float = 0.0) -> str:
+    """Mark the value (n,) furthest from zero on its curve, drawn at values + offset, and say it above the panel.
+
+    of: what the value is, between the number and its time. Returns the number with its unit.
+    """
+    i = int(np.argmax(np.abs(values)))
+    axes.plot(t[i], (values + offset)[i], gid="peak", zorder=5, **_PEAK)
+    shown = quantity_of(abs(float(values[i])), unit)
+    axes.set_title(f"{shown}{of} at {number_of(float(t[i]))} s", loc="right", size=SMALL, pad=3)
+    return shown
+
+
+def number_of(value: float) -> str:
+    """Three figures that matter, no exponents for ordinary sizes, and no minus before nothing."""
+    if value == 0 or 1e-4 <= abs(value) < 1e5:
+        decimals = 0 if value == 0 else max(0, 2 - int(np.floor(np.log10(abs(value)))))
+        text = f"{value:.{decimals}f}"
+        if "." in text:
+            text = text.rstrip("0").rstrip(".")
+        return text.replace("-", "−")
+    return number(float(f"{value:.3g}"))
+
+
+def quantity_of(value: float, unit: str) -> str:
+    """A number with its unit; degrees by their sign."""
+    return f"{number_of(value)}°" if unit == "deg" else f"{number_of(value)} {unit}"
+
+
+def zero_line(axes: Axes) -> None:
+    """A thin line at zero."""
+    axes.axhline(0, color=GREY, linewidth=0.7, zorder=1)
+
+
+def room_above(axes: Axes, values: Sequence[Array], least: float, margin: float = 0.15) -> None:
+    """The vertical range from zero to a margin over the largest of values that are never negative."""
+    top = max([least, *(float(v.max()) for v in values)])
+    axes.set_ylim(-0.03 * top, (1 + margin) * top)
+
+
+def room_around(axes: Axes, values: Sequence[Array], least: float, margin: float = 0.12) -> None:
+    """The vertical range around values, at least so wide that rounding does not fill the panel."""
+    low, high = min(float(v.min()) for v in values), max(float(v.max()) for v in values)
+    span, middle = max(high - low, least), (low + high) / 2
+    axes.set_ylim(middle - (0.5 + margin) * span, middle + (0.5 + margin) * span)
+
+
+def finish(figure: Figure) -> Figure:
+    """The figure laid out for good."""
+    figure.align_ylabels()
+    settle(figure)
+    return figure
 
 
 def following_figure(run: Following, title: str) -> Figure:
@@ -79,49 +214,14 @@ def following_figure(run: Following, title: str) -> Figure:
     return finish(figure)
 
 
-def family_figure(runs: Sequence[Following], parameter: str, title: str) -> Figure:
-    """The deviation of each run over time, its maximum marked, and named in the legend."""
+def family_figure(runs: Sequence[Following], parameter: str, title: str, bound: float | None = None) -> Figure:
+    """The deviation of each run over time, its maximum marked and named in the legend, and what it may be at most [m].
+
+    From 0 on in seconds; where durations differ much, evenly to a tenth of the shortest and logarithmically on, and so
+    where the largest deviation is far over its bound. Raises ValueError for more runs than there are styles for.
+    """
     figure = new_figure(6.2, title, f"distance of the controller from the equilibrium (eq. 6.8) by {parameter}")
-    axes = figure.subplots()
-    _deviations(figure, axes, runs)
-    room_above(axes, [run.deviation / MM for run in runs], 1e-3)
-    axes.set_xlabel(TIME)
-    _share_time(axes, runs)
-    return finish(figure)
-
-
-def feed_figure(runs: Sequence[Following], bound: float, title: str) -> Figure:
-    """Deviation of runs that feed one path in other ways against the bound [m], and how fast each is fed, over time."""
-    figure = new_figure(8.2, title)
-    above, below = figure.subplots(2, 1, sharex=True, height_ratios=[1.35, 1])
-    _deviations(figure, above, runs)
-    name_limit(above, bound / MM, f"bound {number_of(bound / MM)} mm")
-    most = max(float(run.deviation.max()) for run in runs) / MM
-    if most > APART * bound / MM:
-        above.set_yscale("log")
-        above.set_ylim(bound / MM / 20, 2 * most)
-        above.yaxis.set_major_formatter(_PLAIN)
-    else:
-        room_above(above, [np.array([most, bound / MM])], 1e-3)
-    for run, (color, line) in zip(runs, _STYLES[: len(runs)], strict=True):
-        t, speed = fed(run)
-        curve(below, t, speed / MM, f"speed {run.label}", color=color, linestyle=line)
-    below.set_ylabel("speed of the\nplan [mm/s]")
-    below.set_xlabel(TIME)
-    _share_time(below, runs)
-    return finish(figure)
-
-
-def fed(run: Following) -> tuple[Array, Array]:
-    """How fast the equilibrium goes [m/s] as steps over time: each difference holds over its own period."""
-    steps = np.linalg.norm(np.diff(run.x_e[:, :3], axis=0), axis=1) / np.diff(run.t)
-    t = run.t - run.t[0]
-    return np.repeat(t, 2)[1:-1], np.repeat(steps, 2)
-
-
-def _deviations(figure: Figure, axes: Axes, runs: Sequence[Following]) -> None:
-    """The runs' deviations; raises ValueError for more than there are styles for."""
-    handles = []
+    axes, handles = figure.subplots(), []
     for run, (color, line) in zip(runs, _STYLES[: len(runs)], strict=True):
         t, d = run.t - run.t[0], run.deviation / MM
         curve(axes, t, d, f"d {run.label}", color=color, linestyle=line)
@@ -129,16 +229,22 @@ def _deviations(figure: Figure, axes: Axes, runs: Sequence[Following]) -> None:
         handles.append(Line2D([], [], color=color, linestyle=line, label=f"{run.label}: at most {shown}"))
     axes.set_title("", loc="right")  # the legend has every maximum
     axes.set_ylabel("deviation d [mm]")
-    legend(figure, handles)
-
-
-def _share_time(axes: Axes, runs: Sequence[Following]) -> None:
-    """Seconds from 0; where durations differ much, evenly to a tenth of the shortest and logarithmically on."""
+    axes.set_xlabel(TIME)
+    most = max(float(run.deviation.max()) for run in runs) / MM
+    room_above(axes, [np.array([most, (bound or 0.0) / MM])], 1e-3)
+    if bound is not None:
+        name_limit(axes, bound / MM, f"bound {number_of(bound / MM)} mm")
+        if most > APART * bound / MM:
+            axes.set_yscale("log")
+            axes.set_ylim(bound / MM / 20, 2 * most)
+            axes.yaxis.set_major_formatter(_PLAIN)
     spans = [float(run.t[-1] - run.t[0]) for run in runs]
     if max(spans) > APART * min(spans):
         axes.set_xscale("symlog", linthresh=min(spans) / 10, linscale=0.4)
         axes.xaxis.set_major_formatter(_PLAIN)
     axes.set_xlim(0, max(spans))
+    legend(figure, handles)
+    return finish(figure)
 
 
 # By their numbers, poles beyond the unit circle, on it, inside; a grey print tells them apart, too.

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.report.runs import (
+from trajopt_cli.iiwa.report.follow import (
     COORDINATES,
     FORCE_UNITS,
     MOVES,
@@ -28,7 +28,7 @@ from trajopt_cli.iiwa.report.runs import (
     room_around,
     zero_line,
 )
-from trajopt_cli.iiwa.report.thinning import thinned
+from trajopt_cli.iiwa.report.page import thinned
 from trajopt_cli.report.over_time import TIME, legend
 from trajopt_cli.report.style import AXIS_STYLES, BLACK, GREY, JOINT_STYLES, PALE, PURPLE, SMALL, new_figure
 from trajopt_cli.units import MM
