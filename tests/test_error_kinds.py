@@ -11,7 +11,7 @@ import pytest
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
 from trajopt_cli.iiwa.job.folder import open_folder
-from trajopt_cli.iiwa.task.equilibrium_csv import read_angles_csv
+from trajopt_cli.iiwa.task.equilibrium import read_angles_csv
 from trajopt_cli.iiwa.task.loader import load_task, parse_task
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text

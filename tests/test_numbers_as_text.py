@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.judge.samples import read_table
-from trajopt_cli.iiwa.task.equilibrium_csv import read_numbers
+from trajopt_cli.iiwa.task.equilibrium import read_numbers
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.moc import read_moc
 from trajopt_cli.motion import TextFile

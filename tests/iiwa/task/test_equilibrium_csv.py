@@ -8,9 +8,9 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.task.angles import rotation
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.equilibrium_csv import (
+from trajopt_cli.iiwa.task.equilibrium import (
     ANGLES_HEAD,
+    Equilibrium,
     read_angles_csv,
     read_quaternion_csv,
     write_angles_csv,

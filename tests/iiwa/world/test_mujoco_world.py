@@ -8,8 +8,7 @@ from trajopt_cli.geometry import pose
 from trajopt_cli.iiwa.task.model import Contact, Obstacle
 from trajopt_cli.iiwa.world.contact import FRICTION_RISE, BallOnBoxes
 from trajopt_cli.iiwa.world.mujoco_world import SERVO_DELAY, SERVO_STIFFNESS, MujocoWorld
-from trajopt_cli.iiwa.world.spring_wall import SpringWorld
-from trajopt_cli.iiwa.world.worlds import Engine, make_world
+from trajopt_cli.iiwa.world.worlds import Engine, SpringWorld, make_world
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.shapes import Box
 

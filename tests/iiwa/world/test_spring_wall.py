@@ -5,7 +5,7 @@ import pytest
 
 from trajopt_cli.geometry import pose
 from trajopt_cli.iiwa.task.model import Contact, Obstacle
-from trajopt_cli.iiwa.world.spring_wall import SpringWorld
+from trajopt_cli.iiwa.world.worlds import SpringWorld
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.shapes import Box
 

@@ -16,8 +16,10 @@ from pydantic import Field, model_validator
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, axis_angle
 from trajopt_cli.iiwa.task.angles import rotation
-from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece, counted
-from trajopt_cli.iiwa.task.equilibrium_csv import (
+from trajopt_cli.iiwa.task.equilibrium import (
+    Equilibrium,
+    Piece,
+    counted,
     read_angles_csv,
     read_quaternion_csv,
     write_angles_csv,

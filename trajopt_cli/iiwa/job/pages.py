@@ -21,7 +21,7 @@ from trajopt_cli.iiwa.job.texts import (
     where_line,
 )
 from trajopt_cli.iiwa.report.page import AFTER, AXES, BEFORE, Chart, Curve, TimelineEntry, legs_table, run_page
-from trajopt_cli.iiwa.task.joint_rows import joints_along
+from trajopt_cli.iiwa.task.joint_checks import joints_along
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.scene import robot_scene

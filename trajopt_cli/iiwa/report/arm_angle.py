@@ -17,8 +17,7 @@ from matplotlib.ticker import MultipleLocator
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.follow import curve
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, margins
-from trajopt_cli.iiwa.task.joint_checks import ELBOW
-from trajopt_cli.iiwa.task.joint_rows import position_excess, speeds
+from trajopt_cli.iiwa.task.joint_checks import ELBOW, position_excess, speeds
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.report.over_time import TIME, with_names
 from trajopt_cli.report.style import BLACK, GREY, LIMIT, SMALL, VERMILLION, name_limit, new_figure

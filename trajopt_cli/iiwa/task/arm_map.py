@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.iiwa.task.joint_checks import ELBOW
-from trajopt_cli.iiwa.task.joint_rows import RELATIVE, joints_along, position_excess
+from trajopt_cli.iiwa.task.joint_checks import ELBOW, RELATIVE, joints_along, position_excess
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.srs import JOINTS, SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch

@@ -25,8 +25,7 @@ from scipy.linalg import solveh_banded
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, ArmTask, Blocked, NoPlan, arm_map, cheapest, margins, stages
-from trajopt_cli.iiwa.task.joint_checks import ELBOW
-from trajopt_cli.iiwa.task.joint_rows import accelerations, central_speeds, passes, speeds
+from trajopt_cli.iiwa.task.joint_checks import ELBOW, accelerations, central_speeds, passes, speeds
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs_inverse import inverse_branch
 

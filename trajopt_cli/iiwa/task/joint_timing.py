@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.iiwa.task.angles import rotation
-from trajopt_cli.iiwa.task.joint_rows import accelerations, joints_along, position_excess, speeds
+from trajopt_cli.iiwa.task.joint_checks import accelerations, joints_along, position_excess, speeds
 from trajopt_cli.iiwa.task.model import AngleMeaning
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.srs import SrsRobot

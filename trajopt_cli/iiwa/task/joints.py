@@ -12,8 +12,16 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
 from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
-from trajopt_cli.iiwa.task.joint_rows import central_speeds, joints_along
+from trajopt_cli.iiwa.task.joint_checks import (
+    ELBOW,
+    broken_limit,
+    central_speeds,
+    check_joints,
+    joints_along,
+    place_of,
+    remarks,
+    stops_loop,
+)
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot import srs_inverse
 from trajopt_cli.robot.srs import SrsRobot

@@ -16,7 +16,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, rotation_from_wxyz
 from trajopt_cli.iiwa.task.angles import angles_of, rotation
-from trajopt_cli.iiwa.task.equilibrium_csv import read_numbers
+from trajopt_cli.iiwa.task.equilibrium import read_numbers
 from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, PathPoints, PushLog
 from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, TIME
 
