@@ -65,15 +65,15 @@ def main() -> None:
         opened = timed("the folder opened, its texts as numbers", lambda: open_folder(folder))
         task, robot, h = opened.task, opened.robot, opened.equilibrium.h
         limits = robot.profile(task.limits)
-        given = (opened.equilibrium, robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle)
-        answer = timed(f"joints and checks, {len(opened.equilibrium.pose)} rows", lambda: follow(*given, False))
+        given = (opened.equilibrium, opened.arm)
+        answer = timed(f"joints and checks, {len(opened.equilibrium.pose)} rows", lambda: follow(*given))
         q, X, branch = answer.trajectory.q, answer.X_WF, answer.configuration
         timed("  of it inverse kinematics", lambda: inverse_branch(robot, X, 0.0, task.definition, branch))
         timed("  of it limits", lambda: check_joints(q, h, limits, str, False))
         timed("  of it notes", lambda: list(remarks(robot, q, h, limits, str)))
         for goal in Goal:
             label = f"arm angle chosen for {goal.value}"
-            timed(label, lambda goal=goal: follow(*given, False, wish=ArmAngleObjective(goal, task.load)))
+            timed(label, lambda goal=goal: follow(*given, objective=ArmAngleObjective(goal, task.load)))
         timed("joints.csv as text", lambda: write_csv_text(answer.trajectory))
         command = [sys.executable, "-m", "trajopt_cli.cli", "iiwa", "joints", str(folder)]
         timed("the whole command", lambda: subprocess.run(command, cwd=ROOT, capture_output=True, check=False))

@@ -11,6 +11,7 @@ from matplotlib.text import Text
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.report.arm_angle import ArmAngleSeries, map_figure
 from trajopt_cli.iiwa.task.arm_map import ArmMap, ArmTask, arm_map, stages
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.report.style import house_style
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, configuration, inverse, inverse_branch
@@ -28,7 +29,7 @@ def drawn() -> tuple[Figure, ArmMap, Array, list[ArmAngleSeries]]:
     X_WF[:, 0, 3] += 0.1 * (T - T[-1] / 2) / T[-1]
     branch, begin = int(configuration(UPRIGHT)), float(arm_angle(ROBOT, UPRIGHT, ArmAngle.FARIA)) - 0.7
     start = inverse_branch(ROBOT, X_WF[:1], begin, ArmAngle.FARIA, branch)[0]
-    task = ArmTask(ROBOT, X_WF, T[1], LIMITS, ArmAngle.FARIA, branch, start)
+    task = ArmTask(Arm(ROBOT, np.eye(4), start, LIMITS), X_WF, T[1])
     chart = arm_map(task, stages(len(T), 100), 180)
     courses = []
     for name, angles in (("fixed", np.full(len(T), begin)), ("chosen", begin + 0.3 * np.sin(T))):

@@ -12,7 +12,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
 from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, Goal, plan_arm
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joint_checks import Arm, stops_loop
 from trajopt_cli.iiwa.task.joints import Followed, follow
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.robot.srs import load_srs
@@ -26,7 +26,7 @@ FLANGE = np.eye(4)
 def followed(
     way: Equilibrium, start: Array, free: bool, definition: ArmAngle = ArmAngle.FARIA, delta: float | None = None
 ) -> Followed:
-    answer = follow(way, ROBOT, FLANGE, start, LIMITS, definition, delta, free)
+    answer = follow(way, Arm(ROBOT, FLANGE, start, LIMITS, definition, delta), free)
     assert isinstance(answer, Followed)
     return answer
 
@@ -165,7 +165,7 @@ def test_none_is_found_only_where_a_flood_finds_none(
     row = can_be_got_to(fixed.X_WF, start, faster=3.0)
     assert row is not None
     found = plan_arm(
-        ArmTask(ROBOT, fixed.X_WF, H, LIMITS, ArmAngle.FARIA, fixed.configuration, start),
+        ArmTask(Arm(ROBOT, FLANGE, start, LIMITS), fixed.X_WF, H),
         float(fixed.arm_angle[0]),
         ArmAngleObjective(Goal.LIMITS),
     )
@@ -222,7 +222,7 @@ def test_the_chosen_course_is_no_worse_than_the_free_one(name: str, goal: Goal) 
     start = np.radians(degrees)
     way = line(ROBOT.forward(start), np.array(by), np.array(turn), seconds)
     free = followed(way, start, free=True).trajectory.q
-    found = follow(way, ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, None, False, objective=ArmAngleObjective(goal))
+    found = follow(way, Arm(ROBOT, FLANGE, start, LIMITS), objective=ArmAngleObjective(goal))
     assert isinstance(found, Followed)
     assert_keeps_every_limit(found)
 
@@ -245,9 +245,7 @@ def test_a_joint_4_at_its_speed_limit_keeps_no_course_from_being_sought() -> Non
         way = line(ROBOT.forward(start), np.array([0.15, 0, 0.1]), np.array([0, 0, -0.3]), seconds)
         q = followed(way, start, free=False).trajectory.q
         seconds *= float(np.abs(np.diff(q[:, 3])).max() / H / LIMITS.velocity[3]) / 0.995
-    found = follow(
-        way, ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, None, False, objective=ArmAngleObjective(Goal.LIMITS)
-    )
+    found = follow(way, Arm(ROBOT, FLANGE, start, LIMITS), objective=ArmAngleObjective(Goal.LIMITS))
     assert isinstance(found, Followed)
     assert found.plan is not None
     assert found.plan.held == ""

@@ -15,7 +15,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.arm_map import FREE, ArmTask, Blocked, arm_map, cheapest, margins, stages
 from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, ArmPlan, Goal
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joint_checks import Arm, stops_loop
 from trajopt_cli.iiwa.task.joints import Followed, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
@@ -42,7 +42,7 @@ def way_of(name: str) -> tuple[Equilibrium, Array]:
 
 
 def chosen(way: Equilibrium, start: Array, goal: Goal, definition: ArmAngle = ArmAngle.FARIA) -> Followed:
-    answer = follow(way, ROBOT, FLANGE, start, LIMITS, definition, None, False, objective=ArmAngleObjective(goal, LOAD))
+    answer = follow(way, Arm(ROBOT, FLANGE, start, LIMITS, definition), objective=ArmAngleObjective(goal, LOAD))
     assert isinstance(answer, Followed)
     return answer
 
@@ -141,7 +141,7 @@ def figures_of(q: Array) -> tuple[float, float, float]:
 @pytest.mark.parametrize("name", WAYS)
 def test_each_goal_is_best_by_its_own_measure(name: str, answers: dict[tuple[str, Goal], Followed]) -> None:
     way, start = way_of(name)
-    fixed = follow(way, ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, None, False)
+    fixed = follow(way, Arm(ROBOT, FLANGE, start, LIMITS))
     assert isinstance(fixed, Followed)
     courses = {goal: figures_of(answers[name, goal].trajectory.q) for goal in Goal}
     if not stops_loop(fixed.findings):
@@ -247,7 +247,7 @@ def test_a_course_is_chosen_where_the_fixed_arm_angle_fails(answers: dict[tuple[
 
 def test_a_finer_grid_is_hardly_better(answers: dict[tuple[str, Goal], Followed]) -> None:
     start, answer = WAYS["bent"][0], answers["bent", Goal.SPEED]
-    task = ArmTask(ROBOT, answer.X_WF, H, LIMITS, ArmAngle.FARIA, answer.configuration, start)
+    task = ArmTask(Arm(ROBOT, FLANGE, start, LIMITS), answer.X_WF, H)
     rows = stages(len(answer.X_WF), 60)
     costs = []
     for cells in (360, 1440):

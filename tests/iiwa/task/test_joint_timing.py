@@ -14,12 +14,12 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.joints import Followed, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
 from trajopt_cli.iiwa.task.segments import planned
 from trajopt_cli.robot.srs import load_srs
-from trajopt_cli.robot.srs_inverse import ArmAngle
 
 ROBOT = load_srs("iiwa7")
 LIMITS = ROBOT.profile()
@@ -29,7 +29,7 @@ FAST = SegmentSpeeds(0.6, 3.0, 8.0, 40.0, 200.0, 1000.0)
 
 
 def arm(start: Array = HOME, angle: float | None = None) -> ArmOnPath:
-    return ArmOnPath(ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, angle, AngleMeaning.RELATIVE)
+    return ArmOnPath(Arm(ROBOT, FLANGE, start, LIMITS, given=angle), AngleMeaning.RELATIVE)
 
 
 def route(steps: list[list[float]], profile: Profile, law: RotationLaw, start: Array = HOME) -> Route:
@@ -40,7 +40,7 @@ def route(steps: list[list[float]], profile: Profile, law: RotationLaw, start: A
 
 
 def joints(way: Equilibrium, start: Array = HOME) -> Array:
-    found = follow(way, ROBOT, FLANGE, start, LIMITS, ArmAngle.FARIA, None, False)
+    found = follow(way, Arm(ROBOT, FLANGE, start, LIMITS))
     assert isinstance(found, Followed)
     return found.trajectory.q
 

@@ -18,7 +18,7 @@ from joint_ways import HOME, H, line, product_forward, quintic, sequence, spin
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joint_checks import Arm, stops_loop
 from trajopt_cli.iiwa.task.joints import Followed, Unfollowable, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning
 from trajopt_cli.robot.srs import load_srs
@@ -32,9 +32,8 @@ MOUNT = pose(rotation_about([0, 0, 1], 0.7) @ rotation_about([0, 1, 0], 0.3), [0
 TOOL = pose(rotation_about([1, 0, 0], 0.5), [0.03, -0.02, 0.15])
 
 
-def followed(way: Equilibrium, start: Array = HOME, **given: Any) -> Followed:
-    options: dict[str, Any] = {"definition": ArmAngle.FARIA, "arm_angle": None, "free": False} | given
-    answer = follow(way, ROBOT, FLANGE, start, LIMITS, **options)
+def followed(way: Equilibrium, start: Array = HOME, arm_angle: float | None = None, free: bool = False) -> Followed:
+    answer = follow(way, Arm(ROBOT, FLANGE, start, LIMITS, given=arm_angle), free)
     assert isinstance(answer, Followed)
     return answer
 
@@ -64,7 +63,7 @@ def test_from_every_true_case_the_joints_and_every_pose_come_back(definition: Ar
         turn = np.array([1e-3, -2e-3, 1.5e-3])
         wanted = np.concatenate([X_WT[:3, 3] + share * by, share * turn], axis=1)
         way = line(X_WT, by, turn, 0.04)
-        answer = follow(way, robot, TOOL, start, LIMITS, definition, None, False)
+        answer = follow(way, Arm(robot, TOOL, start, LIMITS, definition))
         assert isinstance(answer, Followed)
         q = answer.trajectory.q
         np.testing.assert_allclose(q[0], start, rtol=0, atol=1e-9)
@@ -92,7 +91,7 @@ def test_whatever_is_followed_is_the_way_itself(q: Any, by: Any, turn: Any, delt
     start = np.array(q) * LIMITS.upper
     X = product_forward(start[None])[0]
     way = line(X, np.array(by), np.array(turn), 0.5, h=5e-3)
-    answer = follow(way, ROBOT, FLANGE, start, LIMITS, ArmAngle.SWIVEL, delta, False)
+    answer = follow(way, Arm(ROBOT, FLANGE, start, LIMITS, ArmAngle.SWIVEL, delta))
     if isinstance(answer, Unfollowable):
         d = wrist_distance(way.pose, way.rotations(X[:3, :3]))
         assert d[answer.index] > 0.8 - 1e-12
@@ -199,10 +198,8 @@ def test_joint_7_past_half_a_turn_goes_on_and_is_a_position_finding() -> None:
         " whole turn away; let the arm angle move (--arm-angle free) or begin with other joints"
     )
     wide = replace(LIMITS, upper=np.array([*LIMITS.upper[:6], np.radians(195.0)]))
-    answer_wide = follow(
-        spin(ROBOT.forward(start), quintic(2001) * np.radians(45)),
-        ROBOT, FLANGE, start, wide, ArmAngle.FARIA, None, False,
-    )  # fmt: skip
+    far = spin(ROBOT.forward(start), quintic(2001) * np.radians(45))
+    answer_wide = follow(far, Arm(ROBOT, FLANGE, start, wide))
     assert isinstance(answer_wide, Followed)
     assert failed(answer_wide) == []  # exactly on the limit
     back = np.array([*HOME[:6], np.radians(-150.0)])
@@ -213,9 +210,7 @@ def test_joint_7_past_half_a_turn_goes_on_and_is_a_position_finding() -> None:
 def test_the_turns_of_the_start_joints_are_kept() -> None:
     wide = replace(LIMITS, lower=np.full(7, -9.0), upper=np.full(7, 9.0))
     start = HOME + 2 * np.pi * np.array([1, 0, 0, 0, -1, 0, 1])
-    answer = follow(
-        spin(ROBOT.forward(start), quintic(101) * 0.1), ROBOT, FLANGE, start, wide, ArmAngle.FARIA, None, False
-    )
+    answer = follow(spin(ROBOT.forward(start), quintic(101) * 0.1), Arm(ROBOT, FLANGE, start, wide))
     assert isinstance(answer, Followed)
     np.testing.assert_allclose(answer.trajectory.q[-1], start + 0.1 * np.eye(7)[6], rtol=0, atol=1e-9)
 
@@ -234,7 +229,7 @@ def test_the_elbow_follows_from_the_pose_alone_and_the_message_says_so() -> None
 def test_the_first_pose_out_of_reach_is_named() -> None:
     X = ROBOT.forward(HOME)
     way = line(X, np.array([0.4, 0, 0]), np.zeros(3), 1.0)
-    answer = follow(way, ROBOT, FLANGE, HOME, LIMITS, ArmAngle.FARIA, None, False)
+    answer = follow(way, Arm(ROBOT, FLANGE, HOME, LIMITS))
     assert isinstance(answer, Unfollowable)
     d = wrist_distance(way.pose, way.rotations(X[:3, :3]))
     first = int(np.argmax(d > 0.8))
@@ -303,7 +298,7 @@ def test_relative_angles_count_from_the_tool_at_the_start() -> None:
     absolute = sequence(rows, R @ X[:3, :3], AngleMeaning.ABSOLUTE, H)
     q = []
     for way in (relative, absolute):
-        answer = follow(way, ROBOT, TOOL, start, LIMITS, ArmAngle.FARIA, None, False)
+        answer = follow(way, Arm(ROBOT, TOOL, start, LIMITS))
         assert isinstance(answer, Followed)
         q.append(answer.trajectory.q)
     np.testing.assert_allclose(q[0], q[1], rtol=0, atol=1e-13)

@@ -16,13 +16,12 @@ from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.report.follow import Draw, Following, picture
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.joint_checks import stops_loop
+from trajopt_cli.iiwa.task.joint_checks import Arm, stops_loop
 from trajopt_cli.iiwa.task.joints import Unfollowable, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, Push, RotationLaw, Zeroing
 from trajopt_cli.iiwa.task.world import Seven, seven
 from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle
 
 START: Seven = (0.0, radians(30), 0.0, radians(-100), 0.0, radians(50), 0.0)
 """Joints [rad] that every experiment begins at (section 6.1)."""
@@ -122,8 +121,8 @@ class Bench:
         whole = (Piece(0, len(t) - 1, "start", "end"),)
         turn = rotation(done.x[:, 3:])
         sequence = Equilibrium(H, done.x, turn, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, whole)
-        limits, X_FT = self.robot.profile(), np.eye(4)
-        joints = follow(sequence, self.robot, X_FT, np.array(START), limits, ArmAngle.FARIA, None, False)
+        X_FT = np.eye(4)
+        joints = follow(sequence, Arm(self.robot, X_FT, np.array(START), self.robot.profile()))
         broken = [joints] if isinstance(joints, Unfollowable) else stops_loop(joints.findings)
         if broken or isinstance(joints, Unfollowable):
             raise RuntimeError(f"an experiment of chapter 6 would be stopped: {broken[0].message}")

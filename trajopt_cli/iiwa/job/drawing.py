@@ -47,10 +47,9 @@ def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
     """The map of path and arm angle with the courses on it."""
     task, t = opened.task, followed.trajectory.t
     limits, plan = opened.robot.profile(task.limits), followed.plan
-    how = limits, followed.definition, followed.configuration, task.start_joints
-    arm = ArmTask(opened.robot, followed.X_WF, opened.equilibrium.h, *how)
+    arm = ArmTask(opened.arm, followed.X_WF, opened.equilibrium.h)
     chart = arm_map(arm, stages(len(t), _MAP[0]), _MAP[1])
-    fixed = arm.begin if task.arm_angle is None else task.arm_angle
+    fixed = opened.arm.angle
     q, name = followed.trajectory.q, Path(task.file).stem
     courses = [ArmAngleSeries("fixed", np.full(len(t), fixed), arm.joints(fixed))]
     if np.any(followed.arm_angle != fixed):

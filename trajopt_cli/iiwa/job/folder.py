@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
@@ -25,6 +26,7 @@ from trajopt_cli.iiwa.task.equilibrium import (
     write_angles_csv,
     write_quaternion_csv,
 )
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.joints import Followed, Unfollowable, follow
 from trajopt_cli.iiwa.task.loader import load_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, RotationLaw, Task
@@ -122,18 +124,21 @@ class Opened:
     feed: Feed = Feed.POSITION
     plan: Equilibrium | None = None
 
+    @cached_property
+    def arm(self) -> Arm:
+        """The arm that follows."""
+        return Arm.of(self.task, self.robot)
+
     @property
     def X_start(self) -> Array:
         """The tool in the world (4, 4) where the controller is switched on."""
-        return self.robot.forward(self.task.start_joints) @ self.task.X_FT
+        return self.arm.X_start
 
     def follow(
         self, sequence: Equilibrium, free: bool = False, stops: bool = True, objective: ArmAngleObjective | None = None
     ) -> Followed | Unfollowable:
         """The arm's joints along a sequence, as task.joints.follow has them."""
-        task, limits = self.task, self.robot.profile(self.task.limits)
-        frames = task.X_FT, task.start_joints, limits, task.definition, task.arm_angle
-        return follow(sequence, self.robot, *frames, free, stops, objective)
+        return follow(sequence, self.arm, free, stops, objective)
 
 
 def start_distance(opened: Opened) -> tuple[float, float]:
@@ -176,7 +181,7 @@ def open_folder(folder: Path) -> Opened:
             f"summary.json has a period of {record.period_s:g} s, the task {task.route.h:g} s; make the folder again"
         )
         raise InputError(message, file=str(folder))
-    X_start = robot.forward(task.start_joints) @ task.X_FT
+    X_start = Arm.of(task, robot).X_start
     sequence = _sequence(found, EQUILIBRIUM, QUATERNIONS, record, X_start)
     plan = _sequence(found, PLAN, PLAN_QUATERNIONS, record, X_start) if PLAN in found.contents else None
     task = replace(task, changes=(plan or sequence).timed(task.changes))

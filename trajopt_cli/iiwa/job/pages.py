@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray, inverse_pose, pose
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.iiwa.controller.lag import deviation, turn_deviation
 from trajopt_cli.iiwa.job.feed_scheduling import AS_PROGRAMMED, SCHEDULED, ScheduledJob
 from trajopt_cli.iiwa.job.simulation import Simulated, frames_change
@@ -21,12 +21,10 @@ from trajopt_cli.iiwa.job.texts import (
     where_line,
 )
 from trajopt_cli.iiwa.report.page import AFTER, AXES, BEFORE, Chart, Curve, TimelineEntry, legs_table, run_page
-from trajopt_cli.iiwa.task.joint_checks import joints_along
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.scene import robot_scene
 from trajopt_cli.page.tables import Tile, drawn, points
-from trajopt_cli.robot.srs_inverse import arm_angle, configuration
 from trajopt_cli.scene import Cycle, ScenePoint
 from trajopt_cli.shapes import Capsule
 from trajopt_cli.units import DEG, MM
@@ -126,13 +124,9 @@ def feed_page(job: ScheduledJob) -> bytes:
 
 def commanded_joints(run: Simulated) -> Array | None:
     """Joints (n, 7) [rad] of an arm that is where it should be at every row, None where that is out of reach."""
-    task, robot = run.opened.task, run.opened.robot
-    sequence, shown = run.opened.plan or run.opened.equilibrium, _rows(run.t)
+    arm, sequence, shown = run.opened.arm, run.opened.plan or run.opened.equilibrium, _rows(run.t)
     used = np.minimum(shown, len(sequence.pose) - 1)
-    X_WT = pose(sequence.rotations(run.opened.X_start[:3, :3])[used], sequence.pose[used, :3])
-    start = task.start_joints
-    angle = float(arm_angle(robot, start, task.definition)) if task.arm_angle is None else task.arm_angle
-    q = joints_along(robot, X_WT @ inverse_pose(task.X_FT), angle, task.definition, int(configuration(start)), start)
+    q = arm.joints(arm.flange(sequence.rotations(arm.X_start[:3, :3])[used], sequence.pose[used, :3]))
     if np.isnan(q).any():
         return None
     return np.column_stack([np.interp(run.t, run.t[shown], column) for column in q.T])

@@ -19,11 +19,12 @@ from trajopt_cli.iiwa.job.folder import (
 from trajopt_cli.iiwa.job.force import force_notes, pressed
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.equilibrium import counted
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.loader import load_task, minimal_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, Task
 from trajopt_cli.iiwa.task.segments import SegmentFacts, planned
-from trajopt_cli.robot.srs import SrsRobot, load_srs
+from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 from trajopt_cli.units import DEG, MM
@@ -81,7 +82,8 @@ def make_segments(
     read, task_path, program = read_task(path, task)
     robot = load_srs(read.robot, read.X_WB)
     try:
-        equilibrium, facts = planned(read.route, tell, arm_of(read, robot) if read.by_joints else None)
+        arm = ArmOnPath(Arm.of(read, robot), read.route.meaning) if read.by_joints else None
+        equilibrium, facts = planned(read.route, tell, arm)
     except Untimed as untimed:
         return Refused("cannot be timed", [f"{task_path}: {untimed}"])
     opened = Opened(read, robot, equilibrium, feed=Feed.VELOCITY if read.follows else Feed.POSITION)
@@ -114,12 +116,6 @@ def make_segments(
         {"task": task_path.name, "sequence": section},
     )
     return Segments(opened, facts, notes, folder)
-
-
-def arm_of(task: Task, robot: SrsRobot) -> ArmOnPath:
-    """The arm whose joints time a task's route."""
-    frames = task.X_FT, task.start_joints, robot.profile(task.limits)
-    return ArmOnPath(robot, *frames, task.definition, task.arm_angle, task.route.meaning)
 
 
 def _fact_record(fact: SegmentFacts) -> dict[str, Any]:

@@ -10,9 +10,9 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
 from trajopt_cli.iiwa.task.angles import angles_of, rotation
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints, SegmentSpeeds, Waypoint
-from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, configuration, inverse_branch
+from trajopt_cli.robot.srs_inverse import inverse_branch
 from trajopt_cli.units import MM
 
 _SAME = 1e-6  # m, rad: nearer counts as the same pose
@@ -52,32 +52,23 @@ def by_line(
 
 
 def by_joints(
-    robot: SrsRobot,
-    start_joints: Array,
-    X_FT: Array,
-    waypoints: Sequence[Waypoint],
-    speeds: tuple[SegmentSpeeds, ...],
-    meaning: AngleMeaning,
-    definition: ArmAngle,
-    angle: float | None,
+    arm: Arm, waypoints: Sequence[Waypoint], speeds: tuple[SegmentSpeeds, ...], meaning: AngleMeaning
 ) -> Approached:
-    """The arm stands at the first pose when the controller is switched on: in the start's configuration and, if angle
-    [rad] is None, at its arm angle. Relative angles are written anew, so that orientations stay.
+    """The arm stands at the first pose when the controller is switched on: in its start's configuration, at the arm
+    angle that it keeps. Relative angles are written anew, so that orientations stay.
 
     Raises InputError for a first pose that is out of reach so.
     """
     first = waypoints[0]
-    X_start = robot.forward(start_joints) @ X_FT
-    told = _apart(X_start, first, meaning)
+    told = _apart(arm.X_start, first, meaning)
     if told is None:
-        return Approached(start_joints, waypoints, speeds)
-    R_start = X_start[:3, :3]
+        return Approached(arm.start, waypoints, speeds)
+    R_start = arm.X_start[:3, :3]
     X_WT = _pose_of(first, R_start, meaning)
-    psi = float(arm_angle(robot, start_joints, definition)) if angle is None else angle
-    branch = int(configuration(start_joints))
-    q = inverse_branch(robot, (X_WT @ inverse_pose(X_FT))[None], psi, definition, branch)[0]
+    how = arm.angle, arm.definition, arm.configuration
+    q = inverse_branch(arm.robot, (X_WT @ inverse_pose(arm.X_FT))[None], *how)[0]
     if not np.isfinite(q).all():
-        degrees = round(np.degrees(psi), 2) + 0.0  # which takes the sign off a zero
+        degrees = round(np.degrees(arm.angle), 2) + 0.0  # which takes the sign off a zero
         message = f"approach: pose {first.name} is out of the arm's reach at an arm angle of {degrees:g}°"
         raise InputError(f"{message}; move it, or the base", file=first.place)
     if meaning is AngleMeaning.RELATIVE:

@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.iiwa.task.joint_checks import ELBOW, RELATIVE, joints_along, position_excess
+from trajopt_cli.iiwa.task.joint_checks import ELBOW, RELATIVE, Arm, position_excess
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.robot.srs import JOINTS, SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch
+from trajopt_cli.robot.srs import JOINTS
+from trajopt_cli.robot.srs_inverse import inverse_branch
 
 FREE = [j for j in range(JOINTS) if j != ELBOW]
 """The joints that an arm angle moves: joint_4 follows from the pose alone."""
@@ -37,24 +37,15 @@ class NoPlan:
 
 @dataclass(frozen=True, eq=False)
 class ArmTask:
-    """What the arm follows: flange poses X_WF (n, 4, 4), h [s] apart, in one configuration, from start joints (7,)."""
+    """What an arm follows: flange poses X_WF (n, 4, 4), h [s] apart."""
 
-    robot: SrsRobot
+    arm: Arm
     X_WF: Array
     h: float
-    limits: JointLimits
-    definition: ArmAngle
-    configuration: int
-    start: Array
-
-    @property
-    def begin(self) -> float:
-        """The arm angle of the start joints [rad]."""
-        return float(arm_angle(self.robot, self.start, self.definition))
 
     def joints(self, angles: Array | float) -> Array:
         """Joints (n, 7) at arm angles (n,) or one [rad], continuous."""
-        return joints_along(self.robot, self.X_WF, angles, self.definition, self.configuration, self.start)
+        return self.arm.joints(self.X_WF, angles)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,10 +69,11 @@ class ArmMap:
 
 def arm_map(task: ArmTask, rows: IndexArray, cells: int) -> ArmMap:
     """The map of what the arm follows at rows, one turn in cells, from the arm angle of the start joints on."""
-    delta = np.asarray(task.begin + 2 * pi / cells * np.arange(cells), dtype=np.float64)
-    how = delta[:, None], task.definition, task.configuration
-    q = np.array([inverse_branch(task.robot, X[None], *how)[:, 0] for X in task.X_WF[rows]])
-    wrist = task.robot.axes_and_points(q[:, 0])[2][:, 6]
+    arm = task.arm
+    delta = np.asarray(arm.begin + 2 * pi / cells * np.arange(cells), dtype=np.float64)
+    how = delta[:, None], arm.definition, arm.configuration
+    q = np.array([inverse_branch(arm.robot, X[None], *how)[:, 0] for X in task.X_WF[rows]])
+    wrist = arm.robot.axes_and_points(q[:, 0])[2][:, 6]
     return ArmMap(rows, delta, q, np.asarray(np.hypot(wrist[0], wrist[1])))
 
 

@@ -195,9 +195,9 @@ class _Costs:
 
     def __init__(self, task: ArmTask, objective: ArmAngleObjective, q_fixed: Array, stops: bool) -> None:
         """q_fixed (n, 7): joints at the fixed arm angle, which say where the motion accelerates."""
-        limits = task.limits
+        limits = task.arm.limits
         self.task, self.goal, self.limits, self.progress = task, objective.goal, limits, objective.progress
-        self._dynamics = Dynamics(task.robot, objective.load)
+        self._dynamics = Dynamics(task.arm.robot, objective.load)
         hard = (accelerations(q_fixed, task.h, stops) / limits.acceleration).max(axis=1)
         self.steps = _steps(task.X_WF, task.h, stops)
         self.hard = np.where(self.steps, 0.0, hard)
@@ -334,8 +334,8 @@ class _Costs:
         qdd = np.zeros_like(q)
         qdd[1:-1] = np.diff(q, n=2, axis=0) / (h * h)
         moved = self._dynamics.torque(q[rows], central_speeds(q, h)[rows], qdd[rows])
-        gravity, torque = (np.abs(tau / task.robot.torque).max(axis=0) for tau in (held, moved))
-        elbow = task.robot.axes_and_points(q)[2][:, 3]
+        gravity, torque = (np.abs(tau / task.arm.robot.torque).max(axis=0) for tau in (held, moved))
+        elbow = task.arm.robot.axes_and_points(q)[2][:, 3]
         return ArmFigures(
             margin=float(margin.min()),
             near=FREE[int(np.argmin(margin))],
@@ -346,7 +346,7 @@ class _Costs:
             abrupt=FREE[int(np.argmax(abrupt))],
             gravity=float(gravity.max()),
             loaded=int(np.argmax(gravity)),
-            effort=float(np.sqrt(np.square(held / task.robot.torque).sum(axis=1).mean())),
+            effort=float(np.sqrt(np.square(held / task.arm.robot.torque).sum(axis=1).mean())),
             torque=float(torque.max()),
             strained=int(np.argmax(torque)),
             elbow=float(np.linalg.norm(np.diff(elbow, axis=1), axis=0).sum()),
@@ -360,7 +360,7 @@ class _Costs:
             return np.zeros((*q.shape[:-1], 1))
         if self.goal is Goal.TORQUE:
             tau = self._dynamics.gravity_torque(q.reshape(-1, q.shape[-1])).reshape(q.shape)
-            return np.asarray(tau / self.task.robot.torque)
+            return np.asarray(tau / self.task.arm.robot.torque)
         used = np.clip(((q - self.middle) / self.half)[..., FREE], -0.999, 0.999)
         sines = np.sin(q[..., [1, 5]])
         sines = np.copysign(np.maximum(np.abs(sines), 1e-3), sines)
@@ -409,7 +409,7 @@ class _Fit:
 
     def _at(self, delta: Array) -> tuple[float, Array, Array]:
         """Sum of squares, the normal matrix' upper bands (3, K + 1), half the gradient (K + 1,)."""
-        task, limits, costs = self._task, self._task.limits, self._costs
+        task, limits, costs = self._task, self._task.arm.limits, self._costs
         b, a = self._before[1:-1], self._after[1:-1]
         rate = (delta[2:] - delta[:-2]) / (self._dt[1:] + self._dt[:-1])
         bend = b * delta[:-2] - (a + b) * delta[1:-1] + a * delta[2:]
@@ -417,7 +417,7 @@ class _Fit:
         around = (delta[1:-1] + k * task.h * rate + k * k * task.h**2 / 2 * bend for k in (-1, 0, 1))
         # at each place the arm angle there, a little more and a little less, all in one inverse
         angles = np.concatenate([delta, *around]) + np.array([[0.0], [_STEP], [-_STEP]])
-        every = inverse_branch(task.robot, self._X, angles, task.definition, task.configuration)
+        every = inverse_branch(task.arm.robot, self._X, angles, task.arm.definition, task.arm.configuration)
         q, up, down = every[:, : len(delta)]
         q, q_d = np.unwrap(q, axis=0), _turn(up - down) / (2 * _STEP)
         normal = _Normal(len(delta))
@@ -447,7 +447,7 @@ class _Fit:
 
         around (3, 3, K - 1, 7): joints as they are, more and less, each of three rows near the hardest at each node.
         """
-        h, top = self._task.h, self._task.limits.acceleration
+        h, top = self._task.h, self._task.arm.limits.acceleration
         root, calm = np.sqrt(self._w)[:, None], np.sqrt(self._weight * self._w)[:, None]
         b, a = self._before[1:-1, None], self._after[1:-1, None]
         inner, second = slice(1, -1), (b, -(a + b), a)

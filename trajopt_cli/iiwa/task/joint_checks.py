@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import degrees, pi, radians
 
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
+from trajopt_cli.iiwa.task.model import Task
 from trajopt_cli.limits import JointLimits
+from trajopt_cli.robot import srs_inverse
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, inverse_branch, singularities
+from trajopt_cli.robot.srs_inverse import ArmAngle, singularities
 
 RELATIVE = 1e-9
 """Share of a limit by which a motion exactly on it may exceed it."""
@@ -27,15 +30,59 @@ def continuous(q: Array, near: Array) -> Array:
     return np.asarray(q + 2 * np.pi * np.round((near - q[0]) / (2 * np.pi)))
 
 
-def joints_along(
-    robot: SrsRobot, X_WF: Array, arm_angle: Array | float, definition: ArmAngle, configuration: int, near: Array
-) -> Array:
-    """Joints (n, 7) of flange poses X_WF (n, 4, 4) in one configuration, continuous, from near (7,) on.
-
-    arm_angle: one for all or (n,) [rad]. Rows out of reach are NaN, and then nothing is made continuous.
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """The arm that follows: robot, mounted in the world, its TCP at X_FT (4, 4) in the flange frame, in the
+    configuration of the joints start (7,) [rad], where the controller is switched on. given: the arm angle that it
+    keeps [rad], by definition; None for that of start.
     """
-    q = inverse_branch(robot, X_WF, arm_angle, definition, configuration)
-    return q if np.isnan(q).any() else continuous(q, near)
+
+    robot: SrsRobot
+    X_FT: Array
+    start: Array
+    limits: JointLimits
+    definition: ArmAngle = ArmAngle.FARIA
+    given: float | None = None
+
+    @classmethod
+    def of(cls, task: Task, robot: SrsRobot) -> Arm:
+        """A task's, whose robot is mounted."""
+        frames = task.X_FT, task.start_joints, robot.profile(task.limits)
+        return cls(robot, *frames, task.definition, task.arm_angle)
+
+    @cached_property
+    def configuration(self) -> int:
+        """0..7, that of start."""
+        return int(srs_inverse.configuration(self.start))
+
+    @cached_property
+    def begin(self) -> float:
+        """The arm angle of start [rad]."""
+        return float(srs_inverse.arm_angle(self.robot, self.start, self.definition))
+
+    @property
+    def angle(self) -> float:
+        """The arm angle that is kept [rad]."""
+        return self.begin if self.given is None else self.given
+
+    @cached_property
+    def X_start(self) -> Array:
+        """The tool in the world (4, 4) at start."""
+        return self.robot.forward(self.start) @ self.X_FT
+
+    def flange(self, R: Array, p: Array) -> Array:
+        """Flange poses (n, 4, 4) of a tool with orientations R (n, 3, 3) at p (n, 3) in the world."""
+        return pose(R, p) @ inverse_pose(self.X_FT)
+
+    def joints(self, X_WF: Array, angle: Array | float | None = None, near: Array | None = None) -> Array:
+        """Joints (n, 7) of flange poses X_WF (n, 4, 4), continuous, from near (7,) on, None for start.
+
+        angle: one for all or (n,) [rad], None for the one that is kept. Rows out of reach are NaN, and then nothing is
+        made continuous.
+        """
+        angles = self.angle if angle is None else angle
+        q = srs_inverse.inverse_branch(self.robot, X_WF, angles, self.definition, self.configuration)
+        return q if np.isnan(q).any() else continuous(q, self.start if near is None else near)
 
 
 def speeds(q: Array, h: float) -> Array:

@@ -9,22 +9,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
+from trajopt_cli.geometry import Array, axis_angle
 from trajopt_cli.iiwa.task.arm_map import ArmTask, NoPlan
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import (
     ELBOW,
+    Arm,
     broken_limit,
     central_speeds,
     check_joints,
-    joints_along,
     place_of,
     remarks,
     stops_loop,
 )
-from trajopt_cli.limits import JointLimits
-from trajopt_cli.robot import srs_inverse
-from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle, why_unreachable
 from trajopt_cli.trajectory import Trajectory
 
@@ -67,40 +64,29 @@ class Unfollowable:
 
 def follow(
     equilibrium: Equilibrium,
-    robot: SrsRobot,
-    X_FT: Array,
-    start_joints: Array,
-    limits: JointLimits,
-    definition: ArmAngle,
-    arm_angle: float | None,
-    free: bool,
+    arm: Arm,
+    free: bool = False,
     stops: bool = True,
     objective: ArmAngleObjective | None = None,
 ) -> Followed | Unfollowable:
     """Joints of every pose of the sequence, each sample held against the limits.
 
-    robot: mounted in the world. X_FT (4, 4): TCP in the flange frame. start_joints (7,) [rad]: where the controller is
-    switched on; R_start, the configuration, the joints' turns and, if arm_angle is None, the arm angle come from them.
-    free: if a fixed arm angle breaks a position or speed limit, the arm angle may move, from that of the start joints
-    on. stops: whether the arm has to be at rest in the last row. objective: what the arm angle is chosen for, from
-    that of the start joints on; free does not count then.
+    arm: its start is where the controller is switched on; R_start, the configuration, the joints' turns and, unless one
+    is given, the arm angle come from there. free: if a fixed arm angle breaks a position or speed limit, the arm angle
+    may move, from that of the start joints on. stops: whether the arm has to be at rest in the last row. objective:
+    what the arm angle is chosen for, from that of the start joints on; free does not count then.
     """
-    start = np.asarray(start_joints, dtype=np.float64)
 
     def place(row: int) -> str:
         return place_of(equilibrium, row)
 
-    h = equilibrium.h
-    X_start = robot.forward(start) @ X_FT
-    X_WF = pose(equilibrium.rotations(X_start[:3, :3]), equilibrium.pose[:, :3]) @ inverse_pose(X_FT)
-    configuration = int(srs_inverse.configuration(start))
-    at_start = float(srs_inverse.arm_angle(robot, start, definition))
-    fixed = at_start if arm_angle is None else arm_angle
-    q = joints_along(robot, X_WF, fixed, definition, configuration, start)
+    h, limits, fixed = equilibrium.h, arm.limits, arm.angle
+    X_WF = arm.flange(equilibrium.rotations(arm.X_start[:3, :3]), equilibrium.pose[:, :3])
+    q = arm.joints(X_WF)
     lost = np.isnan(q).any(axis=1)
     if lost.any():
         row = int(np.argmax(lost))
-        reason = why_unreachable(robot, X_WF[row], fixed, definition, limits)
+        reason = why_unreachable(arm.robot, X_WF[row], fixed, arm.definition, limits)
         message = f"pose at t = {row * h:.3f} s ({place(row)}) cannot be reached: {reason}; move the path"
         return Unfollowable(row * h, row, place(row), message)
 
@@ -117,8 +103,7 @@ def follow(
     elif free and not hopeless:
         from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, Goal, plan_arm
 
-        task = ArmTask(robot, X_WF, h, limits, definition, configuration, start)
-        found = plan_arm(task, fixed, objective or ArmAngleObjective(Goal.LIMITS), stops)
+        found = plan_arm(ArmTask(arm, X_WF, h), fixed, objective or ArmAngleObjective(Goal.LIMITS), stops)
         plan = None if isinstance(found, NoPlan) or objective is None else found
         if isinstance(found, NoPlan):
             at = f"at t = {found.row * h:.3f} s ({place(found.row)})"
@@ -135,10 +120,10 @@ def follow(
                 )
     if (free and broken) or moved:
         findings = check_joints(q, h, limits, place, free=True, stops=stops)
-    notes += _start_notes(X_start, X_WF[0] @ X_FT, start, q[0], limits)
-    notes += remarks(robot, q, h, limits, place)
+    notes += _start_notes(arm, X_WF[0] @ arm.X_FT, q[0])
+    notes += remarks(arm.robot, q, h, limits, place)
     trajectory = Trajectory(limits.names, equilibrium.t, q, central_speeds(q, h))
-    return Followed(trajectory, X_WF, angles, definition, configuration, findings, tuple(notes), plan)
+    return Followed(trajectory, X_WF, angles, arm.definition, arm.configuration, findings, tuple(notes), plan)
 
 
 def _printed(angle: float) -> str:
@@ -146,7 +131,8 @@ def _printed(angle: float) -> str:
     return f"{round(degrees(angle), 2) + 0.0:.2f}°"
 
 
-def _start_notes(X_start: Array, X_first: Array, start: Array, q: Array, limits: JointLimits) -> list[str]:
+def _start_notes(arm: Arm, X_first: Array, q: Array) -> list[str]:
+    X_start, start, limits = arm.X_start, arm.start, arm.limits
     distance = float(np.linalg.norm(X_first[:3, 3] - X_start[:3, 3]))
     angle = axis_angle(X_start[:3, :3].T @ X_first[:3, :3])[1]
     j = int(np.argmax(np.abs(q - start)))

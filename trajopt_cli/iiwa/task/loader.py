@@ -28,6 +28,7 @@ from trajopt_cli.iiwa.task.document import (
     TaskDocument,
     ZeroSection,
 )
+from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.model import (
     AngleMeaning,
     Change,
@@ -243,7 +244,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         place = f"{file}:{line_of('start.joints', lines)}"
         path = by_line(start, X_WF @ X_FT, waypoints, speeds, meaning, place)
     elif document.approach == "joint":
-        path = by_joints(robot, start, X_FT, waypoints, speeds, meaning, definition, angle)
+        path = by_joints(Arm(robot, X_FT, start, limits, definition, angle), waypoints, speeds, meaning)
         _check_start(robot, path.start_joints, limits, at, "approach")
     else:
         path = Approached(start, waypoints, speeds)
