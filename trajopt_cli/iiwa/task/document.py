@@ -138,12 +138,6 @@ def _six_values(
     return Reader(validate, {"type": "array", "prefixItems": items, "items": False, "minItems": 6})
 
 
-def _six(
-    first: dict[str, float], last: dict[str, float], rule: Callable[[float], float] | None = None
-) -> BeforeValidator:
-    return BeforeValidator(_six_values(first, last, rule))
-
-
 def _per_segment(units: dict[str, float]) -> BeforeValidator:
     """One value for all segments, or a list of one each. What it must be above, the segments say."""
 
@@ -155,7 +149,7 @@ def _per_segment(units: dict[str, float]) -> BeforeValidator:
     return BeforeValidator(Reader(validate, {"anyOf": [*one["anyOf"], {"type": "array", "items": one}]}))
 
 
-PoseValues = Annotated[Six, _six(LENGTH, ANGLE)]
+PoseValues = Annotated[Six, BeforeValidator(_six_values(LENGTH, ANGLE))]
 
 
 def _pose_or_start(value: Any) -> Any:
@@ -165,7 +159,11 @@ def _pose_or_start(value: Any) -> Any:
 
 
 _pose_values = _six_values(LENGTH, ANGLE)
-ForceValues = Annotated[Six, _six(FORCE, TORQUE)]
+PlaceValues = Annotated[
+    Six | Literal["start"], BeforeValidator(_pose_or_start, json_schema_input_type=PoseValues | Literal["start"])
+]
+ForceValue = Annotated[float, _from_zero(FORCE)]
+ForceValues = Annotated[Six, BeforeValidator(_six_values(FORCE, TORQUE))]
 Angles = Annotated[tuple[float, float, float], _list_of(ANGLE, 3)]
 Speed = Annotated[float | tuple[float, ...], _per_segment(SPEED)]
 TurnRate = Annotated[float | tuple[float, ...], _per_segment(TURN_RATE)]
@@ -173,9 +171,9 @@ Acceleration = Annotated[float | tuple[float, ...], _per_segment(ACCELERATION)]
 TurnAcceleration = Annotated[float | tuple[float, ...], _per_segment(TURN_ACCELERATION)]
 Jerk = Annotated[float | tuple[float, ...], _per_segment(JERK)]
 TurnJerk = Annotated[float | tuple[float, ...], _per_segment(TURN_JERK)]
-Stiffness = Annotated[Six, _six(STIFFNESS, TURN_STIFFNESS, not_negative)]
-Damping = Annotated[Six, _six(DAMPING, TURN_DAMPING, not_negative)]
-Inertia = Annotated[Six, _six(MASS, INERTIA, above_zero)]
+Stiffness = Annotated[Six, BeforeValidator(_six_values(STIFFNESS, TURN_STIFFNESS, not_negative))]
+Damping = Annotated[Six, BeforeValidator(_six_values(DAMPING, TURN_DAMPING, not_negative))]
+Inertia = Annotated[Six, BeforeValidator(_six_values(MASS, INERTIA, above_zero))]
 Instant = Annotated[float, _from_zero(TIME)]
 
 
@@ -188,7 +186,7 @@ class Section(BaseModel):
 class ForceSection(Section):
     """How hard the tool presses, and along what: its own z axis, the normal of the path, or an axis of the world."""
 
-    value: Annotated[float, _from_zero(FORCE)] | None = None
+    value: ForceValue | None = None
     along: Literal["tool", "normal", "x", "-x", "y", "-y", "z", "-z"] | None = None
 
 
@@ -206,26 +204,18 @@ def _force(value: Any) -> Any:
     return value if value is None or isinstance(value, dict) else {"value": value}
 
 
+PoseForce = Annotated[ForceSection, BeforeValidator(_force, json_schema_input_type=ForceSection | ForceValue)]
+TaskForce = Annotated[TaskForceSection, BeforeValidator(_force, json_schema_input_type=TaskForceSection | ForceValue)]
+
+
 class PoseSection(Section):
     """One pose: at (a pose, or "start": where the tool is at the start) or by (added to the pose before); dwell."""
 
     name: Annotated[StrictStr, BeforeValidator(_line)] | None = None
-    at: (
-        Annotated[
-            Six | Literal["start"],
-            BeforeValidator(_pose_or_start, json_schema_input_type=PoseValues | Literal["start"]),
-        ]
-        | None
-    ) = None
+    at: PlaceValues | None = None
     by: PoseValues | None = None
     dwell: Annotated[float, _from_zero(TIME)] = 0.0
-    force: (
-        Annotated[
-            ForceSection,
-            BeforeValidator(_force, json_schema_input_type=ForceSection | Annotated[float, _from_zero(FORCE)]),
-        ]
-        | None
-    ) = None
+    force: PoseForce | None = None
 
     @model_validator(mode="after")
     def _one_place(self) -> PoseSection:
@@ -429,13 +419,7 @@ class TaskDocument(Section):
     timing: Literal["poses", "joints"] = "poses"
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
-    force: (
-        Annotated[
-            TaskForceSection,
-            BeforeValidator(_force, json_schema_input_type=TaskForceSection | Annotated[float, _from_zero(FORCE)]),
-        ]
-        | None
-    ) = None
+    force: TaskForce | None = None
     a_max: Acceleration | None = None
     epsilon_max: TurnAcceleration | None = None
     jerk: Jerk | None = None

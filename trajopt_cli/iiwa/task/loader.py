@@ -17,6 +17,7 @@ from trajopt_cli.cell.scene_files import frame_pose
 from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.task import model
 from trajopt_cli.iiwa.task.approach import Approached, by_joints, by_line
 from trajopt_cli.iiwa.task.document import (
     ClampSection,
@@ -29,29 +30,6 @@ from trajopt_cli.iiwa.task.document import (
     ZeroSection,
 )
 from trajopt_cli.iiwa.task.joint_checks import Arm
-from trajopt_cli.iiwa.task.model import (
-    AngleMeaning,
-    Change,
-    Clamps,
-    Compliance,
-    Contact,
-    Force,
-    Impedance,
-    Integration,
-    Obstacle,
-    Passing,
-    PathPoints,
-    Profile,
-    Push,
-    PushLog,
-    RotationLaw,
-    Route,
-    SegmentSpeeds,
-    Sensor,
-    Task,
-    Waypoint,
-    Zeroing,
-)
 from trajopt_cli.iiwa.task.path_csv import guided_path, read_forces, read_path
 from trajopt_cli.iiwa.task.path_csv import read_text as read_csv_text
 from trajopt_cli.iiwa.task.poses import program_route, written_waypoints
@@ -131,7 +109,7 @@ def minimal_task(program: str) -> str:
 
 
 @of_kind(ErrorKind.PROGRAM)
-def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
+def load_task(path: str | Path, poses_from: str | Path | None = None) -> model.Task:
     """Read the task file at path (UTF-8 YAML), and the RAPID program it names.
 
     poses_from: a RAPID file to take the poses from instead of the ones the task file gives. Raises InputError, one line
@@ -142,7 +120,7 @@ def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
 
 
 @of_kind(ErrorKind.PROGRAM)
-def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Task:
+def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> model.Task:
     """The Task in a task file's text; file is its name in messages, programs are looked up beside it."""
     content, lines = parse(text, file, _NEEDED)
     refuse_empty(content, lines, file)
@@ -171,9 +149,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     start = np.array(document.start.joints)
     _check_start(robot, start, limits, at)
     X_WF = robot.forward(start)
-    meaning, texts = AngleMeaning(document.angles), {file: text, **texts}
-    pushes: tuple[Push | PushLog, ...] = tuple(
-        Push(push.start, push.end, np.array(push.force)) for push in document.pushes
+    meaning, texts = model.AngleMeaning(document.angles), {file: text, **texts}
+    pushes: tuple[model.Push | model.PushLog, ...] = tuple(
+        model.Push(push.start, push.end, np.array(push.force)) for push in document.pushes
     )
     if isinstance(log, str):
         recorded = Path(file).parent / log.strip()
@@ -182,7 +160,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             raise at.wrong("pushes", message)
         texts[str(recorded)] = read_csv_text(str(recorded))
         pushes = (read_forces(texts[str(recorded)], str(recorded)),)
-    waypoints: Sequence[Waypoint]
+    waypoints: Sequence[model.Waypoint]
     notes: tuple[str, ...] = ()
     from_csv = document.program is not None and document.program.lower().endswith(".csv")
     passing = _passing(document, from_csv)
@@ -194,7 +172,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     if from_csv:
         texts[str(program)] = read_csv_text(str(program))
         path_of = texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3]
-        near = passing or Passing(PassingSection().tolerance, PassingSection().turn_tolerance)
+        near = passing or model.Passing(PassingSection().tolerance, PassingSection().turn_tolerance)
         guided = guided_path(*path_of, near)
         waypoints = guided or read_path(*path_of)
         if guided:
@@ -231,7 +209,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         raise at.wrong("force", "force: nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
     if document.force is not None and document.poses is None:
         force = _force(None, document.force, f"{file}:{line_of('force', lines)}")
-        if isinstance(waypoints, PathPoints):
+        if isinstance(waypoints, model.PathPoints):
             dwells = {0: document.force.settle} if document.force.settle else {}
             waypoints = replace(waypoints, force=force, dwells=dwells | dict(waypoints.dwells))
         else:
@@ -250,16 +228,16 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         path = Approached(start, waypoints, speeds)
     if document.poses and document.poses[0].force and path.waypoints[0].force:
         raise at.wrong("poses.0.force", "poses.0.force: would begin with a jump; begin in the air, without a force")
-    return Task(
+    return model.Task(
         file=file,
         robot=document.robot,
         limits=document.limits,
-        route=Route(
+        route=model.Route(
             path.waypoints,
             path.speeds,
             document.h,
-            Profile(document.profile or ("thesis" if passing is None else "s-curve")),
-            RotationLaw(document.rotation),
+            model.Profile(document.profile or ("thesis" if passing is None else "s-curve")),
+            model.RotationLaw(document.rotation),
             meaning,
             passing,
         ),
@@ -270,14 +248,16 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         load=_load(document.tool.load, at),
         definition=definition,
         arm_angle=angle,
-        integration=Integration(document.integration),
+        integration=model.Integration(document.integration),
         zeroing=_zeroing(document.zero),
         clamps=_clamps(document.clamps, "clamps", at),
         changes=_changes(document, at, path.waypoints, passing),
         pushes=pushes,
         sensor=None
         if (one := document.sensor) is None
-        else Sensor(one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed),
+        else model.Sensor(
+            one.bias, tuple((wave.frequency, wave.amplitude) for wave in one.ripple), one.rigid, one.seed
+        ),
         contact=None if document.contact is None else _contact(document.contact, at),
         tool=None
         if document.tool.capsule is None
@@ -285,7 +265,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         by_joints=document.timing == "joints",
         impedance=None
         if document.controller == "admittance"
-        else Impedance(
+        else model.Impedance(
             None if (ratios := document.impedance.damping_ratio) is None else np.array(ratios),
             document.impedance.null_stiffness,
             document.impedance.null_damping,
@@ -299,7 +279,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
 
 
 @of_kind(ErrorKind.PROGRAM)
-def load_contact(path: str | Path) -> tuple[Contact, str]:
+def load_contact(path: str | Path) -> tuple[model.Contact, str]:
     """The contact section of a task file, or of a file that holds nothing else, and the file's text.
 
     Raises InputError as load_task does.
@@ -348,12 +328,12 @@ def _controller(
     return {"M": [1.0] * 6, "D": [1.0] * 6, **content}, lines, {}, ()
 
 
-def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:
+def _passing(document: TaskDocument, from_csv: bool) -> model.Passing | None:
     """How poses are passed; those of a CSV file are unless the file says otherwise."""
     section = document.passing
     if section is None and from_csv and "passing" not in document.model_fields_set:
         section = PassingSection()
-    return None if section is None else Passing(section.tolerance, section.turn_tolerance)
+    return None if section is None else model.Passing(section.tolerance, section.turn_tolerance)
 
 
 def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, at: _Lines, key: str = "start.joints") -> None:
@@ -368,8 +348,11 @@ def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, at: _Lines,
 
 
 def _speeds(
-    document: TaskDocument, waypoints: Sequence[Waypoint], at: _Lines, given: tuple[tuple[float, float], ...] | None
-) -> tuple[SegmentSpeeds, ...]:
+    document: TaskDocument,
+    waypoints: Sequence[model.Waypoint],
+    at: _Lines,
+    given: tuple[tuple[float, float], ...] | None,
+) -> tuple[model.SegmentSpeeds, ...]:
     """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
     count = len(waypoints) - 1
     columns: dict[str, list[float | None]] = {}
@@ -385,22 +368,24 @@ def _speeds(
             value = tuple(pair[key == "omega_max"] for pair in given)
         columns[key] = list(value) if isinstance(value, tuple) else [value]
     if all(len(column) == 1 for column in columns.values()):
-        return (SegmentSpeeds(*(column[0] for column in columns.values())),) * count  # type: ignore[arg-type]
+        return (model.SegmentSpeeds(*(column[0] for column in columns.values())),) * count  # type: ignore[arg-type]
     rows = zip(*(column if len(column) > 1 else column * count for column in columns.values()), strict=True)
-    return tuple(SegmentSpeeds(*row) for row in rows)
+    return tuple(model.SegmentSpeeds(*row) for row in rows)
 
 
-def _compliance(K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...], key: str, at: _Lines) -> Compliance:
+def _compliance(
+    K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...], key: str, at: _Lines
+) -> model.Compliance:
     with at.about(key):
-        return Compliance(np.array(K), np.array(D), np.array(M))
+        return model.Compliance(np.array(K), np.array(D), np.array(M))
 
 
-def _force(section: ForceSection | None, default: ForceSection | None, place: str) -> Force | None:
+def _force(section: ForceSection | None, default: ForceSection | None, place: str) -> model.Force | None:
     """A pose's force; what it leaves out is the default's."""
     given = [one for one in (section, default) if one is not None]
     value = next((one.value for one in given if one.value is not None), 0.0)
     along = next((one.along for one in given if one.along is not None), "tool")
-    return Force(value, along, place) if value else None
+    return model.Force(value, along, place) if value else None
 
 
 def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:
@@ -410,19 +395,19 @@ def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:
         return ToolLoad(section.mass, np.array(section.com), np.diag(section.inertia))
 
 
-def _zeroing(section: ZeroSection) -> Zeroing:
-    return Zeroing(tuple(name in section.components for name in _COMPONENTS), np.array(section.frame))
+def _zeroing(section: ZeroSection) -> model.Zeroing:
+    return model.Zeroing(tuple(name in section.components for name in _COMPONENTS), np.array(section.frame))
 
 
-def _clamps(section: ClampSection, key: str, at: _Lines) -> Clamps:
+def _clamps(section: ClampSection, key: str, at: _Lines) -> model.Clamps:
     bounds = ((section.torque, 7), (section.force, 6))
     with at.about(key):
-        return Clamps(*(np.full(count, np.inf) if given is None else np.array(given) for given, count in bounds))
+        return model.Clamps(*(np.full(count, np.inf) if given is None else np.array(given) for given, count in bounds))
 
 
 def _changes(
-    document: TaskDocument, at: _Lines, waypoints: Sequence[Waypoint], passing: Passing | None
-) -> tuple[Change, ...]:
+    document: TaskDocument, at: _Lines, waypoints: Sequence[model.Waypoint], passing: model.Passing | None
+) -> tuple[model.Change, ...]:
     """In the order of time, or of the stops they are at; what a change leaves out of K, D and M is that of the change
     before."""
     out = []
@@ -445,7 +430,7 @@ def _changes(
             K, D, M = section.K or K, section.D or D, section.M or M
             compliance = _compliance(K, D, M, key, at)
         out.append(
-            Change(
+            model.Change(
                 t=nan if isinstance(section.at, str) else section.at,
                 pose=section.at if isinstance(section.at, str) else None,
                 compliance=compliance,
@@ -466,7 +451,7 @@ def _capsule(section: CapsuleSection, name: str, key: str, most: float, at: _Lin
     return Capsule(name, a, b, section.radius)
 
 
-def _contact(section: ContactSection, at: _Lines) -> Contact:
+def _contact(section: ContactSection, at: _Lines) -> model.Contact:
     if section.tip > _THICKEST_TIP:
         message = f"contact.tip: {section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
         raise at.wrong("contact.tip", message)
@@ -475,7 +460,7 @@ def _contact(section: ContactSection, at: _Lines) -> Contact:
         law = one.stiffness, one.damping, one.friction
         if one.capsule is not None:
             capsule = _capsule(one.capsule, name, f"contact.obstacles.{name}.capsule", _FARTHEST, at)
-            obstacles.append(Obstacle(capsule, *law))
+            obstacles.append(model.Obstacle(capsule, *law))
             continue
         assert one.box is not None
         key, size = f"contact.obstacles.{name}.box", one.box.size
@@ -484,5 +469,5 @@ def _contact(section: ContactSection, at: _Lines) -> Contact:
             sizes = ", ".join(f"{side:g}" for side in size)
             message = f"{key}.size: {sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
             raise at.wrong(f"{key}.size", message)
-        obstacles.append(Obstacle(Box(name, np.array(size), X), *law))
-    return Contact(tuple(obstacles), section.tip)
+        obstacles.append(model.Obstacle(Box(name, np.array(size), X), *law))
+    return model.Contact(tuple(obstacles), section.tip)

@@ -78,13 +78,14 @@ def passage(
             raise Untimed(arm.fastest(q, name))
         message = f"passing takes {periods:.3g} periods of {h:g} s at the corners' speeds, at most {MOST_ROWS:.3g}"
         raise InputError(f"{message}; give a larger tolerance, higher caps or a longer period", file=place)
-    found = _driven(curve, chain, caps, limits, grid, h, mean, arm, name)
-    if found is None or len(found.at) > max(_SLOW * chain.at[-1] / h, chain.at[-1] / h + 2 * mean):
+    drive = _Drive(curve, chain, caps, limits, grid, h, arm, name)
+    found = drive.within(mean)
+    if found is None or len(found.pose) > max(_SLOW * chain.at[-1] / h, chain.at[-1] / h + 2 * mean):
         # ramps too short for the acceleration to build up: less of it builds up sooner
         worse = 0
         for shorter in _shorter(mean):
-            other = _driven(curve, chain, caps, limits, grid, h, shorter, arm, name)
-            if other is not None and (found is None or len(other.at) < len(found.at)):
+            other = drive.within(shorter)
+            if other is not None and (found is None or len(other.pose) < len(found.pose)):
                 found, worse = other, 0
             elif found is not None:
                 worse += 1
@@ -94,69 +95,59 @@ def passage(
         raise Untimed(arm.fastest(q, name))
     if found is None:
         raise InputError("passing: the caps cannot be kept along these poses; give lower speeds", file=place)
-    rows = deviations(curve, chain, found.at)
-    met = deviations(curve, chain, chain.at)
-    pose, R = found.pose, found.R
-    if R is not None:
-        pose[:, 3:] = angles_of(R)
-    away, turned = (max(float(a.max()), float(b.max())) for a, b in zip(rows, met, strict=True))
-    return Passage(pose, R, found.tops, away, turned, _binding(found.shares, len(pose)), found.q)
+    return found
 
 
 @dataclass(frozen=True, eq=False)
-class _Driven:
-    """Rows that keep every cap: times of the chain at (m,), poses, differences' tops (6,), their shares of caps, each
-    with its order, and joints."""
+class _Drive:
+    """A curve along a chain, to be driven within its limits between places of a grid (n + 1,)."""
 
-    at: Array
-    pose: Array
-    R: Array | None
-    tops: Array
-    shares: _Shares
-    q: Array | None
+    curve: Rounded
+    chain: Polyline
+    caps: Array
+    limits: _Limits
+    grid: Array
+    h: float
+    arm: ArmOnPath | None
+    name: str
 
-
-def _driven(
-    curve: Rounded,
-    chain: Polyline,
-    caps: Array,
-    limits: _Limits,
-    grid: Array,
-    h: float,
-    mean: int,
-    arm: ArmOnPath | None,
-    name: str,
-) -> _Driven | None:
-    """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
-    longer than the way."""
-    top, push, rows = limits.top, limits.push(mean * h), limits.rows
-    for k in range(_TIMES):
-        at = rest_to_rest(grid, top, push, h, mean, rows)
-        if at is None:
-            return None
-        pose, R = curve.poses(at)
-        pose[0], pose[-1] = chain.pose[0], chain.pose[-1]
-        if R is not None:
-            assert chain.R is not None
-            R[0], R[-1] = chain.R[0], chain.R[-1]
-        differences = divided_differences(pose, R, h)
-        shares = _shares(differences, at, chain, caps, h, np.abs(pose[:, :3]).max())
-        q = None
-        if arm is not None:
-            if len(pose) < 4:
+    def within(self, mean: int) -> Passage | None:
+        """The way whose acceleration takes so many periods to build up, lowered where its rows break a cap; None where
+        no lowering helps, or the mean lasts longer than the way."""
+        chain, grid, h, arm = self.chain, self.grid, self.h, self.arm
+        top, push, rows = self.limits.top, self.limits.push(mean * h), self.limits.rows
+        for k in range(_TIMES):
+            at = rest_to_rest(grid, top, push, h, mean, rows)
+            if at is None:
                 return None
-            q = arm.joints(pose, R, name)
-            shares += zip((1, 2), arm.shares(q, h), strict=True)
-        worst = _worst(shares, len(at))
-        if worst.max() <= 1 + ALLOWED:
-            return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares, q)
-        # what is left after a while wanders about with every change: all of the way a little slower ends it
-        by = _slower(grid, at, worst, mean) if k < _LOCAL else np.full(len(top), worst.max() * (1 + 1e-4))
-        top, push = top / by, push / by**2
-        if rows is not None:
-            slopes, bends = (part * by[:, None] ** 2 for part in rows)
-            rows = slopes, bends
-    return None
+            pose, R = self.curve.poses(at)
+            pose[0], pose[-1] = chain.pose[0], chain.pose[-1]
+            if R is not None:
+                assert chain.R is not None
+                R[0], R[-1] = chain.R[0], chain.R[-1]
+            differences = divided_differences(pose, R, h)
+            shares = _shares(differences, at, chain, self.caps, h, np.abs(pose[:, :3]).max())
+            q = None
+            if arm is not None:
+                if len(pose) < 4:
+                    return None
+                q = arm.joints(pose, R, self.name)
+                shares += zip((1, 2), arm.shares(q, h), strict=True)
+            worst = _worst(shares, len(at))
+            if worst.max() <= 1 + ALLOWED:
+                if R is not None:
+                    pose[:, 3:] = angles_of(R)
+                pairs = zip(*(deviations(self.curve, chain, t) for t in (at, chain.at)), strict=True)
+                away, turned = (max(float(a.max()), float(b.max())) for a, b in pairs)
+                tops = np.array([one.max(initial=0.0) for one in differences])
+                return Passage(pose, R, tops, away, turned, _binding(shares, len(pose)), q)
+            # what is left after a while wanders about with every change: all of the way a little slower ends it
+            by = _slower(grid, at, worst, mean) if k < _LOCAL else np.full(len(top), worst.max() * (1 + 1e-4))
+            top, push = top / by, push / by**2
+            if rows is not None:
+                slopes, bends = (part * by[:, None] ** 2 for part in rows)
+                rows = slopes, bends
+        return None
 
 
 def _shorter(mean: int) -> list[int]:
