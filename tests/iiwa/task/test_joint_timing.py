@@ -14,8 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.joint_checks import Arm
-from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
+from trajopt_cli.iiwa.task.joint_checks import Arm, ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.joints import Followed, follow
 from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
 from trajopt_cli.iiwa.task.segments import planned

@@ -19,8 +19,7 @@ from trajopt_cli.iiwa.job.folder import (
 from trajopt_cli.iiwa.job.force import force_notes, pressed
 from trajopt_cli.iiwa.report.answer import Refused
 from trajopt_cli.iiwa.task.equilibrium import counted
-from trajopt_cli.iiwa.task.joint_checks import Arm
-from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
+from trajopt_cli.iiwa.task.joint_checks import Arm, ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.loader import load_task, minimal_task
 from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, Task
 from trajopt_cli.iiwa.task.segments import SegmentFacts, planned

@@ -3,82 +3,60 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose
+from trajopt_cli.geometry import Array, axis_angle, pose
 from trajopt_cli.iiwa.task.angles import angles_of, rotation
 from trajopt_cli.iiwa.task.joint_checks import Arm
-from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints, SegmentSpeeds, Waypoint
+from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints, Route, Waypoint
 from trajopt_cli.robot.srs_inverse import inverse_branch
 from trajopt_cli.units import MM
 
 _SAME = 1e-6  # m, rad: nearer counts as the same pose
 
 
-@dataclass(frozen=True, eq=False)
-class Approached:
-    """A path with the move to it: joints (7,) [rad] where the controller is switched on, waypoints, caps, notes."""
-
-    start_joints: Array
-    waypoints: Sequence[Waypoint]
-    speeds: tuple[SegmentSpeeds, ...]
-    notes: tuple[str, ...] = ()
-
-
-def by_line(
-    start_joints: Array,
-    X_start: Array,
-    waypoints: Sequence[Waypoint],
-    speeds: tuple[SegmentSpeeds, ...],
-    meaning: AngleMeaning,
-    place: str,
-) -> Approached:
-    """A leg from the tool at the start X_start (4, 4) to the first pose at the first segment's caps, where they differ.
-
-    place: of the start, for messages.
+def by_line(route: Route, X_start: Array, place: str) -> tuple[Route, tuple[str, ...]]:
+    """The route behind a leg from the tool at the start X_start (4, 4) to its first pose at the first segment's caps,
+    where they differ, and what to say of it. place: of the start, for messages.
     """
-    told = _apart(X_start, waypoints[0], meaning)
+    first, speeds = route.waypoints[0], route.speeds
+    told = _apart(X_start, first, route.meaning)
     if told is None:
-        return Approached(start_joints, waypoints, speeds)
-    angles = np.zeros(3) if meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
+        return route, ()
+    angles = np.zeros(3) if route.meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
     begin = Waypoint("start", np.concatenate([X_start[:3, 3], angles]), place)
-    note = (
-        f"approach: a line from the tool at the start joints to pose {waypoints[0].name}, {told}, goes before the path"
-    )
-    return Approached(start_joints, _after(begin, waypoints), (speeds[0], *speeds), (note,))
+    note = f"approach: a line from the tool at the start joints to pose {first.name}, {told}, goes before the path"
+    return replace(route, waypoints=_after(begin, route.waypoints), speeds=(speeds[0], *speeds)), (note,)
 
 
-def by_joints(
-    arm: Arm, waypoints: Sequence[Waypoint], speeds: tuple[SegmentSpeeds, ...], meaning: AngleMeaning
-) -> Approached:
-    """The arm stands at the first pose when the controller is switched on: in its start's configuration, at the arm
-    angle that it keeps. Relative angles are written anew, so that orientations stay.
+def by_joints(route: Route, arm: Arm) -> tuple[Route, Array, tuple[str, ...]]:
+    """The route, the joints (7,) [rad] that stand at its first pose when the controller is switched on, in the
+    configuration of the arm's start, at the arm angle that it keeps, and what to say of it. Relative angles are written
+    anew, so that orientations stay.
 
     Raises InputError for a first pose that is out of reach so.
     """
-    first = waypoints[0]
+    first, meaning, R_start = route.waypoints[0], route.meaning, arm.X_start[:3, :3]
     told = _apart(arm.X_start, first, meaning)
     if told is None:
-        return Approached(arm.start, waypoints, speeds)
-    R_start = arm.X_start[:3, :3]
+        return route, arm.start, ()
     X_WT = _pose_of(first, R_start, meaning)
-    how = arm.angle, arm.definition, arm.configuration
-    q = inverse_branch(arm.robot, (X_WT @ inverse_pose(arm.X_FT))[None], *how)[0]
+    q = inverse_branch(arm.robot, arm.flange(X_WT[None, :3, :3], X_WT[None, :3, 3]), *arm.how)[0]
     if not np.isfinite(q).all():
         degrees = round(np.degrees(arm.angle), 2) + 0.0  # which takes the sign off a zero
         message = f"approach: pose {first.name} is out of the arm's reach at an arm angle of {degrees:g}°"
         raise InputError(f"{message}; move it, or the base", file=first.place)
     if meaning is AngleMeaning.RELATIVE:
-        waypoints = _turned(waypoints, R_start @ X_WT[:3, :3].T)
+        route = replace(route, waypoints=_turned(route.waypoints, R_start @ X_WT[:3, :3].T))
     joints = ", ".join(f"{value:.2f}" for value in np.degrees(q))
-    notes = (
+    note = (
         f"approach: a joint move to pose {first.name}, {told} from the tool at the start joints, comes before the"
-        f" controller is switched on, at [{joints}]°",
+        f" controller is switched on, at [{joints}]°"
     )
-    return Approached(q, waypoints, speeds, notes)
+    return route, q, (note,)
 
 
 def _pose_of(waypoint: Waypoint, R_start: Array, meaning: AngleMeaning) -> Array:

@@ -56,35 +56,29 @@ _LONGEST_NAME = 100
 _FINEST = 1e-6  # m, rad: nearer poses are better taken as stops
 
 
-def _sane(units: dict[str, float]) -> Reader[float]:
-    """As quantity.number, within what a cell can have."""
+def _sane(units: dict[str, float], rule: Callable[[float], float] | None = None, **bounds: float) -> Reader[float]:
+    """As quantity.number, within what a cell can have; rule holds it besides, and then nothing but 0 is tiny. bounds:
+    as of takes_number."""
     most = next(bound for kind, bound in _MOST if kind is units)
 
     def validate(value: Any) -> float:
         out = number(units)(value)
         if abs(out) > most:
-            raise complain(
-                f"{out:g} is beyond anything a cell has (at most {most:g} {next(iter(units))}); check the unit"
-            )
+            unit = next(iter(units))
+            raise complain(f"{out:g} is beyond anything a cell has (at most {most:g} {unit}); check the unit")
+        if rule is not None and 0 < abs(rule(out)) < _LEAST:
+            raise complain(f"{out:g} is below anything a cell has (at least {_LEAST:g}, or 0 where that is allowed)")
         return out
 
-    return Reader(validate, takes_number(units, minimum=-most, maximum=most))
-
-
-def _not_tiny(value: float) -> float:
-    if 0 < abs(value) < _LEAST:
-        raise complain(f"{value:g} is below anything a cell has (at least {_LEAST:g}, or 0 where that is allowed)")
-    return value
+    return Reader(validate, takes_number(units, **bounds or {"minimum": -most, "maximum": most}))
 
 
 def _above(units: dict[str, float]) -> BeforeValidator:
-    takes = takes_number(units, exclusiveMinimum=0)
-    return BeforeValidator(Reader(lambda value: _not_tiny(above_zero(_sane(units)(value))), takes))
+    return BeforeValidator(_sane(units, above_zero, exclusiveMinimum=0))
 
 
 def _from_zero(units: dict[str, float]) -> BeforeValidator:
-    takes = takes_number(units, minimum=0)
-    return BeforeValidator(Reader(lambda value: _not_tiny(not_negative(_sane(units)(value))), takes))
+    return BeforeValidator(_sane(units, not_negative, minimum=0))
 
 
 def _period(value: Any) -> float:
@@ -130,11 +124,10 @@ def _six_values(
             raise not_a_list(value, "a list of 6 values")
         if len(value) != 6:
             raise complain(f"needs 6 values, not {len(value)}")
-        kinds = [_sane(first)] * 3 + [_sane(last)] * 3
-        out = [kind(item) for kind, item in zip(kinds, value, strict=True)]
-        return tuple(_not_tiny(rule(item)) if rule else item for item in out)
+        return tuple(kind(item) for kind, item in zip(kinds, value, strict=True))
 
-    items = [_sane(first).takes] * 3 + [_sane(last).takes] * 3
+    kinds = [_sane(first, rule)] * 3 + [_sane(last, rule)] * 3
+    items = [kind.takes for kind in kinds]
     return Reader(validate, {"type": "array", "prefixItems": items, "items": False, "minItems": 6})
 
 
@@ -142,11 +135,11 @@ def _per_segment(units: dict[str, float]) -> BeforeValidator:
     """One value for all segments, or a list of one each. What it must be above, the segments say."""
 
     def validate(value: Any) -> float | tuple[float, ...]:
-        one = _sane(units)
-        return tuple(_not_tiny(one(item)) for item in value) if isinstance(value, list) else _not_tiny(one(value))
+        return tuple(one(item) for item in value) if isinstance(value, list) else one(value)
 
-    one = _sane(units).takes
-    return BeforeValidator(Reader(validate, {"anyOf": [*one["anyOf"], {"type": "array", "items": one}]}))
+    one = _sane(units, float)
+    takes = {"anyOf": [*one.takes["anyOf"], {"type": "array", "items": one.takes}]}
+    return BeforeValidator(Reader(validate, takes))
 
 
 PoseValues = Annotated[Six, BeforeValidator(_six_values(LENGTH, ANGLE))]

@@ -1,4 +1,5 @@
-"""Joints of a sequence: without jumps by whole turns, how fast they turn, and every row against its limits."""
+"""Joints of a sequence: without jumps by whole turns, how fast they turn, every row against its limits; and what they
+leave a path: their speeds and accelerations as limits of how fast it is run."""
 
 from __future__ import annotations
 
@@ -11,13 +12,16 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, inverse_pose, pose
+from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
-from trajopt_cli.iiwa.task.model import Task
+from trajopt_cli.iiwa.task.model import AngleMeaning, Task
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot import srs_inverse
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, singularities
+from trajopt_cli.robot.srs_inverse import ArmAngle, singularities, why_unreachable
+from trajopt_cli.timing.varying_caps import Rows
 
+_KEPT = 1 - 1e-5  # of the joints' limits: rows are printed, and the arm's own check has no more than rounding to give
 RELATIVE = 1e-9
 """Share of a limit by which a motion exactly on it may exceed it."""
 ROUNDING = 1e-13
@@ -65,6 +69,11 @@ class Arm:
         """The arm angle that is kept [rad]."""
         return self.begin if self.given is None else self.given
 
+    @property
+    def how(self) -> tuple[float, ArmAngle, int]:
+        """Arm angle that is kept, its definition and the configuration, as an inverse takes them."""
+        return self.angle, self.definition, self.configuration
+
     @cached_property
     def X_start(self) -> Array:
         """The tool in the world (4, 4) at start."""
@@ -80,8 +89,8 @@ class Arm:
         angle: one for all or (n,) [rad], None for the one that is kept. Rows out of reach are NaN, and then nothing is
         made continuous.
         """
-        angles = self.angle if angle is None else angle
-        q = srs_inverse.inverse_branch(self.robot, X_WF, angles, self.definition, self.configuration)
+        how = self.angle if angle is None else angle, *self.how[1:]
+        q = srs_inverse.inverse_branch(self.robot, X_WF, *how)
         return q if np.isnan(q).any() else continuous(q, self.start if near is None else near)
 
 
@@ -242,3 +251,74 @@ def remarks(robot: SrsRobot, q: Array, h: float, limits: JointLimits, place: Pla
         used = float(speed[row, j] / limits.velocity[j])
         if CLOSE_SPEED < used <= 1 + RELATIVE:
             yield f"{name} uses {100 * used:.1f} % of its speed limit at t = {row * h:.3f} s ({place(row)})"
+
+
+class Untimed(Exception):
+    """No timing helps: the arm cannot go there at its fixed arm angle. The message names the place and the limit."""
+
+
+@dataclass(frozen=True, eq=False)
+class ArmOnPath:
+    """An arm that is to follow a path. meaning: how the path's angles count; near (7,): joints from which turns are
+    counted on, None for the arm's start."""
+
+    arm: Arm
+    meaning: AngleMeaning
+    near: Array | None = None
+
+    def joints(self, path: Array, R: Array | None, place: str) -> Array:
+        """Joints (n, 7) [rad] of poses (n, 6), orientations R (n, 3, 3) where the angles do not say them; place: of the
+        poses, for messages. Raises Untimed for a pose out of reach and a joint out of its range."""
+        arm, limits = self.arm, self.arm.limits
+        R = rotation(path[:, 3:]) if R is None else R
+        X_WF = arm.flange(R @ arm.X_start[:3, :3] if self.meaning is AngleMeaning.RELATIVE else R, path[:, :3])
+        q = arm.joints(X_WF, near=self.near)
+        lost = np.isnan(q).any(axis=1)
+        if lost.any():
+            row = int(np.argmax(lost))
+            why = why_unreachable(arm.robot, X_WF[row], arm.angle, arm.definition, limits)
+            raise Untimed(f"{place}, {_share(row, q)}: {why}; move the pose")
+        excess = position_excess(q, limits)
+        row, j = (int(i) for i in np.unravel_index(np.argmax(excess), excess.shape))
+        if excess[row, j] > 0:
+            limit = limits.upper[j] if q[row, j] > limits.upper[j] else limits.lower[j]
+            raise Untimed(
+                f"{place}, {_share(row, q)}: {limits.names[j]} would be at {degrees(q[row, j]):.4g}°, limit"
+                f" {degrees(limit):.6g}°; no timing helps: give another arm_angle, begin with other joints or move the"
+                " pose"
+            )
+        return q
+
+    def on(self, q: Array, s: Array) -> tuple[Array, Rows]:
+        """The greatest rate (n,) that the joints' speeds allow between places s (n + 1,) of a path with joints
+        q (n + 1, 7), and the rows of their accelerations."""
+        first = np.gradient(q, s, axis=0)
+        second = np.gradient(first, s, axis=0)
+        used = (np.abs(first) / (_KEPT * self.arm.limits.velocity)).max(axis=1)
+        with np.errstate(divide="ignore"):
+            top = 1 / np.maximum(used[:-1], used[1:])
+        rows = (np.stack([x[:-1], x[1:]]) / (_KEPT * self.arm.limits.acceleration) for x in (first, second))
+        slopes, bends = rows
+        return top, (slopes, bends)
+
+    def shares(self, q: Array, h: float) -> Iterator[Array]:
+        """What rows q (n, 7), h [s] apart and at rest at both ends, use of the limits of speed (n - 1,) and
+        acceleration (n - 2,)."""
+        yield (speeds(q, h) / (_KEPT * self.arm.limits.velocity)).max(axis=1)
+        used = (accelerations(q, h) / (_KEPT * self.arm.limits.acceleration)).max(axis=1)
+        used[1] = max(used[:2])
+        used[-2] = max(used[-2:])
+        yield used[1:-1]
+
+    def fastest(self, q: Array, place: str) -> str:
+        """Where and which joint moves farthest from one row to the next, as what prevents a timing."""
+        limits, step = self.arm.limits, np.abs(np.diff(q, axis=0))
+        row, j = (int(i) for i in np.unravel_index(np.argmax(step / limits.velocity), step.shape))
+        return (
+            f"{place}, {_share(row, q)}: {limits.names[j]} turns by {degrees(step[row, j]):.3g}° at one place of"
+            " the path, as at a singularity; no timing helps: move the pose, or give another arm_angle"
+        )
+
+
+def _share(row: int, q: Array) -> str:
+    return f"{100 * row / (len(q) - 1):.0f} % of the way"

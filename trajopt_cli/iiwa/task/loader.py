@@ -18,7 +18,7 @@ from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task import model
-from trajopt_cli.iiwa.task.approach import Approached, by_joints, by_line
+from trajopt_cli.iiwa.task.approach import by_joints, by_line
 from trajopt_cli.iiwa.task.document import (
     ClampSection,
     ContactDocument,
@@ -218,31 +218,23 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         raise at.wrong("force.settle", "force.settle: is a path's in a file; give the first pressed pose a 'dwell'")
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
+    profile = model.Profile(document.profile or ("thesis" if passing is None else "s-curve"))
+    law = model.RotationLaw(document.rotation)
+    route, came = model.Route(waypoints, speeds, document.h, profile, law, meaning, passing), tuple[str, ...]()
     if document.approach == "line":
-        place = f"{file}:{line_of('start.joints', lines)}"
-        path = by_line(start, X_WF @ X_FT, waypoints, speeds, meaning, place)
+        route, came = by_line(route, X_WF @ X_FT, f"{file}:{line_of('start.joints', lines)}")
     elif document.approach == "joint":
-        path = by_joints(Arm(robot, X_FT, start, limits, definition, angle), waypoints, speeds, meaning)
-        _check_start(robot, path.start_joints, limits, at, "approach")
-    else:
-        path = Approached(start, waypoints, speeds)
-    if document.poses and document.poses[0].force and path.waypoints[0].force:
+        route, start, came = by_joints(route, Arm(robot, X_FT, start, limits, definition, angle))
+        _check_start(robot, start, limits, at, "approach")
+    if document.poses and document.poses[0].force and route.waypoints[0].force:
         raise at.wrong("poses.0.force", "poses.0.force: would begin with a jump; begin in the air, without a force")
     return model.Task(
         file=file,
         robot=document.robot,
         limits=document.limits,
-        route=model.Route(
-            path.waypoints,
-            path.speeds,
-            document.h,
-            model.Profile(document.profile or ("thesis" if passing is None else "s-curve")),
-            model.RotationLaw(document.rotation),
-            meaning,
-            passing,
-        ),
+        route=route,
         compliance=_compliance(document.K, document.D, document.M, "K", at),
-        start_joints=path.start_joints,
+        start_joints=start,
         X_WB=X_WB,
         X_FT=X_FT,
         load=_load(document.tool.load, at),
@@ -251,7 +243,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         integration=model.Integration(document.integration),
         zeroing=_zeroing(document.zero),
         clamps=_clamps(document.clamps, "clamps", at),
-        changes=_changes(document, at, path.waypoints, passing),
+        changes=_changes(document, at, route),
         pushes=pushes,
         sensor=None
         if (one := document.sensor) is None
@@ -273,7 +265,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         wrench=document.force is not None and document.force.by == "wrench",
         lead=document.force is not None and document.force.lead,
         follows=bool(told),
-        notes=(*doubts, *told, *notes, *path.notes),
+        notes=(*doubts, *told, *notes, *came),
         sources=texts,
     )
 
@@ -405,9 +397,7 @@ def _clamps(section: ClampSection, key: str, at: _Lines) -> model.Clamps:
         return model.Clamps(*(np.full(count, np.inf) if given is None else np.array(given) for given, count in bounds))
 
 
-def _changes(
-    document: TaskDocument, at: _Lines, waypoints: Sequence[model.Waypoint], passing: model.Passing | None
-) -> tuple[model.Change, ...]:
+def _changes(document: TaskDocument, at: _Lines, route: model.Route) -> tuple[model.Change, ...]:
     """In the order of time, or of the stops they are at; what a change leaves out of K, D and M is that of the change
     before."""
     out = []
@@ -415,9 +405,7 @@ def _changes(
     named = [isinstance(section.at, str) for section in document.changes]
     if any(named) and not all(named):
         raise at.wrong(f"changes.{named.index(False)}.at", "changes: all at poses or all at seconds; these are mixed")
-    ends = {0, len(waypoints) - 1}
-    rested = (one for i, one in enumerate(waypoints) if passing is None or i in ends or one.rests or one.dwell > 0)
-    stops = [one.name for one in rested] if any(named) else []
+    stops = [route.waypoints[i].name for i in route.stops] if any(named) else []
     for i, section in enumerate(document.changes):
         if isinstance(section.at, str) and stops.count(section.at) != 1:
             found = "no stop" if section.at not in stops else f"{stops.count(section.at)} stops"

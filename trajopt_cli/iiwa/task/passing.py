@@ -14,7 +14,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
-from trajopt_cli.iiwa.task.joint_timing import ArmOnPath, Untimed
+from trajopt_cli.iiwa.task.joint_checks import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS
 from trajopt_cli.iiwa.task.model import Passing
 from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded

@@ -18,7 +18,7 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.joint_timing import ArmOnPath
+from trajopt_cli.iiwa.task.joint_checks import ArmOnPath
 from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS, Path, name_of, path_of, whole_periods
 from trajopt_cli.iiwa.task.model import COORDINATES, Passing, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.passing import divided_differences, passage
@@ -147,7 +147,7 @@ def planned(
     arm: whose joints keep their limits of speed and acceleration, too; None for the caps of the poses alone. Every stop
     is a row, exactly; where none is passed that is every pose. Raises InputError for what legs.path_of refuses, for
     steps that are lost in the rounding of the coordinates, for more than MOST_ROWS rows, and for an arm with profile
-    thesis; joint_timing.Untimed for what the arm cannot follow at any speed.
+    thesis; joint_checks.Untimed for what the arm cannot follow at any speed.
     """
     way, h, stopping = route.waypoints, route.h, route.passing is None
     if arm is not None and route.profile is Profile.THESIS:

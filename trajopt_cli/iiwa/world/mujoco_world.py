@@ -53,22 +53,12 @@ def _imported() -> Any:
     try:
         import mujoco
         from mujoco import MjLogConfig  # noqa: F401  older than 4, or a folder left behind: no such name
-    except ModuleNotFoundError as error:
-        if error.name == "mujoco":
-            raise InputError(
-                "MuJoCo is not installed: pip install 'trajopt-cli[sim]', or use the spring wall"
-            ) from error
-        raise _broken(error) from error
     except (ImportError, OSError, RuntimeError, AttributeError) as error:  # its own, of its libraries, of MUJOCO_GL
-        raise _broken(error) from error
+        fault = f"cannot be imported: {' '.join(str(error).split())}; pip install --force-reinstall"
+        if isinstance(error, ModuleNotFoundError) and error.name == "mujoco":
+            fault = "is not installed: pip install"
+        raise InputError(f"MuJoCo {fault} 'trajopt-cli[sim]', or use the spring wall") from error
     return mujoco
-
-
-def _broken(error: Exception) -> InputError:
-    reason = " ".join(str(error).split())
-    return InputError(
-        f"MuJoCo cannot be imported: {reason}; pip install --force-reinstall 'trajopt-cli[sim]', or use the spring wall"
-    )
 
 
 _NOTHING = Measured((nan,) * 7, (nan,) * 7, (nan,) * 7, (nan,) * 7, (nan,) * 6, nan)
