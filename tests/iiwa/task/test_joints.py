@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -220,9 +220,9 @@ def test_the_elbow_follows_from_the_pose_alone_and_the_message_says_so() -> None
     position = found(followed(inwards), "position", "joint_4")
     assert not position.passed
     assert "the pose alone decides this joint, no arm angle helps" in position.message
-    started = perf_counter()
+    started = process_time()
     free = followed(inwards, free=True)
-    assert perf_counter() - started < 0.5  # nothing is searched for
+    assert process_time() - started < 0.5  # nothing is searched for
     np.testing.assert_array_equal(free.trajectory.q, followed(inwards).trajectory.q)
 
 
@@ -309,8 +309,8 @@ def test_a_minute_at_1_khz_is_followed_in_under_a_second() -> None:
     way = line(ROBOT.forward(HOME), np.array([0, 0.2, 0]), np.array([0.2, 0, 0.5]), 60.0)
     times = []
     for _ in range(3):
-        started = perf_counter()
+        started = process_time()
         assert failed(followed(way)) == []
-        times.append(perf_counter() - started)
+        times.append(process_time() - started)
     assert len(way.pose) == 60001
     assert min(times) < 1.0

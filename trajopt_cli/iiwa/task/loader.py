@@ -23,7 +23,6 @@ from trajopt_cli.iiwa.task.document import (
     ClampSection,
     ContactDocument,
     ContactSection,
-    ForceSection,
     LoadSection,
     PassingSection,
     TaskDocument,
@@ -32,7 +31,7 @@ from trajopt_cli.iiwa.task.document import (
 from trajopt_cli.iiwa.task.joint_checks import Arm
 from trajopt_cli.iiwa.task.path_csv import guided_path, read_forces, read_path
 from trajopt_cli.iiwa.task.path_csv import read_text as read_csv_text
-from trajopt_cli.iiwa.task.poses import program_route, written_waypoints
+from trajopt_cli.iiwa.task.poses import force_of, program_route, written_waypoints
 from trajopt_cli.iiwa.task.ros2_admittance import read_admittance
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import ToolLoad
@@ -77,6 +76,15 @@ class _Lines:
             yield
         except (ValueError, InputError) as error:
             raise self.wrong(key, f"{prefix}{error}") from error
+
+    def beside(self, key: str, name: str, said: str = "") -> Path:
+        """The file of this name in the task file's folder or below it. said: what messages call the key."""
+        folder = Path(self.file).parent
+        found = folder / name
+        if not found.is_file() or not found.resolve().is_relative_to(folder.resolve()):
+            message = f"{said or key}: there is no file {found}; it must be in the task file's folder or below it"
+            raise self.wrong(key, message)
+        return found
 
     def frame(self, section: FrameSection, key: str, most: float = _FARTHEST) -> Array:
         """A frame (4, 4) that a cell can have. Raises InputError for one farther away than most [m]."""
@@ -154,21 +162,15 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         model.Push(push.start, push.end, np.array(push.force)) for push in document.pushes
     )
     if isinstance(log, str):
-        recorded = Path(file).parent / log.strip()
-        if not recorded.is_file() or not recorded.resolve().is_relative_to(Path(file).parent.resolve()):
-            message = f"pushes: there is no file {recorded}; it must be in the task file's folder or below it"
-            raise at.wrong("pushes", message)
-        texts[str(recorded)] = read_csv_text(str(recorded))
-        pushes = (read_forces(texts[str(recorded)], str(recorded)),)
+        recorded = str(at.beside("pushes", log.strip()))
+        texts[recorded] = read_csv_text(recorded)
+        pushes = (read_forces(texts[recorded], recorded),)
     waypoints: Sequence[model.Waypoint]
-    notes: tuple[str, ...] = ()
+    notes, given_speeds, force = tuple[str, ...](), None, document.force
     from_csv = document.program is not None and document.program.lower().endswith(".csv")
     passing = _passing(document, from_csv)
     if document.program is not None:
-        program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
-        if not program.is_file():
-            message = f"{given}: there is no file {program}; it must be in the task file's folder or below it"
-            raise at.wrong("program", message)
+        program = Path(poses_from) if poses_from is not None else at.beside("program", document.program, given)
     if from_csv:
         texts[str(program)] = read_csv_text(str(program))
         path_of = texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3]
@@ -180,41 +182,32 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
                 f"{program.name}: the run's poses are thinned to {len(guided)}, within {near.tolerance / MM:.3g} mm and"
                 f" {np.degrees(near.turn_tolerance):.3g}°",
             )
-        speeds = _speeds(document, waypoints, at, None)
     elif document.program is not None:
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
-        found = program_route(
-            program, meaning, X_WF[:3, :3], X_FT if placed else None, passing.tolerance if passing else None
-        )
+        tolerance = passing.tolerance if passing else None
+        found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None, tolerance)
         waypoints, X_FT, texts[str(program)], notes = found.waypoints, found.X_FT, found.text, found.notes
-        if np.abs(X_FT[:3, 3]).max() > _LONGEST_TOOL:
-            message = (
-                f"the moves' tool reaches {np.abs(X_FT[:3, 3]).max():g} m from the flange, at most {_LONGEST_TOOL:g} m"
-            )
+        given_speeds = found.speeds
+        if (reach := np.abs(X_FT[:3, 3]).max()) > _LONGEST_TOOL:
+            message = f"the moves' tool reaches {reach:g} m from the flange, at most {_LONGEST_TOOL:g} m"
             raise InputError(message, file=str(program))
         if not placed and document.tool.load is None:
             notes += ("the tool is the program's; its load is not taken over, give it as tool.load where it matters",)
-        speeds = _speeds(document, waypoints, at, found.speeds)
     else:
         assert document.poses is not None
-        waypoints = written_waypoints(document.poses, meaning, X_WF @ X_FT, lines, file)
-        forces = [
-            _force(one.force, document.force, waypoint.place)
-            for one, waypoint in zip(document.poses, waypoints, strict=True)
-        ]
-        waypoints = tuple(replace(one, force=force) for one, force in zip(waypoints, forces, strict=True))
-        speeds = _speeds(document, waypoints, at, None)
-    said = (document.force, *(one.force for one in document.poses or ()))
-    if document.force is not None and all(one is None or one.value is None for one in said):
+        waypoints = written_waypoints(document.poses, force, meaning, X_WF @ X_FT, lines, file)
+    speeds = _speeds(document, waypoints, at, given_speeds)
+    said = (force, *(one.force for one in document.poses or ()))
+    if force is not None and all(one is None or one.value is None for one in said):
         raise at.wrong("force", "force: nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
-    if document.force is not None and document.poses is None:
-        force = _force(None, document.force, f"{file}:{line_of('force', lines)}")
+    if force is not None and document.poses is None:
+        pressed = force_of(None, force, f"{file}:{line_of('force', lines)}")
         if isinstance(waypoints, model.PathPoints):
-            dwells = {0: document.force.settle} if document.force.settle else {}
-            waypoints = replace(waypoints, force=force, dwells=dwells | dict(waypoints.dwells))
+            dwells = {0: force.settle} if force.settle else {}
+            waypoints = replace(waypoints, force=pressed, dwells=dwells | dict(waypoints.dwells))
         else:
-            waypoints = tuple(replace(one, force=force) for one in waypoints)
-    elif document.force is not None and document.force.settle:
+            waypoints = tuple(replace(one, force=pressed) for one in waypoints)
+    elif force is not None and force.settle:
         raise at.wrong("force.settle", "force.settle: is a path's in a file; give the first pressed pose a 'dwell'")
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
@@ -262,8 +255,8 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
             document.impedance.null_stiffness,
             document.impedance.null_damping,
         ),
-        wrench=document.force is not None and document.force.by == "wrench",
-        lead=document.force is not None and document.force.lead,
+        wrench=force is not None and force.by == "wrench",
+        lead=force is not None and force.lead,
         follows=bool(told),
         notes=(*doubts, *told, *notes, *came),
         sources=texts,
@@ -293,13 +286,11 @@ def _controller(
     """The file's content with the K, D and M that its controller has itself; texts of its files, notes."""
     named = str(content.get("controller", "admittance"))
     if match := _PARAMETERS.fullmatch(named):
-        at, place = _Lines(file, lines), Path(file).parent / match["file"]
+        at = _Lines(file, lines)
         for key in ("K", "D", "M", "zero", "integration"):
             if key in content:
                 raise at.wrong(key, f"{key}: is the controller file's; take it out")
-        if not place.is_file() or not place.resolve().is_relative_to(Path(file).parent.resolve()):
-            message = f"controller: there is no file {place}; it must be in the task file's folder or below it"
-            raise at.wrong("controller", message)
+        place = at.beside("controller", match["file"])
         text = read_text(place, "controller file")
         own, note = read_admittance(text, str(place), match["name"])
         rest = {key: value for key, value in content.items() if key != "controller"}
@@ -370,14 +361,6 @@ def _compliance(
 ) -> model.Compliance:
     with at.about(key):
         return model.Compliance(np.array(K), np.array(D), np.array(M))
-
-
-def _force(section: ForceSection | None, default: ForceSection | None, place: str) -> model.Force | None:
-    """A pose's force; what it leaves out is the default's."""
-    given = [one for one in (section, default) if one is not None]
-    value = next((one.value for one in given if one.value is not None), 0.0)
-    along = next((one.along for one in given if one.along is not None), "tool")
-    return model.Force(value, along, place) if value else None
 
 
 def _load(section: LoadSection | None, at: _Lines) -> ToolLoad | None:

@@ -13,8 +13,8 @@ import numpy as np
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of
-from trajopt_cli.iiwa.task.document import PoseSection
-from trajopt_cli.iiwa.task.model import AngleMeaning, PathPoints, Waypoint
+from trajopt_cli.iiwa.task.document import ForceSection, PoseSection
+from trajopt_cli.iiwa.task.model import AngleMeaning, Force, PathPoints, Waypoint
 from trajopt_cli.motion import (
     FlyBy,
     Motion,
@@ -100,10 +100,24 @@ class ProgramPoses:
     notes: tuple[str, ...]
 
 
+def force_of(section: ForceSection | None, default: ForceSection | None, place: str) -> Force | None:
+    """A pose's force; what it leaves out is the default's."""
+    given = [one for one in (section, default) if one is not None]
+    value = next((one.value for one in given if one.value is not None), 0.0)
+    along = next((one.along for one in given if one.along is not None), "tool")
+    return Force(value, along, place) if value else None
+
+
 def written_waypoints(
-    sections: Sequence[PoseSection], meaning: AngleMeaning, X_start: Array, lines: Mapping[str, int], file: str
+    sections: Sequence[PoseSection],
+    force: ForceSection | None,
+    meaning: AngleMeaning,
+    X_start: Array,
+    lines: Mapping[str, int],
+    file: str,
 ) -> tuple[Waypoint, ...]:
-    """The poses of a task file's list. X_start (4, 4): the tool in the world where the controller is switched on."""
+    """The poses of a task file's list. force: of those that say nothing else. X_start (4, 4): the tool in the world
+    where the controller is switched on."""
     angles = np.zeros(3) if meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
     start = np.concatenate([X_start[:3, 3], angles])
     out: list[Waypoint] = []
@@ -117,7 +131,8 @@ def written_waypoints(
             pose = out[-1].pose + np.array(section.by)
         else:
             pose = start if section.at == "start" else np.array(section.at)
-        out.append(Waypoint(section.name or str(i + 1), pose, place, section.dwell))
+        pressed = force_of(section.force, force, place)
+        out.append(Waypoint(section.name or str(i + 1), pose, place, section.dwell, force=pressed))
     if len(out) < 2:
         place = f"{file}:{line_of('poses', lines)}"
         raise InputError(f"poses: {len(out)} given; a path needs at least two", file=place)
