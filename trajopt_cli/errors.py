@@ -118,3 +118,13 @@ def of_kind(kind: ErrorKind) -> Iterator[None]:
     except InputError as error:
         error.take(kind)
         raise
+
+
+@contextmanager
+def placed(file: str) -> Iterator[None]:
+    """InputErrors that leave the block without a place are about a file."""
+    try:
+        yield
+    except InputError as error:
+        error.file = error.file or file
+        raise

@@ -25,6 +25,10 @@ class Bad(str):
     """A cell that says no."""
 
 
+class Verbatim(str):
+    """A line that is printed as it is, however long, to be pasted."""
+
+
 @dataclass(frozen=True)
 class TextTable:
     """heads: ">" before one puts its column to the right, "~" marks names, which may be cut in the middle. rows: a cell
@@ -103,6 +107,16 @@ def figure(value: float | None, digits: int) -> str:
 def place(source: Source | None) -> str:
     """The file's name and the line."""
     return f"{PurePath(source.file).name}:{source.line}" if source else ""
+
+
+def by_name(text: str, files: Iterable[str]) -> str:
+    """A sentence with its places as the tables have them: the file's name alone, where no two files share it."""
+    names = {path: PurePath(path).name for path in files}
+    if len(set(names.values())) < len(names):
+        return text
+    for path in sorted(names, key=len, reverse=True):  # a path may be the end of another
+        text = re.sub(rf"(?<![\w./-]){re.escape(path)}(?=:\d|\b)", names[path].replace("\\", r"\\"), text)
+    return text
 
 
 def findings_table(title: str, findings: Iterable[Finding], everything: bool = False) -> TextTable:

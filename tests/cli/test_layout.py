@@ -18,9 +18,9 @@ from hypothesis import strategies as st
 
 from trajopt_cli.cli import run
 from trajopt_cli.cli.layout import Column, table_lines
-from trajopt_cli.cli.remarks import by_name, remarks
+from trajopt_cli.cli.remarks import remarks
 from trajopt_cli.robot.model import robot_names
-from trajopt_cli.table import short_target
+from trajopt_cli.table import by_name, short_target
 
 REPOSITORY = Path(__file__).parents[2]
 _WORD = st.text("abc_.1", min_size=1, max_size=9)

@@ -11,7 +11,7 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.runs.folder import read_run
-from trajopt_cli.study.comparison_folder import ComparisonRecord
+from trajopt_cli.study.comparison_record import ComparisonRecord
 
 
 def test_the_page_of_a_run_has_the_numbers_of_its_summary(

@@ -56,7 +56,7 @@ from trajopt_cli.cli import (
     robot,
     schema,
     sensitivity,
-    study_answers,
+    study,
     verify,
     view,
 )
@@ -82,7 +82,7 @@ _COMMANDS: dict[str, dict[str, tuple[Any, str]]] = {
         "compare": (compare.app, ""),
         "sensitivity": (sensitivity.sensitivity, "What to change first: seconds per limit, speed, wait, place."),
         "place": (place.place, "Where base, rail or a work object should stand."),
-        "study": (study_answers.app, ""),
+        "study": (study.app, ""),
         "order": (order.order, "The fastest order of parts that allow any order."),
         "batch": (batch.batch, "Optimise every program of a folder of backups."),
         "parse": (parse.parse, "List a program's motions with file:line."),

@@ -7,16 +7,16 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
-from trajopt_cli.cli.process import reading
+from trajopt_cli.cli import options as opt
+from trajopt_cli.cli.process import job_of
 from trajopt_cli.errors import InputError
 
 
 def analyse(
-    program: ProgramPaths,
-    cell: CellPath = None,
-    entry: Entry = None,
-    assume_identity: AssumeIdentity = None,
+    program: opt.ProgramPaths,
+    cell: opt.CellPath = None,
+    entry: opt.Entry = None,
+    assume_identity: opt.AssumeIdentity = None,
     axis: Annotated[
         Literal["x", "y", "z", "rail"] | None,
         typer.Option(
@@ -26,8 +26,8 @@ def analyse(
     plots: Annotated[
         Path | None, typer.Option("--plots", metavar="FOLDER", help="Where the picture goes.", show_default=False)
     ] = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Add up PROGRAM's times as written: every move straight (MoveC along its arc) as seen from the carriage, speed
     changing in steps.
@@ -38,15 +38,12 @@ def analyse(
     Example:
       trajopt analyse programs/hinge_line.mod
     """
-    from trajopt_cli.cli.analysis_table import MODEL, analysis_record, analysis_table, sums
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
-    from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.report.stepwise import analyse
+    from trajopt_cli.cli.console import print_answer
+    from trajopt_cli.report.stepwise import MODEL, analyse, analysis_record, analysis_table, sums
 
     if (axis is None) != (plots is None):
         raise InputError("--axis and --plots go together: which axis to draw, and where to")
-    with reading(program):
-        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    job = job_of(program, cell, entry, assume_identity)
     analysis = analyse(job.program, job.plant)
     if axis is not None and plots is not None:
         from trajopt_cli.report.phase_plane import phase_pictures
@@ -56,12 +53,9 @@ def analyse(
         write_files(plots, pictures)
         if not quiet:
             typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
-    if as_json:
-        print_json(analysis_record(job.program, analysis))
-        return
-    if quiet:
-        result(next(line for line in sums(analysis) if line.startswith("cycle")))
-        return
-    console = stdout()
-    show(console, analysis_table(str(job.program_path), job.program, analysis))
-    tell(console, [*sums(analysis), f"model: {MODEL}"])
+    told = [*sums(analysis)]
+    table = analysis_table(str(job.program_path), job.program, analysis)
+    cycle = next(line for line in told if line.startswith("cycle"))
+    print_answer(
+        as_json, quiet, lambda: analysis_record(job.program, analysis), cycle, [table, *told, f"model: {MODEL}"]
+    )

@@ -32,7 +32,7 @@ def show(
       trajopt cell show programs/hinge_cell_fenced.yaml
     """
     from trajopt_cli.cell.loader import load_cell
-    from trajopt_cli.cli import console
+    from trajopt_cli.cli.console import print_answer
     from trajopt_cli.page.standing import bodies_record, bodies_table
     from trajopt_cli.problem.plant import build_plant
 
@@ -40,12 +40,6 @@ def show(
     plant = build_plant(given)
     notes = [*(str(doubt) for doubt in given.doubts), *plant.unchecked]
     many = len(plant.obstacles) + len(plant.attached)
-    if as_json:
-        console.print_json(
-            {"cell": str(cell), "robot": plant.robot.name, "bodies": bodies_record(plant), "notes": notes}
-        )
-    elif quiet:
-        console.result(f"{cell}: {many} bod{'y' if many == 1 else 'ies'} around {plant.robot.name}")
-    else:
-        console.show(console.stdout(), bodies_table(plant))
-        console.tell(console.stdout(), notes)
+    line = f"{cell}: {many} bod{'y' if many == 1 else 'ies'} around {plant.robot.name}"
+    record = {"cell": str(cell), "robot": plant.robot.name, "bodies": bodies_record(plant), "notes": notes}
+    print_answer(as_json, quiet, lambda: record, line, [bodies_table(plant), *notes])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
@@ -12,7 +12,7 @@ from rich.console import Console
 
 from trajopt_cli.cli.layout import Fitted, wrapped
 from trajopt_cli.cli.listing import terminal_width
-from trajopt_cli.table import TextTable
+from trajopt_cli.table import TextTable, Verbatim
 
 if TYPE_CHECKING:
     from trajopt_cli.pipeline.optimize import Collides, Illegal
@@ -41,6 +41,25 @@ def tell(console: Console, lines: Iterable[str]) -> None:
         text = line.lstrip(" ")
         for part in wrapped(text, console.width, line[: len(line) - len(text)], _DEEPER) or [""]:
             console.print(part, crop=False, no_wrap=True, overflow="ignore")
+
+
+def print_answer(
+    as_json: bool, quiet: bool, record: Callable[[], Any], line: str, parts: Iterable[TextTable | str]
+) -> None:
+    """Print an answer: its record as one JSON document, the line that --quiet leaves, or its tables and lines."""
+    if as_json:
+        print_json(record())
+    elif quiet:
+        typer.echo(line)
+    else:
+        console = stdout()
+        for part in parts:
+            if isinstance(part, TextTable):
+                show(console, part)
+            elif isinstance(part, Verbatim):
+                console.print(part, soft_wrap=True)
+            else:
+                tell(console, [part])
 
 
 def result(text: str) -> None:

@@ -16,26 +16,16 @@ def doctor(as_json: AsJson = False, quiet: Quiet = False) -> None:
     Example:
       trajopt doctor
     """
-    from trajopt_cli.cli.console import print_json, result, stdout, tell
+    from trajopt_cli.cli.console import print_answer
     from trajopt_cli.cli.health import State, looked_at
 
     found = looked_at()
     wrong = [one for one in found if one.state is State.WRONG]
-    if as_json:
-        checks = [
-            {"what": one.what, "state": one.state.value, "found": one.found, "remedy": one.remedy} for one in found
-        ]
-        print_json({"healthy": not wrong, "checks": checks})
-    elif not quiet:
-        console = stdout()
-        for one in found:
-            tell(
-                console,
-                [f"{one.state.value:<7}  {one.what}: {one.found}", *([f"         {one.remedy}"] if one.remedy else [])],
-            )
-        console.print()
-    last = "; ".join(f"{one.what}: {one.found}" for one in wrong)
-    if not as_json:
-        result(f"something is missing: {last}" if wrong else "all that is needed is there")
+    checks = [{"what": one.what, "state": one.state.value, "found": one.found, "remedy": one.remedy} for one in found]
+    lines = [(f"{one.state.value:<7}  {one.what}: {one.found}", one.remedy and " " * 9 + one.remedy) for one in found]
+    missing = "; ".join(f"{one.what}: {one.found}" for one in wrong)
+    last = f"something is missing: {missing}" if wrong else "all that is needed is there"
+    told = [*(line for both in lines for line in both if line), "", last]
+    print_answer(as_json, quiet, lambda: {"healthy": not wrong, "checks": checks}, last, told)
     if wrong:
         raise typer.Exit(1)

@@ -10,18 +10,21 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Quiet, ResultsFolder
+from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import tidied
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, placed
 from trajopt_cli.units import slides
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from trajopt_cli.exporters.egm import Stream
     from trajopt_cli.exporters.recorded import Recorded
     from trajopt_cli.pipeline.folder import RapidFiles
     from trajopt_cli.trajectory import Trajectory
+
+    _Rows = Callable[[Path, Recorded, float | None], tuple[Trajectory, str]]
+    _Make = Callable[[Trajectory, str], bytes | Iterable[bytes]]
 
 app = typer.Typer(
     help="Write a motion for the machine or the program that takes it.",
@@ -33,7 +36,6 @@ AnyResults = Annotated[
     Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize, or of trajopt iiwa with joints.")
 ]
 Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
-
 _OF_JOINTS = ("command", "joints")  # what only a folder with joints gives
 
 RosNames = Annotated[
@@ -54,12 +56,10 @@ def _formats(context: typer.Context) -> None:
 @app.command("joint", short_help="Joint CSV at a fixed rate, for machines that follow a stream.")
 def joint(
     results: AnyResults,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.csv", help="The CSV file; default: joint.csv in RESULTS.")
-    ] = None,
+    output: Annotated[Path | None, opt.file_of_results("CSV file", "joint.csv")] = None,
     rate: Rate = 1000.0,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Joint positions and speeds at a fixed rate, also in rests, the exact end as last row: of trajectory.csv,
     by default the stream plan, whose rests of a minute or more are two rows; or of an iiwa's joints.csv.
@@ -68,25 +68,20 @@ def joint(
     Example:
       trajopt export joint results/hinge_cell --output joints.csv
     """
-    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.joint_csv import csv_parts
 
-    output = _output(output, results, "joint.csv")
-    motion = recorded(results)
-    trajectory, note = motion.at(rate)
-    _write(output, map(str.encode, csv_parts(trajectory)), motion, trajectory, rate, note, as_json, quiet)
+    make: _Make = lambda rows, _: map(str.encode, csv_parts(rows))  # noqa: E731
+    _export(_output(output, results, "joint.csv"), results, rate, _as_it_is, make, as_json, quiet)
 
 
 @app.command("ros2", short_help="ROS 2 JointTrajectory as YAML, for ros2 topic pub.")
 def ros2(
     results: AnyResults,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.yaml", help="The YAML file; default: ros2.yaml in RESULTS.")
-    ] = None,
+    output: Annotated[Path | None, opt.file_of_results("YAML file", "ros2.yaml")] = None,
     rate: Rate = 100.0,
     joints: RosNames = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints.
 
@@ -94,26 +89,20 @@ def ros2(
     Example:
       trajopt export ros2 results/hinge_cell --output trajectory.yaml
     """
-    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.exporters.ros2 import trajectory_parts
 
-    output = _output(output, results, "ros2.yaml")
-    motion = recorded(results)
-    trajectory, note = _of_the_urdf(results, motion, rate)
-    text = trajectory_parts(trajectory, _split(joints))
-    _write(output, map(str.encode, text), motion, trajectory, rate, note, as_json, quiet)
+    make: _Make = lambda rows, _: map(str.encode, trajectory_parts(rows, _split(joints)))  # noqa: E731
+    _export(_output(output, results, "ros2.yaml"), results, rate, _of_the_urdf, make, as_json, quiet)
 
 
 @app.command("mcap", short_help="The same with joint states in an MCAP file, for bag tools.")
 def mcap(
     results: AnyResults,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.mcap", help="The MCAP file; default: joint.mcap in RESULTS.")
-    ] = None,
+    output: Annotated[Path | None, opt.file_of_results("MCAP file", "joint.mcap")] = None,
     rate: Rate = 100.0,
     joints: RosNames = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """ROS 2 messages for bag tools: /joint_trajectory once, /joint_states at the rate, times from 0; needs the extra
     mcap.
@@ -123,25 +112,20 @@ def mcap(
       trajopt export mcap results/hinge_cell --output motion.mcap
     """
     from trajopt_cli.exporters.mcap import mcap as mcap_of
-    from trajopt_cli.exporters.recorded import recorded
 
-    output = _output(output, results, "joint.mcap")
-    motion = recorded(results)
-    trajectory, note = _of_the_urdf(results, motion, rate)
-    _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, rate, note, as_json, quiet)
+    make: _Make = lambda rows, _: mcap_of(rows, _split(joints))  # noqa: E731
+    _export(_output(output, results, "joint.mcap"), results, rate, _of_the_urdf, make, as_json, quiet)
 
 
 @app.command("parquet", short_help="The joint CSV's columns as Parquet, for pandas, polars, DuckDB.")
 def parquet(
     results: AnyResults,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.parquet", help="The Parquet file; default: joint.parquet in RESULTS.")
-    ] = None,
+    output: Annotated[Path | None, opt.file_of_results("Parquet file", "joint.parquet")] = None,
     rate: Annotated[
         float | None, typer.Option(metavar="HZ", help="Rows per second; default: the rows as they are.")
     ] = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Time, positions and speeds of all joints as columns of doubles; needs pyarrow, the extra parquet.
 
@@ -150,25 +134,20 @@ def parquet(
       trajopt export parquet results/hinge_cell --output joints.parquet
     """
     from trajopt_cli.exporters.parquet import parquet as parquet_of
-    from trajopt_cli.exporters.recorded import recorded
 
-    output = _output(output, results, "joint.parquet")
-    motion = recorded(results)
-    trajectory, note = motion.at(rate)
-    _write(output, parquet_of(trajectory), motion, trajectory, rate, note, as_json, quiet)
+    make: _Make = lambda rows, _: parquet_of(rows)  # noqa: E731
+    _export(_output(output, results, "joint.parquet"), results, rate, _as_it_is, make, as_json, quiet)
 
 
 @app.command("fri", short_help="Joint positions per millisecond, for a client of KUKA's FRI.")
 def fri(
     results: Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa with joints.")],
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.csv", help="The CSV file; default: fri.csv in RESULTS.")
-    ] = None,
+    output: Annotated[Path | None, opt.file_of_results("CSV file", "fri.csv")] = None,
     between: Annotated[
         bool, typer.Option("--resample", help="Make rows every 1 ms of a sequence with another period.")
     ] = False,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """What a client of the fast robot interface commands: A1 to A7 in rad, one line for every millisecond.
 
@@ -181,12 +160,9 @@ def fri(
     from trajopt_cli.runs.files import write_file
 
     output = _output(output, results, "fri.csv")
-    try:
-        text, rows, note = fri_rows(recorded(results), between)
-    except InputError as error:
-        if error.file:
-            raise
-        raise InputError(error.message, file=str(results), kind=error.kind) from error
+    motion = recorded(results)
+    with placed(str(results)):
+        text, rows, note = fri_rows(motion, between)
     write_file(output, text.encode("ascii"))
     line = f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}"
     _tell(line, (), {"file": str(output), "rows": rows, "rate_hz": 1000.0, "note": note or None}, as_json, quiet)
@@ -198,7 +174,7 @@ def poses(
     output: Annotated[
         Path | None, typer.Option(metavar="FILE.csv|mcap", help="The CSV or MCAP file; default: poses.csv in RESULTS.")
     ] = None,
-    rate: Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")] = 100.0,
+    rate: Rate = 100.0,
     stack: Annotated[
         Literal["ros", "lbr", "cartesian", "crisp", "impedance"],
         typer.Option(
@@ -207,8 +183,8 @@ def poses(
             " crisp_controllers, Cartesian-Impedance-Controller; ros: plain ones.",
         ),
     ] = "ros",
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """PoseStamped, twist, wrench and stiffness of the tool, as the controller that takes them names them; with joints
     where RESULTS have any.
@@ -244,13 +220,11 @@ def poses(
 
 @app.command("egm", short_help="EgmSensor messages every 4 ms, for ABB's Externally Guided Motion.")
 def egm(
-    results: ResultsFolder,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.egm", help="The file of messages; default: stream.egm in RESULTS.")
-    ] = None,
+    results: opt.ResultsFolder,
+    output: Annotated[Path | None, opt.file_of_results("file of messages", "stream.egm")] = None,
     rate: Annotated[float, typer.Option(metavar="HZ", help="Messages per second, at most 250.")] = 250.0,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Set points and speed references: joints in degrees, the rail in mm and positioners that turn in degrees in the
     places of their external axes. Each message stands behind its length; trajopt play egm tries them.
@@ -278,13 +252,11 @@ def egm(
 
 @app.command("gltf", short_help="The cell in motion as glTF, for 3D viewers and browsers.")
 def gltf(
-    results: ResultsFolder,
-    output: Annotated[
-        Path | None, typer.Option(metavar="FILE.glb", help="The binary glTF file; default: cell.glb in RESULTS.")
-    ] = None,
+    results: opt.ResultsFolder,
+    output: Annotated[Path | None, opt.file_of_results("binary glTF file", "cell.glb")] = None,
     rate: Annotated[float, typer.Option(metavar="HZ", help="Key frames per second.")] = 60.0,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """An animation of the arm's bodies, of what it carries, and of the cell's obstacles.
 
@@ -293,22 +265,21 @@ def gltf(
       trajopt export gltf results/hinge_cell --output cell.glb
     """
     from trajopt_cli.exporters.gltf import gltf as gltf_of
-    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.job import cell_of_results
     from trajopt_cli.problem.plant import build_plant
 
-    output = _output(output, results, "cell.glb")
-    motion = recorded(results)
-    if motion.period is not None:
-        raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
-    trajectory, note = motion.at(rate, rests=False)
-    plant = build_plant(cell_of_results(results))
-    _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, rate, note, as_json, quiet)
+    def of_plan(results: Path, motion: Recorded, rate: float | None) -> tuple[Trajectory, str]:
+        if motion.period is not None:
+            raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
+        return motion.at(rate, rests=False)
+
+    make: _Make = lambda rows, title: gltf_of(rows, build_plant(cell_of_results(results)), title)  # noqa: E731
+    _export(_output(output, results, "cell.glb"), results, rate, of_plan, make, as_json, quiet)
 
 
 @app.command("rapid", short_help="The program with the rapid plan in it, for the RAPID controller.")
 def rapid(
-    results: ResultsFolder,
+    results: opt.ResultsFolder,
     output: Annotated[
         Path | None, typer.Option(metavar="FILE.mod", help="The module to write; a folder for several modules.")
     ] = None,
@@ -318,8 +289,8 @@ def rapid(
     in_place: Annotated[
         bool, typer.Option("--in-place", help="Write over the program's own files; the old ones stay as NAME.bak.")
     ] = False,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """The program with the rapid plan in it; everything else is byte for byte as given.
 
@@ -351,18 +322,14 @@ def rapid(
         tidied(one.path for one in modules)
         backups = write_in_place(modules)
         for one in modules:
-            if one.path in backups:
-                said.append(f"wrote {one.path} ({what}); original in {backups[one.path].name}")
-            else:
-                said.append(f"{one.path}: unchanged")
-                continue
-            written.append(str(one.path))
+            new = f"wrote {one.path} ({what}); original in {backups[one.path].name}" if one.path in backups else ""
+            said.append(new or f"{one.path}: unchanged")
+            written += [str(one.path)] if new else []
     said += files.ways
+    difference = files.difference if diff else None
+    record = {"written": written, "difference": difference, "kept": list(files.kept), "ways_around": list(files.ways)}
     if as_json:
-        difference = files.difference if diff else None
-        print_json(
-            {"written": written, "difference": difference, "kept": list(files.kept), "ways_around": list(files.ways)}
-        )
+        print_json(record)
     for line in () if as_json else said[:1] if quiet else said:
         typer.echo(line, err=diff)
 
@@ -386,13 +353,15 @@ def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
 
     motion = recorded(results)
     rail = cell_of_results(results).rail if motion.period is None else None
-    try:
+    with placed(str(results)):
         return motion, stream_of(motion, rate, None if rail is None else rail.eax)
-    except InputError as error:
-        raise InputError(error.message, file=str(results), kind=error.kind) from error
 
 
-def _of_the_urdf(results: Path, motion: Recorded, rate: float) -> tuple[Trajectory, str]:
+def _as_it_is(_: Path, motion: Recorded, rate: float | None) -> tuple[Trajectory, str]:
+    return motion.at(rate)
+
+
+def _of_the_urdf(results: Path, motion: Recorded, rate: float | None) -> tuple[Trajectory, str]:
     """The motion at a rate as ROS has it, of the URDF's joints, which a parallel linkage makes others than the
     controller's axes; and what to say of it."""
     from trajopt_cli.job import cell_of_results
@@ -414,20 +383,16 @@ def _split(names: str | None) -> list[str] | None:
     return None if names is None else [name.strip() for name in names.split(",")]
 
 
-def _write(
-    output: Path,
-    content: bytes | Iterable[bytes],
-    motion: Recorded,
-    trajectory: Trajectory,
-    rate: float | None,
-    note: str,
-    as_json: bool,
-    quiet: bool,
+def _export(
+    output: Path, results: Path, rate: float | None, rows_of: _Rows, make: _Make, as_json: bool, quiet: bool
 ) -> None:
-    """Write the file, and say what is in it. rate: of its rows, None where they are as recorded."""
+    """Write a motion's rows, and say what is in the file. rate: of the rows, None where they are as recorded."""
+    from trajopt_cli.exporters.recorded import recorded
     from trajopt_cli.runs.files import write_file
 
-    write_file(output, content)
+    motion = recorded(results)
+    trajectory, note = rows_of(results, motion, rate)
+    write_file(output, make(trajectory, motion.name))
     rows, at = len(trajectory.t), "as recorded" if rate is None else f"at {rate:g} Hz"
     line = f"{output}: {motion.name}, {rows} rows {at}, T = {trajectory.duration:.4f} s{f'; {note}' if note else ''}"
     record = {**_record(output, motion, rows, trajectory.duration, rate), "note": note or None}
@@ -436,14 +401,8 @@ def _write(
 
 def _record(output: Path, motion: Recorded, rows: int, duration: float, rate: float | None) -> dict[str, Any]:
     holds = [{"t": when, "until": condition} for when, condition in motion.holds]
-    return {
-        "file": str(output),
-        "motion": motion.name,
-        "rows": rows,
-        "rate_hz": rate,
-        "cycle_time_s": duration,
-        "holds": holds,
-    }
+    return {"file": str(output), "motion": motion.name, "rows": rows, "rate_hz": rate, "cycle_time_s": duration,
+            "holds": holds}  # fmt: skip
 
 
 def _begins(trajectory: Trajectory) -> str:
@@ -494,28 +453,21 @@ def rapid_places(
 
     own: the program's files. Raises InputError where that cannot be, and for a place that is one of them.
     """
-    places = _places(output, results, names, option)
+    from trajopt_cli.runs.results import MODULES
+
+    several = len(names) > 1
+    if several and not output.is_dir() and (output.exists() or output.suffix.lower() in MODULES):
+        what = "is a file" if output.exists() else "is a file's name"
+        message = f"{what}; the program has {len(names)} modules, {option} names a folder for them"
+        raise InputError(message, file=str(output))
+    if several and not output.parent.is_dir():
+        raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(output.parent))
+    places = [output / name for name in names] if several else [output]
+    for place in places:
+        if not several or place.parent.is_dir():
+            check_output(place, results, option)
     for place in places:
         if any(place.exists() and one.exists() and place.samefile(one) for one in own):
             text = "is the program itself; 'trajopt export rapid RESULTS --in-place' writes over it and keeps NAME.bak"
             raise InputError(text, file=str(place))
-    return places
-
-
-def _places(output: Path, results: Path, names: Sequence[Path], option: str) -> list[Path]:
-    from trajopt_cli.runs.results import MODULES
-
-    if len(names) == 1:
-        check_output(output, results, option)
-        return [output]
-    if not output.is_dir() and (output.exists() or output.suffix.lower() in MODULES):
-        what = "is a file" if output.exists() else "is a file's name"
-        message = f"{what}; the program has {len(names)} modules, {option} names a folder for them"
-        raise InputError(message, file=str(output))
-    if not output.parent.is_dir():
-        raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(output.parent))
-    places = [output / name for name in names]
-    for place in places:
-        if place.parent.is_dir():
-            check_output(place, results, option)
     return places

@@ -4,38 +4,26 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import (
-    AsJson,
-    AssumeIdentity,
-    CellPath,
-    ChosenTarget,
-    Entry,
-    Jobs,
-    LoopsOption,
-    ProgramPaths,
-    Quiet,
-    TimeLimit,
-    Verbose,
-    patience_of,
-)
-from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli import options as opt
+from trajopt_cli.cli.process import job_of, wrote
 from trajopt_cli.errors import InputError
+
+if TYPE_CHECKING:
+    from trajopt_cli.table import TextTable
 
 
 def optimize(
-    program: ProgramPaths,
-    cell: CellPath = None,
-    entry: Entry = None,
-    assume_identity: AssumeIdentity = None,
-    target: ChosenTarget = None,
-    loops: LoopsOption = "keep",
-    output: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
-    ] = None,
+    program: opt.ProgramPaths,
+    cell: opt.CellPath = None,
+    entry: opt.Entry = None,
+    assume_identity: opt.AssumeIdentity = None,
+    target: opt.ChosenTarget = None,
+    loops: opt.LoopsOption = "keep",
+    output: Annotated[Path | None, opt.results_at("results/PROGRAM")] = None,
     export: Annotated[
         Path | None,
         typer.Option(
@@ -48,8 +36,8 @@ def optimize(
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
     ] = False,
-    jobs: Jobs = None,
-    time_limit: TimeLimit = None,
+    jobs: opt.Jobs = None,
+    time_limit: opt.TimeLimit = None,
     cycle_time: Annotated[
         float | None,
         typer.Option(
@@ -62,9 +50,9 @@ def optimize(
     gentle: Annotated[
         bool, typer.Option("--gentle", help="The gentlest motion that takes at most 0.01 % longer than the fastest.")
     ] = False,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-    verbose: Verbose = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
+    verbose: opt.Verbose = False,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, check it, and write it as joint CSV and as RAPID.
 
@@ -77,12 +65,11 @@ def optimize(
       trajopt optimize programs/hinge_cell.mod --time-limit 60
       trajopt optimize programs/hinge_cell.mod --quiet --export faster.mod
     """
-    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.console import answer_no, print_answer, warn
     from trajopt_cli.cli.export import rapid_places, write_rapid
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import motions_table, optimized_lines, optimized_record, saving_line
-    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
     from trajopt_cli.problem.editable import Loops
@@ -90,7 +77,7 @@ def optimize(
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.results import distinct_names
 
-    patience = patience_of(time_limit)
+    patience = opt.patience_of(time_limit)
     if cycle_time is not None and not 0 < cycle_time < math.inf:
         raise InputError(f"--cycle-time: needs a time of more than 0 s, not {cycle_time:g}")
     if cycle_time is not None and gentle:
@@ -98,8 +85,7 @@ def optimize(
     if quiet and verbose:
         raise InputError("--quiet and --verbose: give one of them")
     objective = GENTLE if gentle else LEAST_TIME if cycle_time is None else LeastEffort(cycle_time)
-    with reading(program):
-        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    job = job_of(program, cell, entry, assume_identity)
     folder = output or Path("results") / job.program.name
     if export is not None:
         own = list(job.program.files)
@@ -116,20 +102,13 @@ def optimize(
     if export is not None and answer.no_rapid is None:
         exported = write_rapid(rapid_export(answer.folder), export, answer.folder, "--export")
         wrote(export)
-    if as_json:
-        print_json({**optimized_record(answer, patience.interrupted), "exported": exported})
-    elif quiet:
-        result("; ".join([saving_line(answer), answer.summary.verdict, *told_first(answer.job.program.warnings)[0]]))
-    else:
-        console = stdout()
-        first = [*told_first(answer.job.program.warnings)[0], saving_line(answer), answer.summary.verdict]
-        tell(console, [*first, *answer.summary.uncertainty.intervals(answer.lead.first, answer.summary.passes), ""])
-        show(console, motions_table(answer))
-        cycle = answer.summary.plans.rapid.cycle_time_s
-        tell(
-            console,
-            [*optimized_lines(answer, verbose), *(f"wrote {one} (RAPID plan, {cycle:.3f} s)" for one in exported)],
-        )
+    before, said = told_first(answer.job.program.warnings)[0], [saving_line(answer), answer.summary.verdict]
+    sure, cycle = answer.summary.uncertainty, answer.summary.plans.rapid.cycle_time_s
+    parts: list[TextTable | str] = [*before]
+    parts += [*said, *sure.intervals(answer.lead.first, answer.summary.passes), "", motions_table(answer)]
+    parts += [*optimized_lines(answer, verbose), *(f"wrote {one} (RAPID plan, {cycle:.3f} s)" for one in exported)]
+    record = {**optimized_record(answer, patience.interrupted), "exported": exported}
+    print_answer(as_json, quiet, lambda: record, "; ".join([*said, *before]), parts)
     if patience.interrupted:
         best = answer.summary.plans.of(answer.lead).cycle_time_s
         warn(f"interrupted: the best plan so far, {best:.3f} s, was completed, judged and written to {answer.folder}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -78,6 +78,17 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="One-line result; no 
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="The grid of each duration, too.")]
 
 
+def results_at(default: str, what: str = "Results folder") -> Any:
+    """The option --output of a command that writes a folder. default: where that is if nobody says it."""
+    return typer.Option("--output", metavar="FOLDER", help=f"{what}; default: {default}.")
+
+
+def file_of_results(kind: str, name: str) -> Any:
+    """The option --output of a command that writes one file. kind: of file, in words; name: in RESULTS, by default."""
+    endings = f"FILE{Path(name).suffix}"
+    return typer.Option("--output", metavar=endings, help=f"The {kind}; default: {name} in RESULTS.")
+
+
 def patience_of(time_limit: float | None) -> Patience:
     """How long a search may go on. Raises InputError for a limit that is no time."""
     from trajopt_cli.problem.stop_condition import Patience
@@ -85,6 +96,12 @@ def patience_of(time_limit: float | None) -> Patience:
     if time_limit is not None and not 0 <= time_limit < math.inf:
         raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
     return Patience(time_limit)
+
+
+def passed_on(time_limit: float | None) -> list[str]:
+    """The same for a trajopt optimize that a command runs."""
+    patience_of(time_limit)
+    return [] if time_limit is None else ["--time-limit", f"{time_limit:g}"]
 
 
 def robots(incomplete: str) -> list[str]:

@@ -7,19 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import (
-    AsJson,
-    AssumeIdentity,
-    CellPath,
-    Entry,
-    Jobs,
-    ProgramPaths,
-    Quiet,
-    TargetOption,
-    TimeLimit,
-    patience_of,
-)
-from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli import options as opt
+from trajopt_cli.cli.process import job_of, wrote
 from trajopt_cli.cli.study import Scheduler, tasks_on
 
 if TYPE_CHECKING:
@@ -28,28 +17,25 @@ if TYPE_CHECKING:
 
 
 def order(
-    program: ProgramPaths,
-    cell: CellPath = None,
-    entry: Entry = None,
-    assume_identity: AssumeIdentity = None,
+    program: opt.ProgramPaths,
+    cell: opt.CellPath = None,
+    entry: opt.Entry = None,
+    assume_identity: opt.AssumeIdentity = None,
     group: Annotated[
         str | None,
         typer.Option("--group", metavar="NAME", help="Which group of the cell file's order, where it has several."),
     ] = None,
-    target: TargetOption = "rapid",
+    target: opt.TargetOption = "rapid",
     apply: Annotated[
         bool,
         typer.Option("--apply", help="Write the best order into your program; the file as it was stays as NAME.bak."),
     ] = False,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/PROGRAM_order."),
-    ] = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-    jobs: Jobs = None,
+    output: Annotated[Path | None, opt.results_at("results/PROGRAM_order")] = None,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
+    jobs: opt.Jobs = None,
     scheduler: Scheduler = None,
-    time_limit: TimeLimit = None,
+    time_limit: opt.TimeLimit = None,
 ) -> None:
     """Find the fastest order of parts that the cell file lists under its key order.
 
@@ -61,18 +47,16 @@ def order(
     Example:
       trajopt order programs/rivets.mod
     """
-    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, told, warn
+    from trajopt_cli.cli.console import answer_no, print_answer, told, warn
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.remarks import by_name
-    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.folder import check_replaceable
     from trajopt_cli.study.order import Ordered, apply_order, order_of, order_record, write_order
     from trajopt_cli.study.order_text import group_of
+    from trajopt_cli.table import by_name
 
-    patience = patience_of(time_limit)
-    with reading(program):
-        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    patience = opt.patience_of(time_limit)
+    job = job_of(program, cell, entry, assume_identity)
     found = group_of(job, group)
     folder = output or Path("results") / f"{job.program.name}_order"
     check_replaceable(folder)
@@ -84,16 +68,7 @@ def order(
     table, lines = _table(program[0].name or job.title, answer), [by_name(line, files) for line in answer.remarks]
     count = write_order(folder, answer, table, lines)
     wrote(folder)
-    if as_json:
-        print_json(order_record(answer))
-    elif quiet:
-        result(answer.in_words)
-    else:
-        console = stdout()
-        show(console, table)
-        tell(console, lines)
-        console.print()
-        tell(console, [answer.in_words])
+    print_answer(as_json, quiet, lambda: order_record(answer), answer.in_words, [table, *lines, "", answer.in_words])
     written = [f"written to {folder}: report.html, order.json and {count - 1} files more"]
     if apply and answer.new_text is not None:
         backup = apply_order(answer)

@@ -105,7 +105,8 @@ def parse(
         typer.echo(json_text(listing_record(flat, listing, found, notes)))
         return
     from trajopt_cli.cli.listing import listing_lines, terminal_width
-    from trajopt_cli.cli.remarks import by_name, remarks, told_first
+    from trajopt_cli.cli.remarks import remarks, told_first
+    from trajopt_cli.table import by_name
 
     files = [*flat.files, *([] if loaded is None else [loaded.file])]
     head, said = told_first(flat.warnings)

@@ -3,28 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import (
-    AsJson,
-    AssumeIdentity,
-    CellPath,
-    Entry,
-    Jobs,
-    ProgramPaths,
-    Quiet,
-    TargetOption,
-    TimeLimit,
-    patience_of,
-)
-from trajopt_cli.cli.process import reading, wrote
+from trajopt_cli.cli import options as opt
+from trajopt_cli.cli.process import job_of, wrote
 from trajopt_cli.cli.study import Scheduler, tasks_on
+
+if TYPE_CHECKING:
+    from trajopt_cli.table import TextTable
 
 
 def place(
-    program: ProgramPaths,
+    program: opt.ProgramPaths,
     what: Annotated[
         str,
         typer.Option(
@@ -42,10 +34,10 @@ def place(
             "yaw=-30deg..30deg; of a rail also along, across, height. One to four of them.",
         ),
     ],
-    cell: CellPath = None,
-    entry: Entry = None,
-    assume_identity: AssumeIdentity = None,
-    target: TargetOption = "stream",
+    cell: opt.CellPath = None,
+    entry: opt.Entry = None,
+    assume_identity: opt.AssumeIdentity = None,
+    target: opt.TargetOption = "stream",
     points: Annotated[
         int | None,
         typer.Option(
@@ -60,15 +52,12 @@ def place(
         Path | None,
         typer.Option("--apply", metavar="FILE.yaml", help="Write a copy of the cell file with the best place in it."),
     ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/PROGRAM_place."),
-    ] = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
-    jobs: Jobs = None,
+    output: Annotated[Path | None, opt.results_at("results/PROGRAM_place")] = None,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
+    jobs: opt.Jobs = None,
     scheduler: Scheduler = None,
-    time_limit: TimeLimit = None,
+    time_limit: opt.TimeLimit = None,
 ) -> None:
     """Find where the base, the rail or a work object should stand for the shortest cycle, and draw the map.
 
@@ -79,22 +68,19 @@ def place(
     Example:
       trajopt place programs/hinge_cell.mod --what rail --range height=-10cm..0
     """
-    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell, told
-    from trajopt_cli.cli.place_tables import impossible_lines, place_table, said
+    from trajopt_cli.cli.console import no, print_answer, told
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.remarks import by_name
-    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.files import check_file, write_file
     from trajopt_cli.runs.folder import check_replaceable
     from trajopt_cli.study.place import place
-    from trajopt_cli.study.place_record import place_record, write_place
+    from trajopt_cli.study.place_record import impossible_lines, place_record, place_table, said, write_place
     from trajopt_cli.study.places import parse_ranges, site_of
+    from trajopt_cli.table import Verbatim, by_name
 
     ranges = parse_ranges(range_)
-    patience = patience_of(time_limit)
-    with reading(program):
-        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    patience = opt.patience_of(time_limit)
+    job = job_of(program, cell, entry, assume_identity)
     site = site_of(job, what, ranges)
     folder = output or Path("results") / f"{job.program.name}_place"
     check_replaceable(folder)
@@ -113,22 +99,17 @@ def place(
     lines = [by_name(line, files) for line in (*impossible_lines(answer), *answer.remarks)]
     count = write_place(folder, answer, table, lines)
     wrote(folder)
-    if as_json:
-        print_json(place_record(answer))
-    elif quiet:
-        result(answer.in_words)
-    else:
-        console = stdout()
-        show(console, table)
-        tell(console, lines)
-        if best is not answer.present:
-            console.print()
-            where = "the program" if apply is None and site.name else str(job.cell_path)
-            tell(console, [f"to paste into {where}:"])
-            for text in site.to_paste(best.offset).splitlines():
-                console.print(text, soft_wrap=True)
-        console.print()
-        tell(console, [answer.in_words])
+    where = "the program" if apply is None and site.name else str(job.cell_path)
+    paste = [] if best is answer.present else [Verbatim(text) for text in site.to_paste(best.offset).splitlines()]
+    parts: list[TextTable | str] = [
+        table,
+        *lines,
+        *(["", f"to paste into {where}:"] if paste else []),
+        *paste,
+        "",
+        answer.in_words,
+    ]
+    print_answer(as_json, quiet, lambda: place_record(answer), answer.in_words, parts)
     if apply is not None:
         write_file(apply, site.changed_cell(best.offset, str(apply)).encode())
         wrote(apply)

@@ -6,13 +6,17 @@ import gc
 import os
 import resource
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from trajopt_cli.rapid.execution.recursion_limit import FRAMES
+
+if TYPE_CHECKING:
+    from trajopt_cli.job import Job
 
 LEAST_MEMORY = 300_000_000  # bytes of address space: below, OpenBLAS ends the process in words and a code of its own
 
@@ -101,3 +105,11 @@ def reading(program: Iterable[Path] = ()) -> Iterator[None]:
     finally:
         gc.freeze()
         gc.enable()
+
+
+def job_of(program: Sequence[Path], cell: Path | None, entry: str | None, assume_identity: Sequence[str] | None) -> Job:
+    """The job of a command's program and cell, read as in reading. Raises InputError as read_job does."""
+    from trajopt_cli.job import MAIN, read_job
+
+    with reading(program):
+        return read_job(program, cell, entry or MAIN, assume_identity or ())

@@ -5,22 +5,12 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 
+from trajopt_cli.table import by_name
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 _MOST = 6  # remarks of one kind
 _OWN = re.compile(r"\S*[\d_()\[\]'\"]\S*")  # what names one thing: places, names with figures, numbers, quoted words
-
-
-def by_name(text: str, files: Iterable[str]) -> str:
-    """A sentence with its places as the tables have them: the file's name alone, where no two files share it."""
-    names = {path: Path(path).name for path in files}
-    if len(set(names.values())) < len(names):
-        return text
-    for path in sorted(names, key=len, reverse=True):  # a path may be the end of another
-        text = re.sub(rf"(?<![\w./-]){re.escape(path)}(?=:\d|\b)", names[path].replace("\\", r"\\"), text)
-    return text
 
 
 def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -> Iterator[str]:

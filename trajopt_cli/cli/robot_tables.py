@@ -1,19 +1,41 @@
-"""What `robot show` tells of a robot: tables for people, plain data for programs."""
+"""What `robot show` and `robot add` tell of a robot: tables for people, plain data for programs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trajopt_cli.errors import printable
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.table import TextTable
 from trajopt_cli.units import DEG, MM, slides, unit_of
+
+if TYPE_CHECKING:
+    from trajopt_cli.adopt.add import NewRobot
+
+_LENGTHS = {
+    "a1": "axis 2 in front of axis 1",
+    "a2": "axis 3 above axis 4, upper arm forward",
+    "b": "arm's plane left of axis 1",
+    "c1": "axis 2 above the base",
+    "c2": "axis 2 to axis 3",
+    "c3": "axis 3 to the wrist centre, along axis 4; to axis 4 where it is parallel to axis 3",
+    "c4": "wrist centre to the flange",
+    "wrist along": "axis 6 beside axis 4, along axis 5",
+    "wrist across": "axis 6 above axis 4, at right angles to axis 5",
+    "axis 5 off axis 4": "axis 5 beside axis 4",
+    "wrist along axis 5": "axis 4 to where axes 5 and 6 meet, along axis 5",
+    "bs": "base to shoulder",
+    "se": "shoulder to elbow",
+    "ew": "elbow to wrist centre",
+    "wf": "wrist centre to the flange",
+}
 
 
 def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
@@ -59,7 +81,8 @@ def _limits_record(limits: JointLimits) -> dict[str, Any]:
 def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
     """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
     notes = _Footnotes()
-    yield f"{robot.name}: {robot.title}\n"
+    yield f"{robot.name}: {robot.title}"
+    yield ""
     mark = notes.mark(robot.notes["geometry"])
     lengths = ((name, f"{value / MM:.6g}", mark) for name, value in _lengths(robot).items())
     yield TextTable("dimensions", ("length", ">mm", "source"), tuple(lengths))
@@ -71,7 +94,8 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
         _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
         mark, sign = notes.mark(robot.notes[f"{upper}.linkage"]), "-" if robot.linkage > 0 else "+"
         yield f"parallel linkage {mark}: {upper} is the controller's axis 3, the upper arm's angle against the base, in"
-        yield f"programs, logs and joint CSV; the URDF's {upper} is {upper} {sign} {lower}\n"
+        yield f"programs, logs and joint CSV; the URDF's {upper} is {upper} {sign} {lower}"
+        yield ""
     yield _by_profile("acceleration", "²", robot.profiles, notes)
     with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
     if with_jerk:
@@ -83,7 +107,8 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
         yield from _caps(robot, notes)
         if robot.settle is not None:
             fine, inpos, source, _ = robot.settle
-            yield f"settling before waits and signals {notes.mark(source)}: fine {fine:g} s, inpos {inpos:g} s\n"
+            yield f"settling before waits and signals {notes.mark(source)}: fine {fine:g} s, inpos {inpos:g} s"
+            yield ""
     for name in robot.profiles:
         load = robot.notes.get(f"profiles.{name}.load")
         yield f"profile {name}: {robot.notes[f'profiles.{name}']}{f'; found with {load}' if load else ''}"
@@ -155,7 +180,8 @@ class _Footnotes:
 
     def lines(self) -> Iterator[str]:
         """A line per source."""
-        yield "\ngrades: A several sources agree, B one good source, C a weak one or inferred, D an estimate"
+        yield ""
+        yield "grades: A several sources agree, B one good source, C a weak one or inferred, D an estimate"
         for source, number in self._numbers.items():
             yield f"[{number}] {source}"
 
@@ -195,3 +221,66 @@ def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], note
             cells += [value, notes.mark(limits.sources[f"{axis}.{kind}"])]
         rows.append((axis, f"m/s{power}" if slides(axis) else f"rad/s{power}", *cells))
     return TextTable(f"{kind}s by profile", ("axis", "unit", *columns), tuple(rows))
+
+
+def new_robot_record(made: NewRobot, robot: RobotModel | SrsRobot) -> dict[str, Any]:
+    """What was read of a URDF, SI."""
+    X = robot.forward(np.zeros(len(robot.axis_names)))
+    axes = [
+        {"name": one.name, "in_urdf": made.chain.named[one.name], "lower": one.lower, "upper": one.upper,
+         "velocity": one.velocity}
+        for one in made.chain.axes
+    ]  # fmt: skip
+    return {
+        "name": made.name,
+        "base": made.chain.base,
+        "tip": made.chain.tip,
+        "confdata": made.confdata,
+        "axes": axes,
+        "lengths_m": _lengths(robot),
+        "flange_at_zero_m": X[:3, 3].tolist(),
+        "flange_z_at_zero": X[:3, 2].tolist(),
+        "bodies": {link: len(parts) for link, parts in made.bodies.items()},
+        "self_pairs": [list(pair) for pair in made.pairs],
+        "meshes_missing": list(made.missing),
+        "notes": list(made.chain.notes),
+    }
+
+
+def new_robot_tables(made: NewRobot, robot: RobotModel | SrsRobot) -> Iterator[TextTable | str]:
+    """What was read of a URDF, and what is guessed, for people."""
+    chain = made.chain
+    yield f"{made.name}: from {chain.base} to {chain.tip} of {chain.tree.path}"
+    yield ""
+    rows = []
+    for joint in chain.axes:
+        factor, unit = (MM, "mm") if joint.kind == "prismatic" else (DEG, "deg")
+        figures = [f"{value / factor:.6g}" for value in (joint.lower, joint.upper, joint.velocity)]
+        rows.append((joint.name, chain.named[joint.name], *figures[:2], unit, figures[2], f"{unit}/s"))
+    yield TextTable("axes", ("axis", "in the URDF", ">from", ">to", "unit", ">speed", "unit"), tuple(rows))
+    lengths = ((what, f"{value / MM:.6g}", _LENGTHS[what]) for what, value in _lengths(robot).items())
+    yield TextTable("dimensions", ("length", ">mm", "what it is"), tuple(lengths))
+    six = made.chain.turning == 6
+    if not getattr(robot, "closed_form", True):
+        yield "axes 4, 5 and 6 do not meet in one point: configurations are sought step by step, so planning takes"
+        yield "minutes, and no nonlinear program improves the plan"
+        yield ""
+    X = robot.forward(np.zeros(len(robot.axis_names)))
+    X = np.where(np.abs(X) < 1e-9, 0.0, X)
+    place, out, ahead = (" ".join(f"{v + 0.0:.6g}" for v in row) for row in (X[:3, 3] / MM, X[:3, 2], X[:3, 0]))
+    yield f"with all axes at 0 the flange is at {place} mm, its z along {out}, its x along {ahead}: hold that against"
+    yield "the robot or its data sheet"
+    yield ""
+    if six:
+        yield f"confdata: {made.confdata}" + (
+            ", so the confdata of targets is not looked at"
+            if made.confdata == "none"
+            else "; --confdata none where it is not ABB's"
+        )
+    yield f"bodies: {', '.join(made.bodies) or 'none, so self-collision and obstacles are not looked at'}"
+    if made.bodies and (bare := [name for name in robot.link_names if name not in made.bodies]):
+        yield f"no bodies: {', '.join(bare)}, which may touch anything unseen"
+    for line in (*made.missing, *chain.notes):
+        yield f"note: {printable(line)}"
+    guesses = "accelerations, jerks" + (", tcp caps" if six else "")
+    yield f"guessed, marked REPLACE in {made.name}.yaml: {guesses}"

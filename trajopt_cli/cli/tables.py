@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from trajopt_cli.cli.listing import shortened
-from trajopt_cli.cli.remarks import by_name, remarks
+from trajopt_cli.cli.remarks import remarks
 from trajopt_cli.findings import Report
 from trajopt_cli.judge.clearance import least_clearance
 from trajopt_cli.pipeline.optimize import OptimizedJob
@@ -16,7 +16,7 @@ from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.summary import NOT_TIMED, SETTLING, MotionRow, Plans, cycle_line, finding_record
-from trajopt_cli.table import TextTable, place, seconds, tabulate
+from trajopt_cli.table import TextTable, by_name, place, seconds, tabulate
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import WarningKind
 

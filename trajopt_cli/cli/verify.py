@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Quiet
-from trajopt_cli.cli.process import reading
+from trajopt_cli.cli.process import job_of, reading
 from trajopt_cli.errors import InputError
 from trajopt_cli.file_kinds import refuse_other
+
+if TYPE_CHECKING:
+    from trajopt_cli.table import TextTable
 
 
 def verify(
@@ -41,11 +45,10 @@ def verify(
       trajopt optimize programs/hinge_cell.mod
       trajopt verify results/hinge_cell
     """
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.console import print_answer, warn
     from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import reports_record, verdict
     from trajopt_cli.findings import failures
-    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
     from trajopt_cli.runs.folder import TASK, kind_of
     from trajopt_cli.table import findings_table
@@ -58,7 +61,13 @@ def verify(
     if what.is_file():
         refuse_other(what, "joint CSV")
     if what.is_dir():
-        _check_folder_alone(program, cell, entry, assume_identity, task, arm)
+        for given, its, options in (
+            (program or cell, "program and cell", "--program and --cell"),
+            (entry is not None or assume_identity, "entry and assumptions", "--entry and --assume-identity"),
+            (task or arm is not None, "task and robot", "--task and --robot"),
+        ):
+            if given:
+                raise typer.BadParameter(f"a results folder holds its own {its}; leave {options} out")
         if kind_of(what) == TASK:
             from trajopt_cli.iiwa import verify_folder
 
@@ -81,46 +90,23 @@ def verify(
     elif not program:
         raise typer.BadParameter(f"{what} is a file: say which --program it executes; of an iiwa --task or --robot")
     else:
-        with reading(program):
-            job = read_job(program, cell, entry or MAIN, assume_identity or ())
+        job = job_of(program, cell, entry, assume_identity)
         reports, bodies = {what.name: verify_file(what, job, advice)}, job.plant.unchecked
         head = told_first(job.program.warnings)[0]
-    if as_json:
-        print_json(reports_record(reports, (*bodies, *unchecked)))
-    elif quiet:
-        for line in head:
-            warn(line)
-        for name, report in reports.items():
-            result(verdict(name, report, bodies))
-    else:
-        console = stdout()
-        tell(console, head)
-        for name, report in reports.items():
-            show(console, findings_table(f"{name}: legality", report.findings, everything))
-            if report.advice:
-                title = f"{name}: advice, which does not affect the verdict"
-                show(console, findings_table(title, report.advice, everything))
-        tell(console, (f"not checked: {line}" for line in unchecked))
-        for name, report in reports.items():
-            tell(console, (f"advice: {line}" for line in failures(report.advice)))
-            tell(console, [verdict(name, report, bodies), *(f"  {line}" for line in failures(report.findings))])
+    for line in head if quiet and not as_json else ():
+        warn(line)
+    parts: list[TextTable | str] = [*head]
+    for name, report in reports.items():
+        parts.append(findings_table(f"{name}: legality", report.findings, everything))
+        if report.advice:
+            title = f"{name}: advice, which does not affect the verdict"
+            parts.append(findings_table(title, report.advice, everything))
+    parts += [f"not checked: {line}" for line in unchecked]
+    verdicts = {name: verdict(name, report, bodies) for name, report in reports.items()}
+    for name, report in reports.items():
+        parts += [f"advice: {line}" for line in failures(report.advice)]
+        parts += [verdicts[name], *(f"  {line}" for line in failures(report.findings))]
+    record = partial(reports_record, reports, (*bodies, *unchecked))
+    print_answer(as_json, quiet, record, "\n".join(verdicts.values()), parts)
     if not all(report.legal for report in reports.values()):
         raise typer.Exit(1)
-
-
-def _check_folder_alone(
-    program: list[Path] | None,
-    cell: Path | None,
-    entry: str | None,
-    assume_identity: list[str] | None,
-    task: Path | None,
-    arm: str | None,
-) -> None:
-    """A results folder says itself what it is to be held against."""
-    if program or cell is not None:
-        raise typer.BadParameter("a results folder holds its own program and cell; leave --program and --cell out")
-    if entry is not None or assume_identity:
-        message = "a results folder holds its own entry and assumptions; leave --entry and --assume-identity out"
-        raise typer.BadParameter(message)
-    if task is not None or arm is not None:
-        raise typer.BadParameter("a results folder holds its own task and robot; leave --task and --robot out")

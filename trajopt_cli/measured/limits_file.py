@@ -1,13 +1,20 @@
-"""Identified limits as the `limits:` section of a cell file."""
+"""Identified limits as the `limits:` section of a cell file, as a table and as plain data."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from typing import Any
 
-from trajopt_cli.measured.identify import Kind, Limit
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.measured.identify import Kind, Limit, Seen
+from trajopt_cli.measured.reached import Reached
+from trajopt_cli.table import TextTable, percent, tabulate
+from trajopt_cli.units import unit_of
 
 KEYS = {Kind.SPEED: "velocity", Kind.ACCELERATION: "acceleration", Kind.JERK: "jerk"}
+_UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
 
 
 def limits_section(limits: Sequence[Limit], logs: Sequence[str]) -> str:
@@ -42,3 +49,102 @@ def _digits(limit: Limit) -> str:
 
 def _interval(limit: Limit) -> str:
     return f"{limit.low:.4g} to {limit.high:.4g}"
+
+
+def _in_force(limit: Limit, limits: JointLimits) -> float | None:
+    values = getattr(limits, KEYS[limit.kind])
+    if values is None or (limit.kind is Kind.JERK and not limits.jerk_binds):
+        return None
+    value = float(values[limits.names.index(limit.axis)])
+    return value if value == value else None
+
+
+def identified_table(found: Sequence[Limit], reached: Sequence[Reached], limits: JointLimits, place: str) -> TextTable:
+    """A line per axis and limit, in degrees and millimetres."""
+    most = {(one.axis, one.kind): one for one in reached}
+
+    def told(value: float | None, one: Limit, digits: int = 5) -> str:
+        return "" if value is None else f"{value / unit_of(one.axis)[0]:.{digits}g}"
+
+    def unit(one: Limit) -> str:
+        return unit_of(one.axis)[1] + _UNIT[one.kind]
+
+    def missing(one: Limit) -> str:
+        highest = f"; the highest of those that can tell is {told(one.most, one, 4)} {unit(one)}"
+        return "" if one.value is not None else one.why + (highest if one.most is not None else "")
+
+    return tabulate(
+        f"limits by the log, 90 % intervals, beside those of {place}",
+        found,
+        {
+            "axis": lambda one: one.axis,
+            "limit": lambda one: one.kind.value,
+            ">identified": lambda one: told(one.value, one),
+            ">from": lambda one: told(one.low, one),
+            ">to": lambda one: told(one.high, one),
+            "unit": unit,
+            ">motions": lambda one: "" if one.value is None else str(one.motions),
+            ">reached": lambda one: told(most[of].value, one, 4) if (of := (one.axis, one.kind)) in most else "",
+            ">in force": lambda one: told(
+                most[of].limit if (of := (one.axis, one.kind)) in most else _in_force(one, limits), one, 4
+            ),
+            ">share": lambda one: (
+                percent(most[of].value / most[of].limit, 0) if (of := (one.axis, one.kind)) in most else ""
+            ),
+            "what is missing": missing,
+        },
+    )
+
+
+def seen_lines(
+    names: Sequence[str], seen: Sequence[Seen], unused: Sequence[tuple[str, ...]], found: Sequence[Limit]
+) -> Iterator[str]:
+    """What became of each log, a line each, and what to do with the result."""
+    for name, one, columns in zip(names, seen, unused, strict=True):
+        left = [f"{one.fitted} fitted"]
+        left += [f"{one.not_straight} not along one line in the joints"] if one.not_straight else []
+        left += [f"{one.not_ramps} not one ramp up and one down"] if one.not_ramps else []
+        left += [f"{one.not_looked_at} more not looked at"] if one.not_looked_at else []
+        motions = f"{one.motions} motion{'s' * (one.motions > 1)} between rests, {', '.join(left)}"
+        off = f"; times are off by {one.jitter * 1e3:.2f} ms (rms)" if one.fitted else ""
+        rows = f"{one.rows} rows every {one.period * 1e3:.3g} ms"
+        yield f"{name}: {rows}, {motions if one.motions else 'no motion between two rests'}{off}"
+        if columns:
+            yield f"{name}: columns not used: {', '.join(columns)}"
+    if any(one.kind is Kind.JERK and one.value is not None for one in found):
+        yield "accelerations do not jump here: 'jerk_limits: true' in the cell file has plans keep the jerks"
+    if any(one.kind is Kind.SPEED and one.value is not None for one in found):
+        yield "one speed programmed for all motions of an axis looks the same as its limit: log vmax at 100 % override"
+    if all(one.value is None for one in found):
+        yield "no limit is identified: that takes motions of several lengths between rests; each is 'reached' or more"
+
+
+def identified_record(
+    found: Sequence[Limit],
+    seen: Sequence[Seen],
+    logs: Sequence[str],
+    limits: JointLimits,
+    reached: Sequence[Reached],
+    against: Sequence[str],
+) -> dict[str, Any]:
+    """The same as plain data, SI."""
+    return {
+        "logs": [
+            {
+                "file": name, "rows": one.rows, "seconds": one.seconds, "period_s": one.period, "motions": one.motions,
+                "fitted": one.fitted, "not_straight": one.not_straight, "not_ramps": one.not_ramps,
+                "not_looked_at": one.not_looked_at, "clock_s": one.jitter, "lag_s": one.lags,
+            }
+            for name, one in zip(logs, seen, strict=True)
+        ],
+        "limits": [
+            {
+                "axis": one.axis, "limit": one.kind.value, "value": one.value, "low": one.low, "high": one.high,
+                "confidence": 0.9, "motions": one.motions, "why_not": one.why or None, "highest_seen": one.most,
+                "in_force": _in_force(one, limits),
+            }
+            for one in found
+        ],
+        "reached": [asdict(one) | {"share": one.value / one.limit} for one in reached],
+        "contradictions": list(against),
+    }  # fmt: skip

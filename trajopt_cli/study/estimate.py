@@ -4,8 +4,8 @@ on."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from pathlib import PurePath
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
-from trajopt_cli.measured.align import Alignment, align
+from trajopt_cli.measured.align import Alignment, align, settles
 from trajopt_cli.measured.reached import Reached, contradictions, reached_in, tool_beyond
 from trajopt_cli.measured.settling import SeenSettling, settling_seen
 from trajopt_cli.motion import Move, MoveAbsJ, PoseMove, SignalEvent, Source, Wait
@@ -21,8 +21,9 @@ from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.report.stepwise import StepMove, analyse
-from trajopt_cli.runs.summary import Settled, motion_label, settled
+from trajopt_cli.runs.summary import SETTLING, Settled, motion_label, settled
 from trajopt_cli.runs.uncertainty import WRITTEN, Uncertainty
+from trajopt_cli.table import TextTable, place, seconds, signed, tabulate
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import slides
 
@@ -294,3 +295,68 @@ def _log_record(one: Alignment) -> dict[str, Any]:
         "to_s": one.counted[-1].t_1, "passes": [{"from_s": a.t_0, "to_s": a.t_1, "whole": a.whole} for a in one.passes],
         "farthest": one.farthest,
     }  # fmt: skip
+
+
+def estimate_table(answer: Estimate, log: Alignment | None) -> TextTable:
+    """Motions in program order; waits in a column of their own."""
+    program = answer.job.program
+    measured = {} if log is None else {one.index: one.measured for one in log.motions}
+    columns: dict[str, Callable[[EstimatedMotion], str]] = {
+        "place": lambda one: place(one.source),
+        "instruction": lambda one: motion_label(program, one.index)[0],
+        "target": lambda one: motion_label(program, one.index)[1],
+        ">length/speed [s]": lambda one: "" if one.wait else seconds(one.naive),
+        ">predicted [s]": lambda one: "" if one.wait else seconds(one.driven),
+        ">wait [s]": lambda one: seconds(one.driven) if one.wait else "",
+    }
+    if log:
+        columns[">measured [s]"] = lambda one: seconds(measured.get(one.index))
+        columns[">measured - predicted [s]"] = lambda one: (
+            signed(measured[one.index] - one.driven) if one.index in measured else ""
+        )
+    columns["held back by"] = lambda one: "" if one.wait else one.binding
+    title = f"{answer.job.title}: as written, driven by its controller under the limits of {answer.job.cell_path}"
+    made = tabulate(title, answer.motions, columns)
+    if answer.settling is None:
+        return made
+    cells = {"place": SETTLING, "target": answer.settling.how, ">wait [s]": seconds(answer.settling.seconds)}
+    if log and (seen := [one for one in log.motions if settles(program.motions, one.index)]):
+        stood, off = sum(one.measured for one in seen), sum(one.measured - one.predicted for one in seen)
+        cells |= {">measured [s]": seconds(stood), ">measured - predicted [s]": signed(off)}
+    return replace(made, rows=(*made.rows, tuple(cells.get(head, "") for head in made.heads)), total=True)
+
+
+def logs_table(answer: Estimate, logs: Sequence[Alignment]) -> TextTable:
+    """A line per log."""
+    return tabulate(
+        f"{answer.job.title}: logs beside the program as written under the limits of {answer.job.cell_path}",
+        logs,
+        {
+            "~log": lambda one: PurePath(one.file).name,
+            ">passes": lambda one: str(len(one.counted)) if one.whole else "in part",
+            ">measured [s]": lambda one: seconds(one.cycle),
+            ">predicted [s]": lambda one: seconds(one.predicted),
+            ">measured - predicted [s]": lambda one: signed(one.cycle - one.predicted),
+            ">[%]": lambda one: signed(100 * (one.cycle - one.predicted) / one.cycle, 1),
+            ">motions [s]": lambda one: seconds(one.motion),
+            ">predicted motions [s]": lambda one: seconds(one.predicted_motion),
+            ">standing [s]": lambda one: seconds(one.waits),
+        },
+    )
+
+
+def sums(answer: Estimate, log: Alignment | None) -> Iterator[str]:
+    """The cycle, a line each."""
+    slower = answer.driven - answer.naive
+    yield (
+        f"cycle {answer.plan.duration:.3f} s{answer.unsure.around(WRITTEN)}: motions {answer.driven:.3f} s, "
+        f"waits {answer.waits:.3f} s (their least time)"
+        f"{'' if answer.settling is None else f', {answer.settling.line}'}"
+    )
+    share = f" ({100 * slower / answer.naive:+.1f} %)" if answer.naive > 0 else ""
+    yield f"length over speed {answer.naive:.3f} s; ramps, corners and limits make that {slower:+.3f} s{share}"
+    if log:
+        off = log.cycle - log.predicted
+        what = "from the first move to the end of the last" if log.whole else "of the motions that the log holds"
+        told = f"measured - predicted {off:+.3f} s ({100 * off / log.cycle:+.1f} %)"
+        yield f"measured {log.cycle:.3f} s {what}, predicted {log.predicted:.3f} s: {told}"
