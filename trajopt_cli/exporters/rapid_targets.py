@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.exporters.rapid_text import PLACE, num, plain, same_num
+from trajopt_cli.exporters.rapid_text import PLACE, num, plain
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveExtJ, PoseMove
 from trajopt_cli.problem.detours import JointMove
@@ -51,8 +51,8 @@ def common_conf(plant: Plant, moves: Sequence[PoseMove], arms: Sequence[Array]) 
 
 
 def same_rail(one: float, other: float) -> bool:
-    """Whether two rail positions [mm] are one as far as the text tells."""
-    return abs(one - other) <= _SAME_RAIL or same_num(one, other)
+    """Whether two rail positions [mm] are one as far as the text tells, or as the controller's nums do."""
+    return abs(one - other) <= _SAME_RAIL or bool(np.float32(one) == np.float32(other))
 
 
 # ------------------------------------------------------------------------------------------------------- the literals
@@ -100,11 +100,6 @@ def point_literal(point: JointMove, own: JointMove, text: str, eaxes: Sequence[i
         return f"[[{','.join(num(float(value), 6) for value in point.q / DEG)}],{external}]"
     assert point.X_WO is not None  # why_straight
     return f"[{_pose(inverse_pose(point.X_WO) @ point.X_WT)},{written_conf(point.conf)},{external}]"
-
-
-def type_of(move: Move) -> str:
-    """The data type of a move's target."""
-    return "robtarget" if isinstance(move, PoseMove) else "jointtarget"
 
 
 def _pose(X: Array) -> str:

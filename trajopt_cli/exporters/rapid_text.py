@@ -156,8 +156,3 @@ def num(value: float, digits: int) -> str:
     """A value that the controller holds as a num of 24 bits: the shortest number that it reads as the same."""
     text = np.format_float_positional(np.float32(value), unique=True, trim="-")
     return plain(value, digits) if len(text.partition(".")[2]) > digits else "0" if text == "-0" else text
-
-
-def same_num(one: float, other: float) -> bool:
-    """Whether the controller reads two numbers as the same."""
-    return bool(np.float32(one) == np.float32(other))

@@ -21,7 +21,6 @@ from trajopt_cli.exporters.rapid_targets import (
     rail_text,
     rewritten,
     same_rail,
-    type_of,
     written_conf,
 )
 from trajopt_cli.exporters.rapid_text import TURN, Edits, Names, plain, refusal
@@ -155,13 +154,11 @@ class _Writer:
             if not same or any(one != points[0] for one in points):
                 wrong.append(indices[0])
             for group in [] if first.drop else self._grouped(indices):
-                rails, turns = ({_shown(x) for x in one} for one in zip(*map(self._rail_and_turn, group), strict=True))
+                wanted = [self._intents[i] for i in group]
+                rails, turns = {_shown(one.rail) for one in wanted}, {_shown((one.turn,)) for one in wanted}
                 if len(turns) > 1 or (len(rails) > 1 and self._needed(group)):
                     wrong.append(group[0])
         self._refuse(wrong)
-
-    def _rail_and_turn(self, index: int) -> tuple[tuple[float, ...] | None, tuple[float, ...]]:
-        return self._intents[index].rail, (self._intents[index].turn,)
 
     def _refuse(
         self,
@@ -437,7 +434,7 @@ class _Writer:
             parts.append(conf if not parts else rf"{parts.pop()}\conf:={conf}")
         if not parts:  # its target says nothing
             self._refuse(list(wishes))
-        type_ = "robtarget" if here else type_of(move)
+        type_ = "robtarget" if here or isinstance(move, PoseMove) else "jointtarget"
         kind = "ConfAt" if not given else "RailAt" if type_ == "robtarget" else "RailAtJ"
         return f"{self._function(span, kind, type_)}({text},{parts[0]})"
 

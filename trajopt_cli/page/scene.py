@@ -48,7 +48,8 @@ def robot_scene(
 
 def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:
     """A scene with points and cycles as plain data."""
-    most = _MOST_TRIANGLES // max(sum(_is_fine(body.shape) for body in scene.bodies), 1)
+    fine = [body for body in scene.bodies if isinstance(body.shape, Mesh) and not isinstance(body.shape, Polytope)]
+    most = _MOST_TRIANGLES // max(len(fine), 1)
     return {
         "chain": [_joint(joint) for joint in scene.chain],
         "bodies": [
@@ -79,10 +80,6 @@ def scene_data(scene: Scene, points: Iterable[ScenePoint], cycles: Sequence[Cycl
 def _joint(joint: Joint) -> dict[str, Any]:
     out = {"name": joint.name, "placement": _flat(joint.X), "kind": joint.kind, "axis": joint.axis.tolist()}
     return out | ({"less": joint.less} if joint.less else {})
-
-
-def _is_fine(shape: Shape) -> bool:
-    return isinstance(shape, Mesh) and not isinstance(shape, Polytope)
 
 
 def _coarse(shape: Shape, most: int) -> Shape:

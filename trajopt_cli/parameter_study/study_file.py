@@ -92,10 +92,6 @@ def _several(value: Any) -> Any:
     return [value] if isinstance(value, str) else value
 
 
-def _levels(value: Any) -> Any:
-    return {"list": value} if isinstance(value, list) else value
-
-
 def _effort(value: Any) -> Any:
     if value in (FIRST_LEGAL, FULL):
         return value
@@ -104,7 +100,7 @@ def _effort(value: Any) -> Any:
     raise complain(f"needs {FIRST_LEGAL}, {FULL} or a time, {{time_limit: 20 s}}")
 
 
-Levels = Annotated[LevelsSection, BeforeValidator(_levels)]
+Levels = Annotated[LevelsSection, BeforeValidator(lambda value: {"list": value} if isinstance(value, list) else value)]
 Modules = Annotated[tuple[StrictStr, ...], BeforeValidator(_several), Field(min_length=1)]
 
 

@@ -67,8 +67,10 @@ def savings_figure(steps: Sequence[tuple[str, float]], title: str) -> Figure:
     if len(steps) < 2:
         raise ValueError(f"savings needs a start and at least one step, not {len(steps)} steps")
     first, last = steps[0][1], steps[-1][1]
+    told = f"{abs(first - last):.3f} s {'saved' if first >= last else 'lost'}, {100 * abs(first - last) / first:.1f} %"
+    outcome = f"{first:.3f} s → {last:.3f} s: {told}"
     heading = "Saving by cause, for a machine that follows joint positions"
-    figure = new_figure(1.9 + 0.52 * (len(steps) + 1), heading, f"{title} · {_outcome(first, last)}")
+    figure = new_figure(1.9 + 0.52 * (len(steps) + 1), heading, f"{title} · {outcome}")
     axes = figure.subplots()
     longest = max(seconds for _, seconds in steps)
     _bar(axes, 0, 0.0, first, GREY, f"{first:.3f} s")
@@ -168,9 +170,3 @@ def _finish(axes: Axes, labels: Sequence[str], longest: float, below: float = 0.
 
 def _signed(value: float, decimals: int = 3) -> str:
     return f"{value:+.{decimals}f}".replace("-", "−")
-
-
-def _outcome(first: float, last: float) -> str:
-    saved = first - last
-    word = "saved" if saved >= 0 else "lost"
-    return f"{first:.3f} s → {last:.3f} s: {abs(saved):.3f} s {word}, {100 * abs(saved) / first:.1f} %"

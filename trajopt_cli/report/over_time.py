@@ -72,19 +72,10 @@ def joints(course: PlanSeries) -> Figure:
                 used = float(np.max(values[:, k] / np.where(values[:, k] > 0, *ends[::-1]) / factor))
                 told = f"±{whole(high)}, peak {100 * used:.0f} %"
             panel.text(
-                0.99,
-                0.985,
-                told,
-                transform=panel.transAxes,
-                ha="right",
-                va="top",
-                size=LEAST,
-                color=GREY,
-                gid="limits",
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8},
-                zorder=0.9,
-            )
-        grid[k, 0].set_ylabel(f"{readable(name)}\n[{unit_of(name)[1]}]", size=SMALL)
+                0.99, 0.985, told, transform=panel.transAxes, ha="right", va="top", size=LEAST, color=GREY,
+                gid="limits", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8}, zorder=0.9,
+            )  # fmt: skip
+        grid[k, 0].set_ylabel(f"{name.replace('_', ' ')}\n[{unit_of(name)[1]}]", size=SMALL)
     mark_motions(course, grid.flat)
     for panel in grid[-1]:
         panel.set_xlabel(TIME)
@@ -144,17 +135,8 @@ def rail(course: PlanSeries) -> Figure | None:
     mark_motions(course, [axes])
     handles: list[Line2D | Patch] = [Line2D([], [], color=BLACK, linewidth=2.4, label="rail")]
     if any(target_flange(leg) is not None for leg in course.legs):
-        handles.append(
-            Line2D(
-                [],
-                [],
-                color=SKY,
-                linewidth=3,
-                marker="_",
-                markeredgecolor=BLUE,
-                label="rail positions that reach the point",
-            )
-        )
+        told = "rail positions that reach the point"
+        handles.append(Line2D([], [], color=SKY, linewidth=3, marker="_", markeredgecolor=BLUE, label=told))
     if any(course.plant.rail_value(leg.motion.extax) is not None for leg in course.moves):  # type: ignore[union-attr]
         handles.append(Line2D([], [], color=VERMILLION, marker="x", linestyle="", label="rail as programmed"))
     key(figure, course, handles)
@@ -192,10 +174,8 @@ def effector(course: PlanSeries) -> Figure:
     V, cap = course.V_WT[:, :3] / MM, course.plant.tcp.speed / MM
     speeds = [("speed\n[mm/s]", V)]
     if course.plant.robot.has_rail:
-        speeds = [
-            ("speed in the world\n[mm/s]", V),
-            ("speed seen from\nthe carriage [mm/s]", V - course.rail_speed / MM),
-        ]
+        on_carriage = V - course.rail_speed / MM
+        speeds = [("speed in the world\n[mm/s]", V), ("speed seen from\nthe carriage [mm/s]", on_carriage)]
     figure = new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", course.below)
     grid = figure.subplots(2 + len(speeds), 1, sharex=True)
     draw_xyz(grid[0], course.t, course.X_WT[:, :3, 3] / MM)
@@ -244,11 +224,6 @@ def number(value: float) -> str:
 def whole(value: float) -> str:
     """The nearest whole number; of a small one three figures."""
     return f"{value:.0f}".replace("-", "−") if abs(value) >= 100 else f"{value:.3g}".replace("-", "−")
-
-
-def readable(axis: str) -> str:
-    """An axis' name as people write it."""
-    return axis.replace("_", " ")
 
 
 def key(figure: Figure, course: PlanSeries, handles: list[Line2D] | list[Line2D | Patch]) -> None:

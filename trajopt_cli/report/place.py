@@ -113,22 +113,9 @@ def _contours(figure: Figure, panel: Axes, at: Array, seconds: Array, can: BoolA
 
 def _mark(panel: Axes, point: Array, at: Array, seconds: Array, marker: str, label: str, name: str) -> None:
     """A place that is named; over one range at its time."""
-    if len(point) > 1:
-        x, y = point[:2]
-    else:
-        near = int(np.argmin(np.abs(at[:, 0] - point[0])))
-        x, y = point[0], seconds[near]
+    x, y = point[:2] if len(point) > 1 else (point[0], seconds[np.argmin(np.abs(at[:, 0] - point[0]))])
     size = 19 if marker == "*" else 11
     panel.plot(
-        [x],
-        [y],
-        marker,
-        color="white",
-        markeredgecolor=BLACK,
-        markersize=size,
-        markeredgewidth=1.6,
-        zorder=4,
-        clip_on=False,
-        label=label,
-        gid=name,
-    )
+        [x], [y], marker, color="white", markeredgecolor=BLACK, markersize=size, markeredgewidth=1.6, zorder=4,
+        clip_on=False, label=label, gid=name,
+    )  # fmt: skip

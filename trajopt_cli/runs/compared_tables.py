@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.compared import AlignedMotion, ComparedRuns, OneRun
 from trajopt_cli.runs.inputs_compared import Difference
-from trajopt_cli.runs.summary import MotionRow
 from trajopt_cli.table import TOLD_GAP, Bad, Good, TextTable, percent, seconds, signed, tabulate
 
 
@@ -20,15 +20,9 @@ def cycles_table(answer: ComparedRuns) -> TextTable:
         plan = run.plans[target]
         against = "" if run is first else difference(plan.cycle_time_s, first.plans[target].cycle_time_s)
         legal = Good("yes") if plan.judge.legal else Bad("no")
-        return (
-            str(target),
-            run.letter,
-            seconds(plan.cycle_time_s),
-            seconds(plan.lower_bound_s),
-            percent(plan.gap if (plan.gap or 0.0) <= TOLD_GAP else None),
-            against,
-            legal,
-        )
+        gap = percent(plan.gap if (plan.gap or 0.0) <= TOLD_GAP else None)
+        times = seconds(plan.cycle_time_s), seconds(plan.lower_bound_s)
+        return str(target), run.letter, *times, gap, against, legal
 
     def written(run: OneRun) -> tuple[str, ...]:
         counts = run is not first and run.written is not None and first.written is not None
@@ -44,12 +38,13 @@ def motions_table(answer: ComparedRuns, rows: Sequence[AlignedMotion]) -> TextTa
     """Times of motions in each run; a motion that a run does not have, or drops, says so."""
     two = len(answer.runs) == 2
 
-    def time(motion: MotionRow | None) -> str:
-        return (
-            ("not there" if two else "–") if motion is None else "dropped" if motion.dropped else seconds(motion.time_s)
-        )
+    def time(n: int, row: AlignedMotion) -> str:
+        motion = row.motions[n]
+        if motion is None:
+            return "not there" if two else "–"
+        return "dropped" if motion.dropped else seconds(motion.time_s)
 
-    columns = {f">{run.letter} [s]": _of_run(n, time) for n, run in enumerate(answer.runs)}
+    columns = {f">{run.letter} [s]": partial(time, n) for n, run in enumerate(answer.runs)}
     if two:
         columns[">B − A [s]"] = lambda row: signed(row.times[1] - row.times[0])
     else:
@@ -59,14 +54,14 @@ def motions_table(answer: ComparedRuns, rows: Sequence[AlignedMotion]) -> TextTa
 
 def bindings_table(answer: ComparedRuns) -> TextTable:
     """The motions that different limits hold back, and which."""
-    columns = {run.letter: _binding(n) for n, run in enumerate(answer.runs)}
+    columns = {run.letter: partial(lambda n, row: _known(row.bindings[n]), n) for n, run in enumerate(answer.runs)}
     return tabulate("what limits each", answer.bound_otherwise, _NAMED | columns)
 
 
 def inputs_table(answer: ComparedRuns) -> TextTable:
     """Limits, keys of the cell file, options and versions that differ."""
     columns: dict[str, Callable[[Difference], str]] = {"what": named}
-    columns |= {run.letter: _value(n) for n, run in enumerate(answer.runs)}
+    columns |= {run.letter: partial(lambda n, row: _known(row.values[n]), n) for n, run in enumerate(answer.runs)}
     return tabulate("cell file, limits in force, options, versions", (*answer.limits, *answer.inputs), columns)
 
 
@@ -100,6 +95,10 @@ def runs_line(answer: ComparedRuns) -> str:
 
 def runs_record(answer: ComparedRuns) -> dict[str, Any]:
     """The whole comparison as plain data, in SI."""
+
+    def differences(found: Sequence[Difference]) -> list[dict[str, Any]]:
+        return [{"kind": one.kind or "limit", "name": one.name, "values": list(one.values)} for one in found]
+
     return {
         "target": answer.target.value,
         "runs": [
@@ -126,9 +125,20 @@ def runs_record(answer: ComparedRuns) -> dict[str, Any]:
             ]
             for letter, changes in answer.modules.items()
         },
-        "limits": [_difference(one) for one in answer.limits],
-        "inputs": [_difference(one) for one in answer.inputs],
-        "motions": [_motion(row) for row in answer.rows],
+        "limits": differences(answer.limits),
+        "inputs": differences(answer.inputs),
+        "motions": [
+            {
+                "instruction": row.any.instruction,
+                "target": row.any.target,
+                "sources": [None if one is None else one.source for one in row.motions],
+                "times_s": [None if one is None else one.time_s for one in row.motions],
+                "dropped": [None if one is None else one.dropped for one in row.motions],
+                "bindings": [None if one is None else one.binding for one in row.motions],
+                "spread_s": row.spread,
+            }
+            for row in answer.rows
+        ],
         "notes": list(answer.notes),
     }
 
@@ -149,33 +159,5 @@ _NAMED: dict[str, Callable[[AlignedMotion], str]] = {
 }
 
 
-def _of_run(n: int, text: Callable[[MotionRow | None], str]) -> Callable[[AlignedMotion], str]:
-    return lambda row: text(row.motions[n])
-
-
-def _binding(n: int) -> Callable[[AlignedMotion], str]:
-    return lambda row: _known(row.bindings[n])
-
-
-def _value(n: int) -> Callable[[Difference], str]:
-    return lambda row: _known(row.values[n])
-
-
 def _known(value: str | None) -> str:
     return "–" if value is None else value
-
-
-def _difference(one: Difference) -> dict[str, Any]:
-    return {"kind": one.kind or "limit", "name": one.name, "values": list(one.values)}
-
-
-def _motion(row: AlignedMotion) -> dict[str, Any]:
-    return {
-        "instruction": row.any.instruction,
-        "target": row.any.target,
-        "sources": [None if one is None else one.source for one in row.motions],
-        "times_s": [None if one is None else one.time_s for one in row.motions],
-        "dropped": [None if one is None else one.dropped for one in row.motions],
-        "bindings": [None if one is None else one.binding for one in row.motions],
-        "spread_s": row.spread,
-    }

@@ -127,16 +127,11 @@ def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
 # -------------------------------------------------------------------------------------------------------- the machine
 
 
-def _limited(
-    program: Program, plant: Plant, column: str, values: Callable[[float], Array], share: float
-) -> tuple[Program, Plant]:
-    return program, replace(plant, limits=plant.limits.changed(column, values(share)))
-
-
-def _raised(values: Array, i: int, step: float, share: float) -> Array:
-    out = values.copy()
-    out[i] += share * step
-    return out
+def _raised(program: Program, plant: Plant, column: str, i: int, step: float, share: float) -> tuple[Program, Plant]:
+    """A limit of one axis by share * step more."""
+    values = getattr(plant.limits, column).copy()
+    values[i] += share * step
+    return program, replace(plant, limits=plant.limits.changed(column, values))
 
 
 def _axis_levers(program: Program, plant: Plant) -> Iterator[Lever]:
@@ -144,9 +139,8 @@ def _axis_levers(program: Program, plant: Plant) -> Iterator[Lever]:
     limits = plant.limits
 
     def lever(kind: LeverKind, what: str, column: str, i: int, step: float, unit: str, text: str) -> Lever:
-        values = getattr(limits, column)
-        now = float(values[i])
-        change = partial(_limited, program, plant, column, partial(_raised, values, i, step))
+        now = float(getattr(limits, column)[i])
+        change = partial(_raised, program, plant, column, i, step)
         return Lever(kind, f"{limits.names[i]} {what}", unit, now, now + step, text, True, change)
 
     for i, name in enumerate(limits.names):

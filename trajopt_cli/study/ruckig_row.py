@@ -227,7 +227,7 @@ def _on_line(axes: Axes, run: StopToStop, jerk: Array | None) -> PointToPoint:
                 break
             if made(v, top_a, j).duration >= shortest:  # less acceleration takes no less
                 continue
-            a = _largest(partial(_fits_scaled, fits, v, top_a, j))
+            a = _largest(lambda share, v=v, j=j: fits(v, top_a * share, j))  # type: ignore[misc]
             if a is None:
                 continue
             duration = made(v, top_a * a, j).duration
@@ -243,9 +243,3 @@ def _on_line(axes: Axes, run: StopToStop, jerk: Array | None) -> PointToPoint:
         if apart(motion.switches):
             break
     return motion
-
-
-def _fits_scaled(
-    fits: Callable[[float, float, float | None], bool], v: float, top_a: float, j: float | None, share: float
-) -> bool:
-    return fits(v, top_a * share, j)
