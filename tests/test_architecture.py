@@ -151,7 +151,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
         "yaml_file.py",
     ),
     "ruamel": ("robot/*", "yaml_file.py"),
-    "mcap_ros2": ("exporters/mcap.py",),
+    "mcap_ros2": ("exporters/ros2.py",),
     "pyarrow": ("exporters/parquet.py", "parameter_study/results.py"),
     "numpy": ("*",),
 }

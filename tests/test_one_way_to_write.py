@@ -17,7 +17,7 @@ ALLOWED = {
     "native/store.py": "a cache, that may be lost at any time, on the floor below",
     "proximity/meshes.py": "a copy of a mesh for the library, in a temporary folder",
     "parameter_study/point.py": "the files of a robot's own, in a temporary folder of a worker",
-    "parameter_study/kept_plan.py": "a point's program and cell, in a temporary folder",
+    "parameter_study/backups.py": "a point's program and cell, in a temporary folder",
     "cli/health.py": "a trial run in a temporary folder",
     "cli/__init__.py": "opens /dev/null where stdout is closed",
 }

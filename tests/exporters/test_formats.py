@@ -11,9 +11,8 @@ import pytest
 from ruamel.yaml import YAML
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.fri import fri_rows
 from trajopt_cli.exporters.parquet import parquet
-from trajopt_cli.exporters.recorded import Recorded
+from trajopt_cli.exporters.recorded import Recorded, fri_rows
 from trajopt_cli.exporters.ros2 import trajectory_parts
 from trajopt_cli.joint_csv import header
 from trajopt_cli.trajectory import Trajectory

@@ -11,7 +11,7 @@ import pytest
 from test_formats import NAMES, motion
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.mcap import mcap
+from trajopt_cli.exporters.ros2 import mcap
 from trajopt_cli.trajectory import Trajectory
 
 

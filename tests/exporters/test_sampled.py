@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.sampled import at_rate
+from trajopt_cli.exporters.recorded import at_rate
 from trajopt_cli.iiwa.judge.joints import check_limits
 from trajopt_cli.iiwa.judge.task_order import read_arm
 from trajopt_cli.trajectory import Trajectory

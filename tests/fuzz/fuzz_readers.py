@@ -504,7 +504,7 @@ def _read_robot(path: Path) -> object:
 
 @cache
 def _limits() -> object:
-    from trajopt_cli.measured.nominal import limits_in_force
+    from trajopt_cli.measured.limits_file import limits_in_force
 
     return limits_in_force("irb140", None)[0]
 

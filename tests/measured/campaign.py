@@ -23,8 +23,7 @@ from measured.simulated_log import (
 )
 from trajopt_cli.job import read_job
 from trajopt_cli.measured.identify import Kind, Limit, identify
-from trajopt_cli.measured.limits_file import limits_section
-from trajopt_cli.measured.nominal import limits_in_force
+from trajopt_cli.measured.limits_file import limits_in_force, limits_section
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.study.estimate import Estimate, estimate
 from trajopt_cli.trajectory import Trajectory

@@ -10,8 +10,7 @@ from measured.campaign import CELL, Outcome, one_run, truth_of
 from measured.simulated_log import NAMES, Move, Recorder, Robot, drive, identification_moves, random_robot, record
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.measured.identify import Kind, Limit, identify
-from trajopt_cli.measured.limits_file import limits_section
-from trajopt_cli.measured.nominal import limits_in_force
+from trajopt_cli.measured.limits_file import limits_in_force, limits_section
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.trajectory import Trajectory
 

@@ -16,11 +16,10 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.page import samples
-from trajopt_cli.page.cell import program_section
+from trajopt_cli.page.cell import AROUND, WHOLE, program_section, sources_data
 from trajopt_cli.page.changes import changes_section
 from trajopt_cli.page.compared import compared_page
 from trajopt_cli.page.cycles import Shown
-from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
 from trajopt_cli.page.optimized import Provenance, optimized_page
 from trajopt_cli.page.samples import GAP, sample_times
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall

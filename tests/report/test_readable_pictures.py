@@ -19,8 +19,7 @@ from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.rapid.reader import read_program
-from trajopt_cli.report.bars import Bar, comparison_figure, savings_figure
-from trajopt_cli.report.levers import levers_figure
+from trajopt_cli.report.bars import Bar, comparison_figure, levers_figure, savings_figure
 from trajopt_cli.report.pictures import PICTURES, STEP_PICTURES
 from trajopt_cli.report.steps import Steps, steps_of
 from trajopt_cli.report.stepwise import analyse

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.adopt.track import on_track
+from trajopt_cli.adopt.urdf_text import on_track
 from trajopt_cli.geometry import pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.description import shipped

@@ -15,8 +15,7 @@ from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.scenario import FreeTool, Scenario
 from trajopt_cli.study.case import Attempt, Case, NotApplicable
-from trajopt_cli.study.sampled_turn import sampled_turn
-from trajopt_cli.study.toppra_row import toppra
+from trajopt_cli.study.toppra_row import sampled_turn, toppra
 from trajopt_cli.warnings import Source
 
 REST = "[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]"

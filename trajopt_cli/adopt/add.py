@@ -8,12 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trajopt_cli.adopt.chain import NormalChain, normal_chain
-from trajopt_cli.adopt.seven import parallel, srs_yaml
 from trajopt_cli.adopt.solids import link_bodies, self_pairs
-from trajopt_cli.adopt.track import on_track
 from trajopt_cli.adopt.tree import read_tree
-from trajopt_cli.adopt.urdf_text import urdf_text
-from trajopt_cli.adopt.yaml_text import yaml_text
+from trajopt_cli.adopt.urdf_text import on_track, urdf_text
+from trajopt_cli.adopt.yaml_text import parallel, srs_yaml, yaml_text
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.urdf import RAIL

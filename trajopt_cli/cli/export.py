@@ -111,7 +111,7 @@ def mcap(
     Example:
       trajopt export mcap results/hinge_cell --output motion.mcap
     """
-    from trajopt_cli.exporters.mcap import mcap as mcap_of
+    from trajopt_cli.exporters.ros2 import mcap as mcap_of
 
     make: _Make = lambda rows, _: mcap_of(rows, _split(joints))  # noqa: E731
     _export(_output(output, results, "joint.mcap"), results, rate, _of_the_urdf, make, as_json, quiet)
@@ -155,8 +155,7 @@ def fri(
     Example:
       trajopt export fri results/iiwa_cube --output fri.csv
     """
-    from trajopt_cli.exporters.fri import fri_rows
-    from trajopt_cli.exporters.recorded import recorded
+    from trajopt_cli.exporters.recorded import fri_rows, recorded
     from trajopt_cli.runs.files import write_file
 
     output = _output(output, results, "fri.csv")

@@ -48,9 +48,14 @@ def identify(
     from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.errors import InputError
     from trajopt_cli.measured.identify import identify
-    from trajopt_cli.measured.limits_file import identified_record, identified_table, limits_section, seen_lines
+    from trajopt_cli.measured.limits_file import (
+        identified_record,
+        identified_table,
+        limits_in_force,
+        limits_section,
+        seen_lines,
+    )
     from trajopt_cli.measured.log_csv import logs_of, lost_rows, read_log
-    from trajopt_cli.measured.nominal import limits_in_force
     from trajopt_cli.measured.reached import contradictions, reached_in
     from trajopt_cli.runs.files import check_file, write_file
 

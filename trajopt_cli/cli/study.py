@@ -163,7 +163,7 @@ def show(
 
     from trajopt_cli.cli.console import no, print_answer, told
     from trajopt_cli.parameter_study.analysis import StudyRows, variance_shares
-    from trajopt_cli.parameter_study.kept_plan import PLANS
+    from trajopt_cli.parameter_study.backups import PLANS
     from trajopt_cli.parameter_study.study_page import BEST, front, reasons, study_page, summary_lines, tables
     from trajopt_cli.runs import REPORT
     from trajopt_cli.runs.files import write_file
@@ -207,7 +207,7 @@ def plan(
       trajopt study plan programs/studies/which_rail.yaml 21 --time-limit 60
     """
     from trajopt_cli.cli.console import no, stdout, tell
-    from trajopt_cli.parameter_study.kept_plan import PLANS, keep_plan
+    from trajopt_cli.parameter_study.backups import PLANS, keep_plan
     from trajopt_cli.parameter_study.study_file import read_study
     from trajopt_cli.table import seconds
 

@@ -1,19 +1,21 @@
-"""A plan as files for the machine that executes it."""
+"""A plan as files for the machine that executes it, and which joint moves it drives faster than the program asks."""
 
 from __future__ import annotations
 
 from typing import Literal
 
-from trajopt_cli.exporters.faster import faster_than_programmed
+import numpy as np
+
 from trajopt_cli.exporters.joint import resample
 from trajopt_cli.exporters.rapid import export_rapid
 from trajopt_cli.joint_csv import write_csv_text
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import MoveAbsJ, MoveJ, Program
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import Scenario
 
 JOINTS = "joints.csv"
+_EXCESS = 1e-6  # relative; a speed this close to the programmed one is that one
 
 
 def export(
@@ -44,3 +46,26 @@ def export(
     faster = faster_than_programmed(program, plan, plant)
     written = export_rapid(program, plan, plant, faster, scenario)
     return {path: text.encode(program.files[path].encoding) for path, text in written.texts.items()}
+
+
+def faster_than_programmed(program: Program, plan: Plan, plant: Plant) -> frozenset[int]:
+    """Indices of MoveJ and MoveAbsJ in which TCP, reorientation or rail pass their programmed speed at some row.
+
+    Empty unless the cell frees the speed of joint moves; the plan's trajectory has speeds.
+    """
+    trajectory = plan.trajectory
+    if not plant.free_speed or trajectory.qd is None:
+        return frozenset()
+    found = set()
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if not isinstance(motion, MoveJ | MoveAbsJ):
+            continue
+        rows = (trajectory.t >= planned.t_0) & (trajectory.t <= planned.t_1)
+        qd = trajectory.qd[rows]
+        twist = plant.robot.differential(trajectory.q[rows], motion.tool.X_FT).velocity(qd)
+        pairs = [(twist[:, :3], motion.speed.v_tcp), (twist[:, 3:], motion.speed.turning)]
+        pairs += [(qd[:, [i]], motion.speed.v_leax) for i in range(plant.layout.r)]
+        if any(np.linalg.norm(values, axis=1).max(initial=0.0) > cap * (1 + _EXCESS) for values, cap in pairs):
+            found.add(planned.index)
+    return frozenset(found)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.mcap import BAR, HEADER, JOINT_STATE, TIME, Message, bag, header
+from trajopt_cli.exporters.ros2 import BAR, HEADER, JOINT_STATE, TIME, Message, bag, header
 from trajopt_cli.geometry import (
     Array,
     inverse_pose,

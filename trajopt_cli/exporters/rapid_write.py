@@ -12,12 +12,14 @@ from typing import Literal
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_points import point, point_lines, put_above
 from trajopt_cli.exporters.rapid_targets import (
     Wish,
     common_conf,
     offsets,
+    point,
+    point_lines,
     point_literal,
+    put_above,
     rail_text,
     rewritten,
     same_rail,

@@ -1,20 +1,25 @@
-"""Identified limits as the `limits:` section of a cell file, as a table and as plain data."""
+"""The limits in force for a log; and identified ones as a cell file's `limits:`, as a table and as plain data."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from trajopt_cli.errors import InputError
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.measured.identify import Kind, Limit, Seen
 from trajopt_cli.measured.reached import Reached
 from trajopt_cli.table import TextTable, percent, tabulate
-from trajopt_cli.units import unit_of
+from trajopt_cli.units import slides, unit_of
 
 KEYS = {Kind.SPEED: "velocity", Kind.ACCELERATION: "acceleration", Kind.JERK: "jerk"}
 _UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
+_ANYWHERE = 200.0  # m: what a rail's stroke is only the cell file knows
 
 
 def limits_section(limits: Sequence[Limit], logs: Sequence[str]) -> str:
@@ -148,3 +153,30 @@ def identified_record(
         "reached": [asdict(one) | {"share": one.value / one.limit} for one in reached],
         "contradictions": list(against),
     }  # fmt: skip
+
+
+def limits_in_force(robot: str | None, cell: Path | None) -> tuple[JointLimits, str]:
+    """Limits of all axes in the robot's order, and where they come from, in words.
+
+    Raises InputError where neither or both are named, and as loading them does.
+    """
+    if (robot is None) == (cell is None):
+        raise InputError(
+            "say whose axes these are: by --robot NAME ('trajopt robot list') or by --cell FILE.yaml, one of them"
+        )
+    if cell is not None:
+        from trajopt_cli.cell.loader import load_cell
+        from trajopt_cli.problem.plant import build_plant
+
+        return build_plant(load_cell(cell)).limits, str(cell)
+    from trajopt_cli.robot.description import read
+    from trajopt_cli.robot.model import Structure, load_robot
+    from trajopt_cli.robot.srs import load_srs
+
+    assert robot is not None
+    data, _, _ = read(robot)
+    model = load_srs(robot) if data.structure is Structure.SRS else load_robot(robot)
+    limits, name = model.profile(), getattr(model, "default_profile", "default")
+    rail = np.array([slides(one) for one in limits.names])
+    lower, upper = np.where(rail, -_ANYWHERE, limits.lower), np.where(rail, _ANYWHERE, limits.upper)
+    return replace(limits, lower=lower, upper=upper), f"{data.name}, profile {name}"

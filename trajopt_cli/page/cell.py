@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import PurePath
 from typing import Any
 
 from trajopt_cli.motion import Program
@@ -18,22 +19,26 @@ from trajopt_cli.page.cycles import (
 )
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.encode import text
-from trajopt_cli.page.kept_speed import kept_speed
-from trajopt_cli.page.listing import sources_data
 from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene
-from trajopt_cli.page.tables import numbers
+from trajopt_cli.page.tables import numbers, table
+from trajopt_cli.problem.constant_speed import DIP, Dip
 from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.summary import SETTLING, motion_label
 from trajopt_cli.scene import plan_cycle, program_points
 from trajopt_cli.table import place, seconds, short_target
+from trajopt_cli.units import MM
 
 SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000
 """Motions in the table; summary.json has all of any program."""
 _FEW, _MANY = 4, 3
 """More cycles than the first have rows as many times as far apart as the second says."""
+_DIPS = 200  # in a table; summary.json has all of them
+WHOLE = 2_000  # lines of a module that is shown from end to end
+AROUND = 6  # lines before and after a motion, where the module is longer
+_LINES = 4_000  # of source in all
 _HEADS = ("place", "instruction", "target")
 
 
@@ -166,3 +171,71 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         f"<tbody>{''.join(rows)}</tbody><tfoot><tr><td>cycle</td><td></td><td></td>{foot}<td></td></tr></tfoot>"
         "</table></div>"
     )
+
+
+def kept_speed(one: Shown) -> str:
+    """A table of the dips of one cycle, or that there are none; nothing where no stretch should keep its speed."""
+    if not one.stretches:
+        return ""
+    dips = [dip for stretch in one.stretches for dip in stretch.dips]
+    way = sum(stretch.length for stretch in one.stretches) / MM
+    said = f"{one.name}: {way:.1f} mm should keep the programmed speed"
+    if not dips:
+        return f"<p>{said}, and do within {100 * DIP:g} %.</p>"
+    caption = f"{said} within {100 * DIP:g} %; where they do not" + (
+        f", the {_DIPS} longest" if len(dips) > _DIPS else ""
+    )
+    heads = ("place", "motion", ">at [mm]", ">programmed [mm/s]", ">slowest [mm/s]", ">for [s]", ">over [mm]", "cause")
+    worst = sorted(dips, key=lambda dip: -dip.length)[:_DIPS]
+    return table(caption, heads, map(_row, sorted(worst, key=lambda dip: dip.start)))
+
+
+def _row(dip: Dip) -> tuple[str, ...]:
+    return (
+        place(dip.source),
+        dip.name,
+        f"{dip.along / MM:.1f}",
+        f"{dip.programmed / MM:.4g}",
+        f"{dip.lowest / MM:.4g}",
+        f"{dip.duration:.3f}",
+        f"{dip.length / MM:.1f}",
+        dip.cause,
+    )
+
+
+def sources_data(programs: Sequence[Program], files: Iterable[str]) -> list[dict[str, Any]]:
+    """Each file by its name, with stretches of lines: [first line, [text, ...]]. cut: whether motions are left out.
+
+    A module that holds no motion is left out; its index stays.
+    """
+    out, room = [], _LINES
+    for path in files:
+        content = next(one.files[path].text for one in programs if path in one.files)
+        lines = content.split("\n")
+        moving = {m.source.line for one in programs for m in one.motions if m.source.file == path}
+        wanted = _wanted(len(lines), moving) if moving else []
+        shown = wanted[:room]
+        room -= len(shown)
+        out.append(
+            {
+                "name": PurePath(path).name,
+                "parts": [[a, [line.rstrip("\r") for line in lines[a - 1 : b]]] for a, b in _stretches(shown)],
+                "cut": len(shown) < len(wanted),
+            }
+        )
+    return out
+
+
+def _wanted(count: int, moving: set[int]) -> list[int]:
+    if count <= WHOLE:
+        return list(range(1, count + 1))
+    near = {line for at in moving for line in range(at - AROUND, at + AROUND + 1)}
+    return sorted(line for line in near if 1 <= line <= count)
+
+
+def _stretches(lines: Sequence[int]) -> list[tuple[int, int]]:
+    """First and last of each run of neighbours."""
+    out: list[tuple[int, int]] = []
+    for line in lines:
+        out = [*out[:-1], (out[-1][0], line)] if out and line == out[-1][1] + 1 else [*out, (line, line)]
+    return out

@@ -1,4 +1,7 @@
-"""Every program below a folder, each optimised in a process of its own: what `trajopt batch` does."""
+"""Every program below a folder, each optimised in a process of its own: what `trajopt batch` does.
+
+And one point of a study, planned the same way: `trajopt study plan`.
+"""
 
 from __future__ import annotations
 
@@ -13,15 +16,20 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from trajopt_cli import __version__
 from trajopt_cli.adopt.backup import cell_from_backup
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError, printable
+from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.job import cell_path_for
 from trajopt_cli.page.document import Section, document
 from trajopt_cli.page.tables import head, linked, points
+from trajopt_cli.parameter_study.cell_keys import put
+from trajopt_cli.parameter_study.point import cell_data, job_at, without_root
+from trajopt_cli.parameter_study.study_file import Study
 from trajopt_cli.rapid.language.text import read_text
 from trajopt_cli.rapid.program_list import read_list
 from trajopt_cli.rapid.sources import LIST_SUFFIX, MAX_ENTRIES, is_module, modules_at, syspar_of
@@ -29,10 +37,13 @@ from trajopt_cli.robot.model import load_robot
 from trajopt_cli.runs import REPORT, RUN
 from trajopt_cli.runs.files import write_file
 from trajopt_cli.runs.record import as_json, parse_record
+from trajopt_cli.runs.transaction import write_files
 from trajopt_cli.table import TextTable, percent, seconds, tabulate
 
 RECORD, INDEX, CELLS = "batch.json", "index.html", "cells"
 """Of a batch's folder: every row, the page of them, the cell files made of backups."""
+PLANS = "plans"
+"""Of a study's results folder: the results folders of points, by their numbers."""
 _MAIN = re.compile(r"(?:\A|[\r\n;])\s*(LOCAL\s+)?PROC\s+main\s*\(", re.IGNORECASE)
 _NOISE = ("home", "syspar", "backinfo")  # of a backup
 Row = Mapping[str, Any]
@@ -294,3 +305,32 @@ def _write(output: Path, programs: Sequence[BatchProgram], rows: Mapping[str, Ro
     there = [rows[one.name] for one in programs if one.name in rows]
     write_file(output / RECORD, as_json({"trajopt": __version__, "programs": there}))
     write_file(output / INDEX, batch_page(there))
+
+
+def keep_plan(study: Study, index: int, folder: Path, options: Sequence[str] = ()) -> dict[str, Any]:
+    """Write a point's program and cell out as files, and have trajopt optimize plan them in a process of its own.
+
+    folder: of the study's results; the plan's is PLANS/index in it. options: of optimize, besides. Gives status, times
+    [s] and the reason of a failure as a row of a batch has them. Raises InputError for a point that the study does not
+    have.
+    """
+    if not 0 <= index < len(study.design):
+        raise InputError(f"has no point {index}, but 0 to {len(study.design) - 1}", file=str(study.path))
+    inputs, point = study.inputs, study.design.point(index)
+    try:
+        job = job_at(inputs, point)
+    except InputError as error:
+        return failed_row(without_root(inputs, str(error)))
+    data = cell_data(inputs, dict(zip(inputs.keys, point.values, strict=True)))
+    if any(key.startswith(("place.base.", "place.rail.")) for key in inputs.keys):
+        rail = job.cell.rail
+        X = job.cell.X_WB if rail is None else rail.X_WR
+        frame = {"position": X[:3, 3].tolist(), "wxyz": wxyz_from_rotation(X[:3, :3]).tolist()}
+        put(data, "base" if rail is None else "rail.frame", frame)
+    texts = {Path(one.path).name: one.text.encode(one.encoding) for one in job.program.files.values()}
+    with TemporaryDirectory(prefix="trajopt-plan-") as place:
+        cell = json.dumps(data, indent=1).encode()  # which YAML reads, too
+        write_files(Path(place), {**inputs.beside, **texts, inputs.cell_file: cell})
+        out = folder.resolve() / PLANS / str(index)
+        words = ["optimize", *texts, "--cell", inputs.cell_file, "--entry", inputs.entry]
+        return outcome(*run_command([*words, "--output", str(out), "--json", *options], place))

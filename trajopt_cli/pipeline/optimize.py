@@ -223,7 +223,7 @@ def optimize_job(
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
     """The RAPID export; None, and why, where the program's text cannot carry the plan, which is as good without."""
-    from trajopt_cli.exporters.faster import faster_than_programmed
+    from trajopt_cli.exporters.files import faster_than_programmed
     from trajopt_cli.exporters.rapid import export_rapid
 
     faster = faster_than_programmed(job.program, rapid, job.plant)

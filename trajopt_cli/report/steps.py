@@ -14,8 +14,7 @@ from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.report.in_space import CARRIAGE, STANDS, WORLD, Space, path_figure
-from trajopt_cli.report.marks import mark_times
-from trajopt_cli.report.over_time import TIME, legend, with_names, xyz_handles
+from trajopt_cli.report.over_time import TIME, legend, mark_times, with_names, xyz_handles
 from trajopt_cli.report.stepwise import Analysis, StepMove
 from trajopt_cli.report.style import AXIS_STYLES, BLACK, BLUE, GREY, VERMILLION, new_figure
 from trajopt_cli.scene import rail_ends

@@ -7,8 +7,7 @@ from functools import partial
 from typing import Any
 
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.runs.compared import AlignedMotion, ComparedRuns, OneRun
-from trajopt_cli.runs.inputs_compared import Difference
+from trajopt_cli.runs.compared import AlignedMotion, ComparedRuns, Difference, OneRun
 from trajopt_cli.table import TOLD_GAP, Bad, Good, TextTable, percent, seconds, signed, tabulate
 
 

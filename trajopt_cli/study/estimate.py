@@ -13,9 +13,8 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
-from trajopt_cli.measured.align import Alignment, align, settles
+from trajopt_cli.measured.align import Alignment, SeenSettling, align, settles, settling_seen
 from trajopt_cli.measured.reached import Reached, contradictions, reached_in, tool_beyond
-from trajopt_cli.measured.settling import SeenSettling, settling_seen
 from trajopt_cli.motion import Move, MoveAbsJ, PoseMove, SignalEvent, Source, Wait
 from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
 from trajopt_cli.problem.corners import corners_of, passed_in

@@ -302,7 +302,7 @@ def write_sensitivity(folder: Path, answer: Sensitivity, tables: Sequence[TextTa
 
 def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:
     """Bars of what each lever saves, for each target, by file name."""
-    from trajopt_cli.report.levers import lever_bars
+    from trajopt_cli.report.bars import lever_bars
 
     out: dict[str, bytes] = {}
     for target, rows in answer.rows.items():

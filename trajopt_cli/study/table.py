@@ -11,9 +11,8 @@ from trajopt_cli.study.cartesian import bang_bang_row
 from trajopt_cli.study.case import Answer, Case, NotApplicable, planned
 from trajopt_cli.study.practice import practice
 from trajopt_cli.study.ruckig_row import ruckig, ruckig_jerk
-from trajopt_cli.study.sampled_turn import sampled_turn
 from trajopt_cli.study.thesis import thesis
-from trajopt_cli.study.toppra_row import toppra
+from trajopt_cli.study.toppra_row import sampled_turn, toppra
 
 
 @dataclass(frozen=True)

@@ -9,17 +9,23 @@ a whole. (Tightening limits around each excess instead gains 0.01 %, for three t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import pairwise
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives
-from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.study.case import Answer, Case
+from trajopt_cli.plan.tool_turns import ladder
+from trajopt_cli.problem.decision_scope import FIXED_RAIL
+from trajopt_cli.problem.editable import everything
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import build_problem
+from trajopt_cli.problem.tool_turns import turn_groups, turned
+from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
 from trajopt_cli.study.fixed_rail import FixedRail, StopToStop, caps_of, fixed_rail, use_of
 from trajopt_cli.study.rows import SAFE, Piece, apart, attempt_of, each_once, hold, rows_of
 from trajopt_cli.timing.topp import TimeLaw, fastest_laws
@@ -170,3 +176,19 @@ def _fastest(path: _Path) -> TimeLaw | None:
         if law is not None and apart(law.times):
             return law
     return None
+
+
+def sampled_turn(case: Case) -> Answer:
+    """The program with sampled turns, its fixed-rail plan's path timed with TOPP-RA, every stop a stop."""
+    program, plant = case.program, case.plant
+    axes, problem = Axes.of(plant), build_problem(program, plant, FIXED_RAIL, Target.STREAM)
+    if isinstance(problem, Infeasible) or (chain := search(axes, problem)) is None:
+        return NotApplicable("as taught the targets are not all in reach")
+    groups = turn_groups(problem, everything(program, plant))
+    angles, route = ladder(axes, groups, chain, by_way=True)
+    if route is None:
+        return NotApplicable("no chain leads through sampled turns")
+    answer = toppra(replace(case, program=turned(program, groups.turns(angles))))
+    if not isinstance(answer, Attempt):
+        return answer
+    return replace(answer, program=program, notes=("turns by a ladder of 15 degrees, where joints go least far",))
