@@ -17,7 +17,6 @@ from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell
-    from trajopt_cli.kinematics import Kinematics
     from trajopt_cli.problem.editable import Loops
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.runs.results import Results
@@ -132,15 +131,6 @@ def scenario_of(cell: Cell | None, assume_identity: Iterable[str] = ()) -> Scena
     return replace(scenario, assume_identity=scenario.assume_identity | names)
 
 
-def read_flat(
-    programs: Sequence[Path], scenario: Scenario, entry: str = MAIN, kinematics: Kinematics | None = None
-) -> Program:
-    """The program's flat motions. Raises InputError with the place of what cannot be read or run."""
-    from trajopt_cli.rapid.reader import read_program
-
-    return read_program(programs, scenario, entry, kinematics)
-
-
 def read_job(
     programs: Path | Sequence[Path],
     cell: Path | None = None,
@@ -196,17 +186,14 @@ def job_on(
     from trajopt_cli.problem.plannable import check_plannable, target_doubts
     from trajopt_cli.problem.plant import build_plant, unwatched
     from trajopt_cli.problem.programmed import PlantKinematics
-    from trajopt_cli.rapid.reader import run_program
+    from trajopt_cli.rapid.reader import read_program, run_program
 
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
     scenario = replace(scenario, settle=loaded.settling(plant.robot.settle))
     kinematics = PlantKinematics(plant)
-    flat = (
-        read_flat(paths, scenario, entry, kinematics)
-        if files is None
-        else run_program(files, scenario, entry, kinematics)
-    )
+    run = scenario, entry, kinematics
+    flat = read_program(paths, *run) if files is None else run_program(files, *run)
     plant = at_cycle(flat, plant)
     if not any(isinstance(motion, Move) for motion in flat.motions):
         from trajopt_cli.rapid.entry import moves_nothing
@@ -299,14 +286,13 @@ def read_program_or_results(
         return read_job(programs, cell, entry or MAIN, assume_identity), loops or Loops.KEEP
     if len(programs) > 1:
         raise InputError("is a results folder; give it alone", file=str(results[0]))
-    if cell is not None:
-        raise InputError("a results folder brings its own cell file; leave --cell out", file=str(results[0]))
-    if entry is not None or assume_identity:
-        message = "a results folder brings its own entry and assumptions; leave --entry and --assume-identity out"
-        raise InputError(message, file=str(results[0]))
-    if loops is not None:
-        message = "a results folder brings its own answer to what loops become; leave --loops out"
-        raise InputError(message, file=str(results[0]))
+    for given, its, options in (
+        (cell is not None, "cell file", "--cell"),
+        (entry is not None or assume_identity, "entry and assumptions", "--entry and --assume-identity"),
+        (loops is not None, "answer to what loops become", "--loops"),
+    ):
+        if given:
+            raise InputError(f"a results folder brings its own {its}; leave {options} out", file=str(results[0]))
     return _of_results(results[0])
 
 

@@ -142,23 +142,18 @@ def check_reach(
     far, fast = ABSURD * (upper - lower), ABSURD * velocity
     lines = np.arange(len(trajectory.t)) + 2 if lines is None else lines
     for first in range(0, len(trajectory.t), _ROWS):
-        q = trajectory.q[first : first + _ROWS, : len(lower)]
-        wrong = np.argwhere((q < lower - far) | (q > upper + far))
-        if len(wrong):
-            i, k = (int(x) for x in wrong[0])
-            name, unit = trajectory.names[k], "m" if slides(trajectory.names[k]) else "rad"
-            message = f"{name} is {q[i, k]:.6g} {unit}, its range [{lower[k]:.6g}, {upper[k]:.6g}] {unit}: more than"
-            message += f" {ABSURD} times the range beside it is no trajectory; see the value, and the column's unit"
-            raise InputError(message, file=file, line=int(lines[first + i]))
-        if trajectory.qd is None:
-            continue
-        wrong = np.argwhere(np.abs(qd := trajectory.qd[first : first + _ROWS, : len(lower)]) > fast)
-        if len(wrong):
-            i, k = (int(x) for x in wrong[0])
-            name, unit = trajectory.names[k], "m/s" if slides(trajectory.names[k]) else "rad/s"
-            message = f"the speed of {name} is {qd[i, k]:.6g} {unit}, its limit {velocity[k]:.6g} {unit}: more than"
-            message += f" {ABSURD} times the limit is no trajectory; see the value, and the column's unit"
-            raise InputError(message, file=file, line=int(lines[first + i]))
+        part = slice(first, first + _ROWS), slice(len(lower))
+        q, qd = trajectory.q[part], np.empty((0, len(lower))) if trajectory.qd is None else trajectory.qd[part]
+        for what, per, values, wrong in (
+            ("", "", q, (q < lower - far) | (q > upper + far)),
+            ("the speed of ", "/s", qd, np.abs(qd) > fast),
+        ):
+            for i, k in np.argwhere(wrong)[:1].tolist():
+                name, unit = trajectory.names[k], f"{'m' if slides(trajectory.names[k]) else 'rad'}{per}"
+                bound = f"limit {velocity[k]:.6g}" if per else f"range [{lower[k]:.6g}, {upper[k]:.6g}]"
+                message = f"{what}{name} is {values[i, k]:.6g} {unit}, its {bound} {unit}: more than {ABSURD} times the"
+                message += f" {'limit' if per else 'range beside it'} is no trajectory; see the value, and the column's"
+                raise InputError(f"{message} unit", file=file, line=int(lines[first + i]))
 
 
 def _heads(sheet: Sheet) -> tuple[Head, list[tuple[Head, str]]]:

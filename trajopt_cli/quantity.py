@@ -68,13 +68,6 @@ def takes_number(units: Mapping[str, float], **bounds: float) -> dict[str, Any]:
     return {"anyOf": [{"type": "number", **bounds}, {"type": "string", "pattern": f"^\\s*{_DIGITS}{_unit(units)}$"}]}
 
 
-def takes_numbers(one: dict[str, Any], units: Mapping[str, float], count: int | None = None) -> dict[str, Any]:
-    """JSON schema of what numbers(units, count) takes; one: that of an item."""
-    length = {} if count is None else {"minItems": count, "maxItems": count}
-    text = {"type": "string", "pattern": f"^\\s*\\[[^\\[\\]]*\\]{_unit(units)}$"}
-    return {"anyOf": [{"type": "array", "items": one, **length}, text]}
-
-
 _DIGITS = r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?"
 
 
@@ -190,7 +183,9 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Reader[tupl
             raise complain(f"needs {count} numbers, not {len(items)}")
         return tuple(one(item) for item in items)
 
-    return Reader(validate, takes_numbers(one.takes, units, count), units)
+    length = {} if count is None else {"minItems": count, "maxItems": count}
+    text = {"type": "string", "pattern": f"^\\s*\\[[^\\[\\]]*\\]{_unit(units)}$"}
+    return Reader(validate, {"anyOf": [{"type": "array", "items": one.takes, **length}, text]}, units)
 
 
 def above_zero(value: float) -> float:

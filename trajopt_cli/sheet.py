@@ -29,19 +29,9 @@ TIMES = {"s": 1.0, "sec": 1.0, "ms": 1e3, "us": 1e6, "\u00b5s": 1e6, "\u03bcs": 
 _HEAD = re.compile(r"(?P<name>.*?)[\s_]*[\[(](?P<unit>[^\])]*)[\])]")
 _BARE = re.compile(r"(?P<name>.+?)[\s_](?P<unit>sec|ms|us|\u00b5s|\u03bcs|ns|s|rad|deg|degrees|°|mm|m)")
 _TIMES = {
-    "t",
-    "time",
-    "timestamp",
-    "zeit",
-    "elapsed",
-    "elapsedtime",
-    "timesec",
-    "clock",
-    "epoch",
-    "unixtime",
-    "datetime",
+    "t", "time", "timestamp", "zeit", "elapsed", "elapsedtime", "timesec", "clock", "epoch", "unixtime", "datetime",
     "stamp",
-}
+}  # fmt: skip
 _JOINT = re.compile(
     r"(?:robot)?(?:joint|j|axis|rax|q)(?:position|pos|angle)?(?P<number>\d)(?:position|pos|angle|actual|measured)?"
 )

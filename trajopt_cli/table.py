@@ -41,10 +41,7 @@ class TextTable:
 
 
 def tabulate(
-    title: str,
-    rows: Iterable[Row],
-    columns: Mapping[str, Callable[[Row], str]],
-    total: Sequence[str] | None = None,
+    title: str, rows: Iterable[Row], columns: Mapping[str, Callable[[Row], str]], total: Sequence[str] | None = None
 ) -> TextTable:
     """A table of one row per item. columns: a cell's text by head, in order. total: a last row of its own."""
     cells = [tuple(short_target(column(row)) for column in columns.values()) for row in rows]

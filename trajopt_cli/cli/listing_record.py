@@ -6,11 +6,12 @@ Rounded so that the float32 numbers of RAPID show no noise: 0.1 is 0.1 and not 0
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import PathEvent, Program
+from trajopt_cli.motion import ConfData, Hold, PathEvent, Program, Source
 from trajopt_cli.rapid.listing import Listing, Row
 from trajopt_cli.units import MM
 
@@ -19,13 +20,15 @@ if TYPE_CHECKING:
 
 SCHEMA = 1
 _MM, _QUATERNION, _DEG = 4, 7, 5  # digits behind the point
+_DIGITS = {
+    **dict.fromkeys(("position", "via", "length"), _MM),
+    **dict.fromkeys(("joints", "extax", "extax_kept"), _DEG),
+    "orientation": _QUATERNION,
+}
 
 
 def listing_record(
-    program: Program,
-    listing: Listing,
-    found: Sequence[ConfigurationFinding] | None = None,
-    notes: Sequence[str] = (),
+    program: Program, listing: Listing, found: Sequence[ConfigurationFinding] | None = None, notes: Sequence[str] = ()
 ) -> dict[str, Any]:
     """The listing as plain data without NaN; mm, deg, mm/s, s, quaternions scalar first.
 
@@ -66,45 +69,29 @@ def _dumps(value: Any) -> str:
 
 def row_record(row: Row) -> dict[str, Any]:
     """One motion; every key is always there, null where the motion has no such part."""
-    return {
+    parts = {one.name: _plain(getattr(row, one.name), _DIGITS.get(one.name)) for one in fields(row)}
+    return parts | {
         "index": row.index,
-        "source": str(row.source),
-        "instruction": row.instruction,
-        "kind": row.kind,
-        "target": row.target,
-        "position": _rounded(row.position, _MM),
-        "orientation": _rounded(row.orientation, _QUATERNION),
-        "via": _rounded(row.via, _MM),
-        "joints": _rounded(row.joints, _DEG),
-        "speed": row.speed,
-        "v_tcp": _figure(row.v_tcp),
-        "v_ori": _figure(row.v_ori),
-        "v_leax": _figure(row.v_leax),
-        "v_reax": _figure(row.v_reax),
-        "zone": row.zone,
-        "stop": row.stop,
-        "criterion": row.criterion,
-        "radius": _figure(row.radius),
-        "effective_radius": _figure(row.effective_radius),
-        "effective_angle": _figure(row.effective_angle),
-        "stop_reason": row.stop_reason,
-        "tool": row.tool,
-        "wobj": row.wobj,
-        "extax": _rounded(row.extax, _DEG),
-        "extax_kept": _rounded(row.extax_kept, _DEG),
-        "conf": None if row.conf is None else [*row.conf.numbers],
-        "duration": _figure(row.duration),
-        "value": _figure(row.value),
-        "length": None if row.length is None else _round(row.length, _MM),
-        "optional": row.optional,
         "settings": {word: _setting(value) for word, value in row.settings.items()},
         "events": [_event(event) for event in row.events],
         "process": dict(row.process),
-        "hold": None if row.hold is None else row.hold.value,
-        "constant_speed": row.constant_speed,
-        "detour": list(row.detour),
-        "beside": _figure(row.beside),
     }
+
+
+def _plain(value: Any, digits: int | None) -> Any:
+    """A part of a motion; numbers to so many digits behind the point, None: to the seven that a RAPID num has."""
+    match value:
+        case Source():  # a tuple, too
+            return str(value)
+        case tuple():
+            return [_plain(one, digits) for one in value]
+        case ConfData():
+            return [*value.numbers]
+        case Hold():
+            return value.value
+        case float() | int() if not isinstance(value, bool):
+            return _figure(value) if digits is None else _round(value, digits)
+    return value
 
 
 def _rails(d: Array) -> float | list[float]:
@@ -145,10 +132,6 @@ def _setting(value: Any) -> Any:
 
 def _round(value: float, digits: int) -> float:
     return round(value, digits) + 0.0  # takes the sign off a zero
-
-
-def _rounded(values: Iterable[float | None] | None, digits: int) -> list[float | None] | None:
-    return None if values is None else [None if value is None else _round(value, digits) for value in values]
 
 
 def _figure(value: float | None) -> float | None:

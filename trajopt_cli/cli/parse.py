@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from trajopt_cli.scenario import Missing
 
 _SHOWN = 20  # configuration findings in text; --json has them all
+_COMPLETE = "nothing is missing: the program runs with this cell file"
 _TARGET = 44  # characters of one in a sentence
 _UNCALLED = 10  # routines that did not run
 
@@ -52,7 +53,7 @@ def parse(
       trajopt parse programs/bench_irb140.mod --scenario-template
     """
     from trajopt_cli.errors import InputError
-    from trajopt_cli.job import MAIN, cell_for, scenario_of
+    from trajopt_cli.job import MAIN, cell_for, from_backup, scenario_of
     from trajopt_cli.rapid.listing import describe
     from trajopt_cli.rapid.missing_modules import with_hints
     from trajopt_cli.rapid.reader import try_paths
@@ -75,7 +76,9 @@ def parse(
         if not scenario_template:
             raise _with_template(error, program) from error
     if scenario_template:
-        _print_template(missing)
+        from trajopt_cli.rapid.template import template
+
+        typer.echo(template(missing) if missing else _COMPLETE, nl=not missing, err=not missing)
         return
     if missing:
         raise _with_template(with_hints(missing_error(missing), [*flat.files.values()], entry or MAIN), program)
@@ -98,7 +101,9 @@ def parse(
         doubts += differences(program, loaded, plant, flat.files)
         told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)
         flat = replace(flat, warnings=told)
-    notes = [*notes_on(flat, listing, plant), *_proposed(program if loaded is None else ())]
+    notes = [*notes_on(flat, listing, plant)]
+    if loaded is None and (command := from_backup(program)):
+        notes.append(f"the backup's SYSPAR is not read: {command} makes a cell file of its MOC.cfg")
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
 
@@ -130,15 +135,6 @@ def _plant(cell: Cell) -> Plant:
     from trajopt_cli.problem.plant import build_plant
 
     return build_plant(replace(cell, obstacles=(), attached=(), may_touch=(), grips=()))
-
-
-def _print_template(missing: Sequence[Missing]) -> None:
-    from trajopt_cli.rapid.template import template
-
-    if not missing:
-        typer.echo("nothing is missing: the program runs with this cell file", err=True)
-        return
-    typer.echo(template(missing), nl=False)
 
 
 def _missing_of(error: BaseException | None) -> tuple[Missing, ...]:
@@ -200,14 +196,6 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     yield from unsure_nearest(flat, plant)
     if refused := Counter(one.kind for one in refusals(flat, plant)):
         yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"
-
-
-def _proposed(program: Sequence[Path]) -> Iterator[str]:
-    """Where a backup has what a cell file is made of."""
-    from trajopt_cli.job import from_backup
-
-    if program and (command := from_backup(program)):
-        yield f"the backup's SYSPAR is not read: {command} makes a cell file of its MOC.cfg"
 
 
 def _stopped(listing: Listing) -> Iterator[str]:

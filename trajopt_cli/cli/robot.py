@@ -100,9 +100,7 @@ def list_robots(as_json: AsJson = False, quiet: Quiet = False) -> None:
     if as_json:
         from trajopt_cli.cli.console import print_json
 
-        print_json(
-            [{"name": r.name, "title": r.title, "reach_m": r.reach, "payload_kg": r.payload} for r in robots],
-        )
+        print_json([{"name": r.name, "title": r.title, "reach_m": r.reach, "payload_kg": r.payload} for r in robots])
         return
     wide = max(len(robot.name) for robot in robots)
     title = max(len(robot.title) for robot in robots)

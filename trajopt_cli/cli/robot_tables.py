@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.errors import printable
-from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
@@ -63,16 +62,12 @@ def _lengths(robot: RobotModel | SrsRobot) -> dict[str, float]:
 
 
 def _limits_record(limits: JointLimits) -> dict[str, Any]:
-    rows = {}
-    for i, axis in enumerate(limits.names):
-        rows[axis] = {
-            "lower": float(limits.lower[i]),
-            "upper": float(limits.upper[i]),
-            "velocity": float(limits.velocity[i]),
-            "acceleration": float(limits.acceleration[i]),
-            "acceleration_most": float(limits.most_acceleration[i]),
-            "jerk": None if limits.jerk is None else float(limits.jerk[i]),
-        }
+    columns = {name: getattr(limits, name) for name in ("lower", "upper", "velocity", "acceleration")}
+    columns |= {"acceleration_most": limits.most_acceleration, "jerk": limits.jerk}
+    rows = {
+        axis: {name: None if values is None else float(values[i]) for name, values in columns.items()}
+        for i, axis in enumerate(limits.names)
+    }
     record: dict[str, Any] = {"axes": rows, "sources": dict(limits.sources)}
     record["acceleration_by_posture_of"] = [] if limits.table is None else list(limits.table.over)
     return record | ({"coupled": [asdict(one) for one in limits.coupled]} if limits.coupled else {})
@@ -123,11 +118,9 @@ def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[TextTable]:
     rows = []
     for name, torque, rotor in zip(robot.axis_names, limits.torque, robot.rotor, strict=True):
         units = ("N", "kg") if slides(name) else ("Nm", "kg m²")
-        given = (
-            [f"±{torque:g}", units[0], notes.mark(limits.sources[f"{name}.torque"])]
-            if np.isfinite(torque)
-            else [""] * 3
-        )
+        given = [""] * 3
+        if np.isfinite(torque):
+            given = [f"±{torque:g}", units[0], notes.mark(limits.sources[f"{name}.torque"])]
         has = [f"{rotor:g}", units[1], notes.mark(robot.notes[f"{name}.rotor"])] if rotor else [""] * 3
         rows.append((name, *given, *has))
     yield TextTable("drives", ("axis", ">torque", "unit", "source", ">rotor", "unit", "source"), tuple(rows))
@@ -204,19 +197,15 @@ def _sums(limits: JointLimits, notes: _Footnotes) -> Iterator[tuple[str, ...]]:
         yield one.name, low, high, "deg", notes.mark(one.source)
 
 
-def _range_of(limits: JointLimits, kind: str) -> tuple[Array, Array]:
-    """The least and the greatest (n,) that a posture allows."""
-    values = getattr(limits, kind)
-    return values, limits.most_acceleration if kind == "acceleration" else values
-
-
 def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> TextTable:
     columns = [column for name in profiles for column in (f">{name}", "source")]
     rows = []
     for i, axis in enumerate(next(iter(profiles.values())).names):
         cells = []
         for limits in profiles.values():
-            low, high = (values[i] for values in _range_of(limits, kind))
+            low = high = getattr(limits, kind)[i]
+            if kind == "acceleration":  # depends on posture
+                high = limits.most_acceleration[i]
             value = f"{low:g}" if low == high else f"{low:g} to {high:g}"
             cells += [value, notes.mark(limits.sources[f"{axis}.{kind}"])]
         rows.append((axis, f"m/s{power}" if slides(axis) else f"rad/s{power}", *cells))
@@ -260,7 +249,7 @@ def new_robot_tables(made: NewRobot, robot: RobotModel | SrsRobot) -> Iterator[T
     yield TextTable("axes", ("axis", "in the URDF", ">from", ">to", "unit", ">speed", "unit"), tuple(rows))
     lengths = ((what, f"{value / MM:.6g}", _LENGTHS[what]) for what, value in _lengths(robot).items())
     yield TextTable("dimensions", ("length", ">mm", "what it is"), tuple(lengths))
-    six = made.chain.turning == 6
+    six = chain.turning == 6
     if not getattr(robot, "closed_form", True):
         yield "axes 4, 5 and 6 do not meet in one point: configurations are sought step by step, so planning takes"
         yield "minutes, and no nonlinear program improves the plan"

@@ -16,8 +16,7 @@ def view(
         ),
     ],
     output: Annotated[
-        Path | None,
-        typer.Option("--output", metavar="FILE.html", help="Of a cell: the page; default: CELL.html here."),
+        Path | None, typer.Option("--output", metavar="FILE.html", help="Of a cell: the page; default: CELL.html here.")
     ] = None,
     only_print: Annotated[bool, typer.Option("--print", help="Print the page's place and open nothing.")] = False,
     serve: Annotated[

@@ -11,13 +11,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.ros2 import BAR, HEADER, JOINT_STATE, TIME, Message, bag, header
-from trajopt_cli.geometry import (
-    Array,
-    inverse_pose,
-    rotation_vector,
-    rotations_by,
-    wxyz_from_rotation,
-)
+from trajopt_cli.geometry import Array, inverse_pose, rotation_vector, rotations_by, wxyz_from_rotation
 
 _MOST_RATE = 10_000.0  # Hz
 _AXES = ("x", "y", "z")
@@ -67,9 +61,7 @@ _FZI = "/cartesian_compliance_controller"
 STACKS = {
     "ros": Stack(
         {name: (f"/target_{name}", kind) for name, kind in (*_STAMPED.items(), ("stiffness", _STAMPED["wrench"]))},
-        "world",
-        False,
-        _LBR,
+        frame="world", based=False, joints=_LBR,
     ),
     # lbr_fri_ros2_stack: lbr_demos_advanced_cpp's pose_control_node.cpp, LBRWrenchCommand.msg, lbr_controllers.yaml
     "lbr": Stack(
@@ -77,20 +69,13 @@ STACKS = {
             "pose": ("/lbr/command/pose", "geometry_msgs/msg/Pose"),
             "command": ("/lbr/command/wrench", "lbr_fri_idl/msg/LBRWrenchCommand"),
         },
-        "link_0",
-        True,
-        _LBR,
-        parameter="Sunrise's CartesianImpedanceControlMode",
+        frame="link_0", based=True, joints=_LBR, parameter="Sunrise's CartesianImpedanceControlMode",
     ),
     # cartesian_controllers (FZI): CartesianComplianceController; target_wrench in the end effector's frame
     # (hand_frame_control, its default), frame_id has to be robot_base_link's
     "cartesian": Stack(
         {"pose": (f"{_FZI}/target_frame", _STAMPED["pose"]), "wrench": (f"{_FZI}/target_wrench", _STAMPED["wrench"])},
-        "base_link",
-        True,
-        _LBR,
-        tool="tool0",
-        parameter="stiffness.trans_x ... rot_z",
+        frame="base_link", based=True, joints=_LBR, tool="tool0", parameter="stiffness.trans_x ... rot_z",
     ),
     # crisp_controllers: cartesian_controller.cpp and .yaml (variable_stiffness.enabled), its demos' config/iiwa
     "crisp": Stack(
@@ -100,9 +85,7 @@ STACKS = {
             "stiffness": ("/target_stiffness", "std_msgs/msg/Float64MultiArray"),
             "joints": ("/target_joint", JOINT_STATE[0]),
         },
-        "iiwa_base",
-        True,
-        tuple(f"joint_a{i}" for i in range(1, 8)),
+        frame="iiwa_base", based=True, joints=tuple(f"joint_a{i}" for i in range(1, 8)),
     ),
     # Cartesian-Impedance-Controller (Mayr): its README; wrenches without a frame_id would count in the end effector's
     "impedance": Stack(
@@ -111,11 +94,9 @@ STACKS = {
             "wrench": (f"{_MAYR}/set_cartesian_wrench", _STAMPED["wrench"]),
             "stiffness": (f"{_MAYR}/set_cartesian_stiffness", _STAMPED["wrench"]),
         },
-        "world",
-        False,
-        tuple(f"iiwa_joint_{i}" for i in range(1, 8)),
+        frame="world", based=False, joints=tuple(f"iiwa_joint_{i}" for i in range(1, 8)),
     ),
-}
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

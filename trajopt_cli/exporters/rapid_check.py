@@ -44,16 +44,10 @@ _NUM = 2.0**-24  # share of a value by which rounding to a num may change it
 _SPEED = 1e-8  # m/s, rad/s
 
 
-def read_again(
-    program: Program,
-    plant: Plant,
-    scenario: Scenario,
-    texts: Mapping[str, str],
-) -> Program:
+def read_again(program: Program, plant: Plant, scenario: Scenario, texts: Mapping[str, str]) -> Program:
     """The program of edited texts, by path, read as the program was. Raises InputError as reading does."""
     files = [replace(file, text=texts[path]) for path, file in program.files.items()]
-    # Lines that the scenario names are those of the text as it was.
-    world = scenario.without_lines
+    world = scenario.without_lines  # those are of the text as it was
     return run_program(files, world, program.entry, PlantKinematics(plant.at_home))
 
 
@@ -149,12 +143,9 @@ def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = F
     before, now = ((speed.v_tcp, speed.v_ori, speed.v_leax, speed.v_reax) for speed in (motion.speed, read.speed))
     if not fast and not np.allclose(before, now, rtol=0.0, atol=_SPEED):
         yield "the programmed speed, and the edited program has another"
-    if motion.duration != read.duration:
-        yield "the programmed duration, and the edited program has another"
-    if motion.identity != read.identity:
-        yield "the programmed \\ID, and the edited program has another"
-    if motion.zone != read.zone:
-        yield "the programmed zone, and the edited program has another"
+    for key, what in (("duration", "duration"), ("identity", "\\ID"), ("zone", "zone")):
+        if getattr(motion, key) != getattr(read, key):
+            yield f"the programmed {what}, and the edited program has another"
     tools = [one.tool.X_FT for one in (motion, read) if not isinstance(one, MoveExtJ)]
     if len(tools) == 2 and not _near(*tools):
         yield "the programmed tool, and the edited program has another"
@@ -210,9 +201,9 @@ def _check_dwell(
     if not isinstance(read, MoveL) or before is None:
         return [_mismatch(wait, "a MoveL there that takes the rail along")]
     wanted, given = planned.q_1[plant.layout.rail], plant.rail_value(read.extax)
-    if given is None or not _same_rail(wanted, given) or any(_led_apart(planned, plant, read)):
-        return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
-    if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
+    there = given is not None and _same_rail(wanted, given) and not any(_led_apart(planned, plant, read))
+    arm = np.asarray(planned.q_1[plant.layout.arm])
+    if not there or (confdata_counts(read) and not confdata_admits(plant.robot, read.conf, arm)):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     X_WT = before.X_WT if isinstance(before, PoseMove) else plant.robot.forward(planned.q_1) @ read.tool.X_FT
     if not _near(X_WT, read.X_WT) or read.duration is None or abs(read.duration - wait.duration) > 1e-6:

@@ -12,19 +12,7 @@ from typing import Literal
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.exporters.rapid_targets import (
-    Wish,
-    common_conf,
-    offsets,
-    point,
-    point_lines,
-    point_literal,
-    put_above,
-    rail_text,
-    rewritten,
-    same_rail,
-    written_conf,
-)
+from trajopt_cli.exporters import rapid_targets as targets
 from trajopt_cli.exporters.rapid_text import TURN, Edits, Names, plain, refusal
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveJ, PoseMove, Source, Span, Wait
@@ -103,9 +91,9 @@ class _Writer:
         self._chosen: dict[str, str] = {}  # names of new ones, by kind
         self._wrapped: list[Source] = []
         self._turned: list[Source] = []
-        self._wishes: dict[Span, dict[int, Wish]] = {}  # of the executions of each statement that moves
+        self._wishes: dict[Span, dict[int, targets.Wish]] = {}  # of the executions of each statement that moves
         self._literals: dict[Span, Span | None] = {}  # of statements
-        self._in_place: dict[Span, Wish] = {}  # what literals say anew
+        self._in_place: dict[Span, targets.Wish] = {}  # what literals say anew
 
     def result(self) -> RapidExport:
         """The texts with all edits made."""
@@ -118,7 +106,7 @@ class _Writer:
         self._wishes = {span: self._wishes_of(indices) for span, indices in moving.items() if not self._dropped(span)}
         self._choose_literals()
         for literal, wish in self._in_place.items():
-            new = rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes)
+            new = targets.rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes)
             assert new is not None  # or it would not have been chosen
             if new != self._edits.text(literal):
                 self._edits.replace(literal, new)
@@ -183,10 +171,10 @@ class _Writer:
             groups[self._text.key(i)].append(i)
         return groups.values()
 
-    def _wishes_of(self, indices: Passes) -> dict[int, Wish]:
+    def _wishes_of(self, indices: Passes) -> dict[int, targets.Wish]:
         """What the target of a statement must say in each of its executions."""
         monitored = any(not self._intents[i].nearest for i in indices)
-        out = dict[int, Wish]()
+        out = dict[int, targets.Wish]()
         for group in self._grouped(indices):
             rails = {_shown(self._intents[i].rail) for i in group}
             rail = rails.pop() if len(rails) == 1 else None  # where none of them needs to say it
@@ -195,7 +183,7 @@ class _Writer:
             counts = bool(moves) and (monitored or confdata_counts(moves[0]))
             conf = None
             if counts and len(arms) == len(group):
-                conf = common_conf(self._plant, moves, arms)
+                conf = targets.common_conf(self._plant, moves, arms)
                 as_written = all(
                     confdata_admits(self._plant.robot, move.conf, arm) for move, arm in zip(moves, arms, strict=True)
                 )
@@ -203,7 +191,7 @@ class _Writer:
                     self._refuse(group)
                 if as_written and len({move.conf for move in moves}) > 1:
                     conf = None
-            out |= dict.fromkeys(group, Wish(rail, conf, counts))
+            out |= dict.fromkeys(group, targets.Wish(rail, conf, counts))
         return out
 
     def _needed(self, indices: Sequence[int]) -> bool:
@@ -215,10 +203,10 @@ class _Writer:
         assert isinstance(move, Move)
         if index in self._unsure:
             return True
-        taken = offsets(move, self._edits.text(move.written.statement)) if intent.rail else ()
+        taken = targets.offsets(move, self._edits.text(move.written.statement)) if intent.rail else ()
         for eax, rail in zip(self._plant.driven_eaxes, intent.rail or (), strict=False):
             said = move.extax[eax]
-            if intent.moves if said is None else not same_rail(said - taken[eax], rail):
+            if intent.moves if said is None else not targets.same_rail(said - taken[eax], rail):
                 return True
         wish = self._wishes.get(move.written.statement, {}).get(index)
         return isinstance(move, PoseMove) and wish is not None and wish.conf not in (None, move.conf)
@@ -241,8 +229,8 @@ class _Writer:
                 isinstance(move := self._program.motions[i], PoseMove) and move.conf not in confs for i in indices
             )
             if len(rails) == 1 and len(confs) < 2 and not (silent and changed):
-                wish = Wish(next(iter(rails)), next(iter(confs), None))
-                if rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes) is not None:
+                wish = targets.Wish(next(iter(rails)), next(iter(confs), None))
+                if targets.rewritten(self._edits.text(literal), wish, self._plant.driven_eaxes) is not None:
                     self._in_place[literal] = wish
 
     def _literal(self, span: Span) -> Span | None:
@@ -315,11 +303,11 @@ class _Writer:
         lines = []
         for one in intent.points:
             around = tuple(name.encode(encoding, "replace").decode(encoding) for name in one.detour)
-            made = point(one, move, point_literal(one, move, text, self._plant.driven_eaxes), around)
-            lines += point_lines(made, move, text, text, intent.fast)
+            made = targets.point(one, move, targets.point_literal(one, move, text, self._plant.driven_eaxes), around)
+            lines += targets.point_lines(made, move, text, text, intent.fast)
             if self._names.take(made.name):
                 self._declare(span, f"CONST {made.type} {made.name}:={made.literal};")
-        put_above(edits, span, lines)
+        targets.put_above(edits, span, lines)
         names = ", ".join(one.target for one in intent.points)
         verb = "are" if len(intent.points) > 1 else "is"
         told = f"{names} {verb} added before {move.target}, around {quoted(intent.points[0].detour)}"
@@ -357,9 +345,9 @@ class _Writer:
             self._edits.put_before(span, line)
         self._notes.append(ProgramWarning(WarningKind.CHANGED, "the rail moves while the tool waits", wait.source))
 
-    def _wishes_of_wait(self, indices: Passes) -> dict[int, Wish]:
+    def _wishes_of_wait(self, indices: Passes) -> dict[int, targets.Wish]:
         """The same of lines that stand in for waits; a confdata only where that of the moves before does not do."""
-        out = dict[int, Wish]()
+        out = dict[int, targets.Wish]()
         said = [self._said_conf(self._text.dwells[i]) for i in indices]
         arms = [self._intents[i].arm for i in indices]
         counts = any(
@@ -373,9 +361,9 @@ class _Writer:
             conf = None
             if counts:
                 own = [arm for i in group if (arm := self._intents[i].arm) is not None]
-                if (conf := common_conf(self._plant, [], own)) is None:
+                if (conf := targets.common_conf(self._plant, [], own)) is None:
                     self._refuse(group)
-            out |= dict.fromkeys(group, Wish(rails.pop(), conf, counts))
+            out |= dict.fromkeys(group, targets.Wish(rails.pop(), conf, counts))
         return out
 
     def _said_conf(self, index: int) -> ConfData | Literal[False] | None:
@@ -399,7 +387,7 @@ class _Writer:
     # ------------------------------------------------------------------------------------------- functions and arrays
 
     def _around(
-        self, span: Span, move: Move, wishes: Mapping[int, Wish], says_conf: bool, here: str | None = None
+        self, span: Span, move: Move, wishes: Mapping[int, targets.Wish], says_conf: bool, here: str | None = None
     ) -> str:
         """A move's target with the function around it that says what a statement's executions want. here: what stands
         for the place that joints lead to."""
@@ -429,7 +417,7 @@ class _Writer:
             values = (self._value(span, "num", name, one) for name, one in zip(names, each, strict=True))
             parts.append(",".join(values))
         if says_conf:
-            confs = {i: written_conf(wish.conf) for i, wish in wishes.items() if wish.conf is not None}
+            confs = {i: targets.written_conf(wish.conf) for i, wish in wishes.items() if wish.conf is not None}
             if len(confs) < len(wishes):  # the others keep theirs, whichever that is
                 self._refuse([next(i for i, wish in wishes.items() if wish.conf is None)])
             conf = self._value(span, "confdata", f"conf{_titled(base)}", confs)
@@ -538,7 +526,7 @@ class _Writer:
 
 
 def _shown(rail: tuple[float, ...] | None) -> tuple[str, ...] | None:
-    return None if rail is None else tuple(map(rail_text, rail))
+    return None if rail is None else tuple(map(targets.rail_text, rail))
 
 
 def _function(kind: str, name: str, type_: str, letters: Sequence[str]) -> list[str]:

@@ -7,16 +7,7 @@ from pathlib import PurePath
 from typing import Any
 
 from trajopt_cli.motion import Program
-from trajopt_cli.page.cycles import (
-    MOST_REACHES,
-    Shown,
-    axes_data,
-    cycle_data,
-    files_of,
-    motions_data,
-    programs_of,
-    reach_data,
-)
+from trajopt_cli.page.cycles import MOST_REACHES, Shown, axes_data, cycle_data, motions_data, programs_of, reach_data
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.encode import text
 from trajopt_cli.page.scene import HOLDER, SCRIPTS, plant_scene
@@ -48,7 +39,7 @@ def cell_data(
     """All that the scripts read. user: the program as given. shown: the cycles, at_first: which one or two stand beside
     each other. reach_of: a plan of the user's program, for the reach of its points."""
     programs, which = programs_of(user, shown)
-    files = files_of(programs)
+    files = [*dict.fromkeys(path for one in programs for path in one.files)]
     points = [] if reach_of is None else program_points(user, reach_of, plant)
     reach = None if reach_of is None else reach_data(plant, user, reach_of)
     scene = plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan, plant) for one in shown])

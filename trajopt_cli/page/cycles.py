@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -133,13 +133,8 @@ def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | N
     return {"ranges": ranges, "asked": asked, "left_out": left_out}
 
 
-def files_of(programs: Iterable[Program]) -> list[str]:
-    """The paths of all files, each once, as data of motions name them by index."""
-    return list(dict.fromkeys(path for one in programs for path in one.files))
-
-
 def motions_data(program: Program, files: Sequence[str]) -> dict[str, list[Any]]:
-    """A program's motions in columns; files: of files_of."""
+    """A program's motions in columns; files: the paths that it names by index."""
     known = {path: i for i, path in enumerate(files)}
     labels = [motion_label(program, i) for i in range(len(program.motions))]
     return {

@@ -46,15 +46,9 @@ def document(
     """
     style = "".join(asset(name) for name in ("page.css", *scripts) if name.endswith(".css"))
     programs = [asset(name) for name in (*BASE, *scripts) if name.endswith(".js")]
-    policy = "; ".join(
-        (
-            "default-src 'none'",
-            f"script-src {' '.join(_hash(one) for one in programs)}",
-            f"style-src {_hash(style)}",
-            "img-src data:",
-            "base-uri 'none'",
-            "form-action 'none'",
-        )
+    policy = (
+        f"default-src 'none'; script-src {' '.join(_hash(one) for one in programs)}; style-src {_hash(style)};"
+        " img-src data:; base-uri 'none'; form-action 'none'"
     )
     links = "".join(f'<li><a href="#{text(one.name)}">{text(one.heading)}</a></li>' for one in sections)
     page = [

@@ -16,23 +16,9 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.report import obstacles
+from trajopt_cli.report import obstacles, style
 from trajopt_cli.report.names import short
 from trajopt_cli.report.skeleton import skeleton
-from trajopt_cli.report.style import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PURPLE,
-    ROUND,
-    SMALL,
-    TEXT,
-    VERMILLION,
-    WIDTH,
-    new_figure,
-)
 from trajopt_cli.scene import LINK, rail_ends, scene_of_plant
 from trajopt_cli.shapes import Mesh
 from trajopt_cli.trajectories.plan_series import PlanSeries
@@ -40,13 +26,13 @@ from trajopt_cli.units import MM
 
 _TAG = 45.0  # mm from an elbow up to its number
 _SOLID = 0.06  # opacity of a face of the bodies around the links
-_GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
+_GHOSTS = (style.BLACK, style.VERMILLION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE)
 
 
 def arm(course: PlanSeries) -> Figure:
     """Rail and arm in space at the start and at the plan's stations, with the TCP's path. Fig. 6.1."""
     robot = course.plant.robot
-    figure = new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
+    figure = style.new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
     figure.set_layout_engine(None)
     axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d", computed_zorder=False)
     stations = _stations(course)
@@ -56,7 +42,7 @@ def arm(course: PlanSeries) -> Figure:
     beam = rail_ends(course.plant) / MM
     if len(beam):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
-        axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)
+        axes.plot(*beam.T, color=style.GREY, linewidth=1, zorder=1.1)
     halo = [withStroke(linewidth=3, foreground="white")]
     for order, (shape, solids, color) in enumerate(zip(shapes, bodies, _GHOSTS, strict=False)):
         axes.add_collection3d(Poly3DCollection(solids, facecolor=color, alpha=_SOLID, zorder=1.5, gid="bodies"))
@@ -68,12 +54,12 @@ def arm(course: PlanSeries) -> Figure:
             *(shape[3] + [0, 0, _TAG]),
             str(order + 1),
             color=color,
-            size=TEXT,
+            size=style.TEXT,
             ha="center",
             zorder=30,
             path_effects=halo,
         )
-    axes.plot(*p.T, color=BLACK, linewidth=1.5, zorder=20)
+    axes.plot(*p.T, color=style.BLACK, linewidth=1.5, zorder=20)
     everything = np.vstack([p, beam, *shapes, *(solids.reshape(-1, 3) for solids in bodies)])
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
@@ -83,12 +69,12 @@ def arm(course: PlanSeries) -> Figure:
             axes.add_collection3d(Poly3DCollection(faces, zorder=0.5, gid="obstacle", **obstacles.FACE))
     for letter, pad in zip("xyz", (14, 22, 24), strict=True):
         getattr(axes, f"set_{letter}label")(f"{letter} [mm]", labelpad=pad)
-    handles: list[Line2D | Patch] = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
+    handles: list[Line2D | Patch] = [Line2D([], [], color=style.BLACK, linewidth=1.5, label="path")]
     for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
         handles.append(Line2D([], [], color=color, linewidth=6, alpha=0.7, label=f"{order + 1}: {name}"))
     handles += [obstacles.LABEL] if course.plant.obstacles else []
     letters = sum(len(str(handle.get_label())) for handle in handles)
-    ncols = len(handles) if 0.75 * len(handles) + 0.093 * letters < WIDTH - 0.4 else 3  # in
+    ncols = len(handles) if 0.75 * len(handles) + 0.093 * letters < style.WIDTH - 0.4 else 3  # in
     figure.legend(handles=handles, loc="lower center", ncols=ncols, columnspacing=1.6)
     _fit(figure, axes, span, low=0.4 + 0.28 * -(-len(handles) // ncols))
     _tags_apart(figure, axes)
@@ -113,7 +99,7 @@ def _tags_apart(figure: Figure, axes: Any) -> None:
     for text in axes.texts:
         while True:
             at = _pixels(axes, np.array([text.get_position_3d()]))[0]
-            if all(np.abs(at - other).max() > 1.3 * TEXT * figure.dpi / 72 for other in seen):
+            if all(np.abs(at - other).max() > 1.3 * style.TEXT * figure.dpi / 72 for other in seen):
                 break
             x, y, z = text.get_position_3d()
             text.set_position_3d((x, y, z + 0.5 * _TAG))
@@ -133,7 +119,7 @@ def _to_scale(axes: Any, low: Array, span: Array) -> None:
         axis.set_ticks(ticks[::2] if len(ticks) == 3 and s < 0.4 * span.max() and axis is not axes.zaxis else ticks)
         axis.pane.set_facecolor("white")
         axis.pane.set_edgecolor("#d8d8d8")
-    axes.tick_params(labelsize=SMALL, pad=3)
+    axes.tick_params(labelsize=style.SMALL, pad=3)
     axes.tick_params(axis="z", pad=8)
 
 
@@ -142,7 +128,7 @@ def _inner_ticks(low: float, high: float, wanted: int) -> list[float]:
     of the next axis."""
     edge = 0.05 * (high - low)
     for count in range(wanted, wanted + 20):
-        ticks = MaxNLocator(nbins=count, steps=ROUND).tick_values(low, high)
+        ticks = MaxNLocator(nbins=count, steps=style.ROUND).tick_values(low, high)
         inner = [float(tick) for tick in ticks if low + edge < tick < high - edge]
         if len(inner) >= 2:
             break
@@ -153,17 +139,17 @@ def _fit(figure: Figure, axes: Any, span: Array, low: float) -> None:
     """Make the box of the axes fill the figure's width above low [in] and close the figure's height around it."""
     labels, head, foot = 1.0, 0.75, 0.55  # in, at each side, above, and for the numbers below
     wide, tall = _box(axes)[1] / figure.dpi
-    height = min(6.2, (WIDTH - 2 * labels) * tall / wide)
+    height = min(6.2, (style.WIDTH - 2 * labels) * tall / wide)
     before = figure.get_figheight()
-    figure.set_size_inches(WIDTH, height + head + low + foot)
+    figure.set_size_inches(style.WIDTH, height + head + low + foot)
     for text in figure.texts:  # the heading keeps its distance from the top
         text.set_y(1 - (1 - text.get_position()[1]) * before / figure.get_figheight())
     # The box is drawn in a square, and cut at its sides: as wide as the page, and measured again before it is enlarged.
-    square = WIDTH / figure.get_figheight()
+    square = style.WIDTH / figure.get_figheight()
     axes.set_position((0, 0, 1, square))
     axes.set_box_aspect(tuple(span), zoom=height * figure.dpi / float(_box(axes)[1][1]))
     middle, _ = _box(axes)
-    wanted = np.array([0.49 * WIDTH, low + foot + height / 2]) * figure.dpi
+    wanted = np.array([0.49 * style.WIDTH, low + foot + height / 2]) * figure.dpi
     shift = (wanted - middle) / figure.bbox.size
     axes.set_position((shift[0], shift[1], 1, square))
 

@@ -18,22 +18,10 @@ from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import MoveL, PathMove, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
-from trajopt_cli.report import obstacles
+from trajopt_cli.report import obstacles, style
 from trajopt_cli.report.names import by_place, name_places
 from trajopt_cli.report.over_time import legend
 from trajopt_cli.report.skeleton import reach_section
-from trajopt_cli.report.style import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    PURPLE,
-    ROUND,
-    SMALL,
-    VERMILLION,
-    new_figure,
-    settle,
-)
 from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.scene import rail_ends
 from trajopt_cli.trajectories.plan_series import PlanSeries, TimedMotion
@@ -41,17 +29,17 @@ from trajopt_cli.units import MM
 
 # How the path looks in lines and arcs (the thesis' functional parts), elsewhere, where only the rail moves, in corners.
 KINDS: dict[str, dict[str, Any]] = {
-    "line": {"color": VERMILLION, "linewidth": 3.4, "label": "lines (MoveL)"},
-    "arc": {"color": PURPLE, "linewidth": 3.4, "label": "arcs (MoveC)"},
-    "free": {"color": BLUE, "linewidth": 1.4, "label": "free moves"},
-    "wait": {"color": GREY, "linewidth": 2.0, "linestyle": (0, (1.5, 1.2)), "label": "waits"},
-    "corner": {"color": GREEN, "linewidth": 2.4, "linestyle": (0, (2.5, 0.7)), "label": "in zones (fly-by)"},
+    "line": {"color": style.VERMILLION, "linewidth": 3.4, "label": "lines (MoveL)"},
+    "arc": {"color": style.PURPLE, "linewidth": 3.4, "label": "arcs (MoveC)"},
+    "free": {"color": style.BLUE, "linewidth": 1.4, "label": "free moves"},
+    "wait": {"color": style.GREY, "linewidth": 2.0, "linestyle": (0, (1.5, 1.2)), "label": "waits"},
+    "corner": {"color": style.GREEN, "linewidth": 2.4, "linestyle": (0, (2.5, 0.7)), "label": "in zones (fly-by)"},
 }
 # A point where the plan stops, and one that it passes.
-STOP: dict[str, Any] = {"marker": "o", "linestyle": "", "color": BLACK, "markersize": 4.5}
+STOP: dict[str, Any] = {"marker": "o", "linestyle": "", "color": style.BLACK, "markersize": 4.5}
 PASSED: dict[str, Any] = {**STOP, "markerfacecolor": "white", "markersize": 5.5}
 # The same of points that the plan has added.
-ADDED: dict[str, Any] = {"marker": "D", "color": VERMILLION}
+ADDED: dict[str, Any] = {"marker": "D", "color": style.VERMILLION}
 SAME = 5e-3  # m: points nearer than this share a name tag
 STANDS = 1e-6  # m: no way to show
 _NAMES = "xyz"
@@ -60,9 +48,7 @@ _RAIL: dict[str, Any] = {"color": "#c8c8c8", "linewidth": 9, "solid_capstyle": "
 _CARRIAGE: dict[str, Any] = {"color": "#a8a8a8", "marker": "s", "markersize": 13, "linestyle": "", "zorder": 0.8}
 _RAIL_LABEL = Line2D([], [], **_RAIL, label="rail")
 _CARRIAGE_LABEL = Line2D([], [], **_CARRIAGE, label="carriage")
-_ARROW: dict[str, Any] = {
-    "arrowstyle": "-|>", "color": BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0,
-}  # fmt: skip
+_ARROW: dict[str, Any] = {"arrowstyle": "-|>", "color": style.BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0}
 _POINT = 25.0  # px: a path that is no longer has nothing to show
 _ARROWS_FROM, _ARROWS_EVERY = 20.0, 260.0  # px
 
@@ -156,8 +142,8 @@ def path_figure(
     it larger. A view in which the path is a point is left out.
     """
     passed, added = (np.zeros(len(names), dtype=bool) if which is None else which for which in (passed, added))
-    looks = [(which & ~added, style) for which, style in ((~passed, STOP), (passed, PASSED))]
-    looks += [(which & added, style | ADDED) for which, style in ((~passed, STOP), (passed, PASSED))]
+    looks = [(which & ~added, look) for which, look in ((~passed, STOP), (passed, PASSED))]
+    looks += [(which & added, look | ADDED) for which, look in ((~passed, STOP), (passed, PASSED))]
     across = 1 - along
     views = [[(i, up) for i in range(len(spaces))] for up in (2, across)]
     shown = [np.vstack([space.path, space.places, space.ground]) for space in spaces]
@@ -171,7 +157,7 @@ def path_figure(
     least = min(1.7 + 0.08 * len(set(names)), 3.2) * sum(wide) / 9.4  # m
     tall = [max(least, *(spans[i][up] + 2 * room for i, up in row)) for row in views]
     scale = min(9.4 / sum(wide), 7.4 / sum(tall))  # in per m
-    figure = new_figure(1.6 + scale * sum(tall) + 0.75 * len(tall), heading, below)
+    figure = style.new_figure(1.6 + scale * sum(tall) + 0.75 * len(tall), heading, below)
     grid = figure.subplots(*np.shape(views)[:2], width_ratios=wide, height_ratios=tall, squeeze=False)
     for panels, row, height in zip(grid, views, tall, strict=True):
         for axes, (i, up), width in zip(panels, row, wide, strict=True):
@@ -180,22 +166,26 @@ def path_figure(
                 corners = obstacles.seen(cloud, plane) / MM
                 for look in (obstacles.FACE, obstacles.EDGE):
                     axes.add_patch(Polygon(corners, zorder=0.5, gid="obstacle", **look))
-            _draw_ground(axes, space.ground[:, plane] / MM)
+            if len(space.ground):  # a beam between two places, a block at one
+                look = _RAIL if len(space.ground) == 2 else _CARRIAGE
+                axes.plot(*space.ground[:, plane].T / MM, **look, gid="ground")
             for part, kind in parts:
                 axes.plot(*space.path[part][:, plane].T / MM, **kinds[kind], solid_capstyle="round", gid=kind)
-            for which, style in looks:
-                axes.plot(*space.places[which][:, plane].T / MM, **style, zorder=4)
+            for which, look in looks:
+                axes.plot(*space.places[which][:, plane].T / MM, **look, zorder=4)
             middle = (shown[i].max(axis=0) + shown[i].min(axis=0)) / 2
             axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
             axes.set_ylim((middle[up] - height / 2) / MM, (middle[up] + height / 2) / MM)
             axes.set_aspect("equal")
-            axes.xaxis.set_major_locator(MaxNLocator(max(4, round(0.9 * scale * width)), steps=ROUND))
-            axes.yaxis.set_major_locator(MaxNLocator(max(4, round(1.4 * scale * height)), steps=ROUND))
+            axes.xaxis.set_major_locator(MaxNLocator(max(4, round(0.9 * scale * width)), steps=style.ROUND))
+            axes.yaxis.set_major_locator(MaxNLocator(max(4, round(1.4 * scale * height)), steps=style.ROUND))
             axes.set_xlabel(f"{_NAMES[along]} [mm]")
             axes.set_ylabel(f"{_NAMES[up]} [mm]")
-            axes.set_title(f"{space.name}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
+            axes.set_title(
+                f"{space.name}, {'side view' if up == 2 else 'from above'}", size=style.SMALL + 0.5, loc="left"
+            )
     used = {kind for part, kind in parts if any(np.ptp(one.path[part], axis=0).max() > STANDS for one in spaces)}
-    handles: list[Line2D | Patch] = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
+    handles: list[Line2D | Patch] = [Line2D([], [], **look) for kind, look in kinds.items() if kind in used]
     if passed.any():
         handles += [Line2D([], [], **STOP, label="stop"), Line2D([], [], **PASSED, label="passed")]
     if added.any():
@@ -203,7 +193,7 @@ def path_figure(
     handles += [_RAIL_LABEL, _CARRIAGE_LABEL] if len(spaces[0].ground) else []
     handles += [obstacles.LABEL] if spaces[0].bodies else []
     legend(figure, handles)
-    settle(figure)
+    style.settle(figure)
     for axes, (i, up) in zip(grid.flat, (view for row in views for view in row), strict=True):
         plane = [along, up]
         curve = spaces[i].path[:, plane] / MM
@@ -214,14 +204,6 @@ def path_figure(
         places, told = by_place(spaces[i].places[:, plane], names, SAME)
         name_places(axes, places / MM, told, np.vstack([_dense(curve), _filled(spaces[i].ground[:, plane] / MM)]))
     return figure
-
-
-def _draw_ground(axes: Axes, ground: Array) -> None:
-    """What the arm stands on, of places (k, 2) [mm]: a beam between two, a block at one."""
-    if len(ground) == 2:
-        axes.plot(*ground.T, **_RAIL, gid="ground")
-    elif len(ground):
-        axes.plot(*ground.T, **_CARRIAGE, gid="ground")
 
 
 def _filled(ground: Array) -> Array:
@@ -268,18 +250,18 @@ def _dense(curve: Array, count: int = 600) -> Array:
 def workspace(course: PlanSeries) -> Figure:
     """What the wrist centre can reach in the arm's own plane, and where this plan takes it. Fig. 5.1."""
     what = "axis 4" if isinstance(course.plant.robot.arm, ParallelArm) else "the wrist centre"
-    figure = new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)
+    figure = style.new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)
     axes = figure.subplots()
     outlines = sections(course.plant)
-    elbows = zip(outlines, (GREY, GREEN), ("-", (0, (5, 2))), strict=False)
+    elbows = zip(outlines, (style.GREY, style.GREEN), ("-", (0, (5, 2))), strict=False)
     for outline, color, line in elbows:
         axes.fill(*outline.T / MM, color=color, alpha=0.08, linewidth=0)
         axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
     wrist = reach_section(course.plant, course.q)
-    axes.plot(*wrist.T / MM, color=BLUE, linewidth=2.2, gid="wrist")
+    axes.plot(*wrist.T / MM, color=style.BLUE, linewidth=2.2, gid="wrist")
     ends = np.vstack([np.empty((0, 2)), *(reach_section(course.plant, leg.q_1[None]) for leg in course.moves)])
-    for passed, style in ((False, STOP), (True, PASSED)):
-        axes.plot(*ends[course.passed == passed].T / MM, **style, zorder=4)
+    for passed, look in ((False, STOP), (True, PASSED)):
+        axes.plot(*ends[course.passed == passed].T / MM, **look, zorder=4)
     arm = course.plant.robot.arm
     base = np.array([[0, 0], [0, arm.c1], [arm.a1, arm.c1]])
     t2 = arm.angles(course.q[0, course.plant.layout.arm])[1]
@@ -287,13 +269,14 @@ def workspace(course: PlanSeries) -> Figure:
     chain = np.vstack([base, knee, wrist[0]])
     axes.plot(*chain.T / MM, "-o", color="#b0b0b0", linewidth=5, solid_capstyle="round", zorder=1, markersize=7)
     axes.set_aspect("equal")
-    axes.xaxis.set_major_locator(MaxNLocator(9, steps=ROUND))
+    axes.xaxis.set_major_locator(MaxNLocator(9, steps=style.ROUND))
     axes.set_xlabel("ahead of axis 1 [mm]")
     axes.set_ylabel("above the base [mm]")
     handles = [
-        Line2D([], [], color=GREY, label="reach, elbow up"),
-        *[Line2D([], [], color=GREEN, linestyle=(0, (5, 2)), label="reach, elbow turned over")] * (len(outlines) > 1),
-        Line2D([], [], color=BLUE, linewidth=2.2, label="this plan"),
+        Line2D([], [], color=style.GREY, label="reach, elbow up"),
+        *[Line2D([], [], color=style.GREEN, linestyle=(0, (5, 2)), label="reach, elbow turned over")]
+        * (len(outlines) > 1),
+        Line2D([], [], color=style.BLUE, linewidth=2.2, label="this plan"),
         Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
     ]
     if course.passed.any():
@@ -302,7 +285,7 @@ def workspace(course: PlanSeries) -> Figure:
     # Equal scales leave room at the sides of the page: names stand in it, right of the outline.
     low, high = axes.get_xlim()
     axes.set_xlim(low, high + 0.17 * (high - low))
-    settle(figure)
+    style.settle(figure)
     kept, names = by_place(ends, [leg.name for leg in course.moves], 2 * SAME)
     name_places(axes, kept / MM, names, np.vstack([_dense(wrist), *outlines]) / MM)
     return figure

@@ -45,22 +45,12 @@ def name_times(axes: Axes, ends: Sequence[tuple[float, str]]) -> list[Annotation
     ends = [(time, name) for time, name in ends if count[name] <= MOST_PLACES or time in (first[name], last[name])]
     return [
         axes.annotate(
-            short(name),
-            (time, 1),
-            (0, _LIFT),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            rotation=_SLANT,
-            rotation_mode="anchor",
-            ha="left",
-            va="bottom",
-            size=SMALL,
-            color=GREY,
-            annotation_clip=False,
-            in_layout=True,
+            short(name), (time, 1), (0, _LIFT), xycoords=("data", "axes fraction"), textcoords="offset points",
+            rotation=_SLANT, rotation_mode="anchor", ha="left", va="bottom", size=SMALL, color=GREY,
+            annotation_clip=False, in_layout=True,
         )
         for time, name in ends
-    ]
+    ]  # fmt: skip
 
 
 def spread(names: list[Annotation]) -> None:

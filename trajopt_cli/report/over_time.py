@@ -15,34 +15,19 @@ from matplotlib.ticker import MaxNLocator
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.workspace import rail_ranges
+from trajopt_cli.report import style
 from trajopt_cli.report.names import name_times, spread
 from trajopt_cli.report.skeleton import angles
-from trajopt_cli.report.style import (
-    AXIS_STYLES,
-    BLACK,
-    BLUE,
-    GREY,
-    LEAST,
-    LIMIT,
-    PALE,
-    ROUND,
-    SKY,
-    SMALL,
-    VERMILLION,
-    WIDTH,
-    name_limit,
-    new_figure,
-    settle,
-)
 from trajopt_cli.trajectories.plan_series import PlanSeries, programmed_speed, target_flange, torques_along
 from trajopt_cli.units import DEG, MM, slides, unit_of
 
 TIME = "time [s]"
-_LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
-WAIT = Patch(color=PALE, linewidth=0, label="wait")
+_LEAST_TURN = 20.0  # deg that a panel shows at least, so that a constant does not fill it with its rounding
+_LIMIT = Line2D([], [], **style.LIMIT, label="limit")  # type: ignore[arg-type]
+WAIT = Patch(color=style.PALE, linewidth=0, label="wait")
 _LINE: dict[str, Any] = {"color": "#c4c4c4", "linewidth": 0.9}
 _PASSED: dict[str, Any] = {**_LINE, "linestyle": (0, (1.5, 3))}
-PASSED = Line2D([], [], **_PASSED | {"color": GREY}, label="point passed")
+PASSED = Line2D([], [], **_PASSED | {"color": style.GREY}, label="point passed")
 
 
 def joints(course: PlanSeries) -> Figure:
@@ -50,7 +35,7 @@ def joints(course: PlanSeries) -> Figure:
     their limits."""
     names, limits = course.plant.limits.names, course.plant.limits
     below, above = limits.acceleration_at(course.q)
-    figure = new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
+    figure = style.new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
     columns = [
         ("position", "", course.q, limits.lower, limits.upper),
         ("speed", "/s", course.qd, -limits.velocity, limits.velocity),
@@ -68,8 +53,8 @@ def joints(course: PlanSeries) -> Figure:
             low, high = float(ends[0].min()), float(ends[1].max())
             if np.isfinite(high):
                 _between_limits(panel, course.t, ends)
-            panel.plot(course.t, values[:, k] / factor, color=BLUE, linewidth=1.5, solid_joinstyle="round")
-            panel.set_ylabel(f"[{unit}{per}]", size=SMALL)
+            panel.plot(course.t, values[:, k] / factor, color=style.BLUE, linewidth=1.5, solid_joinstyle="round")
+            panel.set_ylabel(f"[{unit}{per}]", size=style.SMALL)
             if k == 0:
                 panel.set_title(what, pad=10)
             told = f"{whole(low)} to {whole(high)}" if np.isfinite(high) else "no limit"
@@ -77,15 +62,15 @@ def joints(course: PlanSeries) -> Figure:
                 used = float(np.max(values[:, k] / np.where(values[:, k] > 0, *ends[::-1]) / factor))
                 told = f"±{whole(high)}, peak {100 * used:.0f} %"
             panel.text(
-                0.99, 0.985, told, transform=panel.transAxes, ha="right", va="top", size=LEAST, color=GREY,
+                0.99, 0.985, told, transform=panel.transAxes, ha="right", va="top", size=style.LEAST, color=style.GREY,
                 gid="limits", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8}, zorder=0.9,
             )  # fmt: skip
-        grid[k, 0].set_ylabel(f"{name.replace('_', ' ')}\n[{unit_of(name)[1]}]", size=SMALL)
+        grid[k, 0].set_ylabel(f"{name.replace('_', ' ')}\n[{unit_of(name)[1]}]", size=style.SMALL)
     mark_motions(course, grid.flat)
     for panel in grid[-1]:
         panel.set_xlabel(TIME)
     key(figure, course, [_LIMIT])
-    settle(figure)
+    style.settle(figure)
     figure.align_ylabels()  # before, the layout would measure a column once for each of its panels
     return figure
 
@@ -95,13 +80,13 @@ def _between_limits(panel: Axes, t: Array, ends: Sequence[Array]) -> None:
     low, high = float(ends[0].min()), float(ends[1].max())
     room = 0.3 * (high - low)
     panel.set_ylim(low - room / 2, high + 1.1 * room)
-    ticks = MaxNLocator(nbins=4, steps=ROUND).tick_values(low, high)
+    ticks = MaxNLocator(nbins=4, steps=style.ROUND).tick_values(low, high)
     panel.set_yticks([tick for tick in ticks if low <= tick <= high])
     for limit in ends:
         if np.ptp(limit) == 0:
-            panel.axhline(limit[0], **LIMIT)  # type: ignore[arg-type]
+            panel.axhline(limit[0], **style.LIMIT)  # type: ignore[arg-type]
         else:
-            panel.plot(t, limit, **LIMIT)  # type: ignore[arg-type]
+            panel.plot(t, limit, **style.LIMIT)  # type: ignore[arg-type]
 
 
 def rail(course: PlanSeries) -> Figure | None:
@@ -109,7 +94,7 @@ def rail(course: PlanSeries) -> Figure | None:
     axes' own picture tells. Figs 5.2 and 6.4."""
     if course.plant.layout.r != 1:
         return None
-    figure = new_figure(6.0, "Rail, and from where on it each point is in reach", course.below)
+    figure = style.new_figure(6.0, "Rail, and from where on it each point is in reach", course.below)
     axes = figure.subplots()
     width = 0.004 * (course.t[-1] - course.t[0])
     ranges = np.empty((0, 2))
@@ -117,40 +102,49 @@ def rail(course: PlanSeries) -> Figure | None:
         X_WF = target_flange(leg)
         if isinstance(leg.motion, Wait):
             for low, high in ranges:  # the point last reached is held
-                axes.fill_between([leg.t_0, leg.t_1], low / MM, high / MM, color=SKY, alpha=0.25, linewidth=0)
+                axes.fill_between([leg.t_0, leg.t_1], low / MM, high / MM, color=style.SKY, alpha=0.25, linewidth=0)
             continue
         ranges = np.empty((0, 2)) if X_WF is None else rail_ranges(course.plant, X_WF)
         for low, high in ranges:
-            axes.vlines(leg.t_1, low / MM, high / MM, color=SKY, linewidth=3, gid="reach")
+            axes.vlines(leg.t_1, low / MM, high / MM, color=style.SKY, linewidth=3, gid="reach")
             for end in (low, high):
-                axes.hlines(end / MM, leg.t_1 - width, leg.t_1 + width, color=BLUE, linewidth=2)
+                axes.hlines(end / MM, leg.t_1 - width, leg.t_1 + width, color=style.BLUE, linewidth=2)
         asked = course.plant.rail_value(leg.motion.extax)
         if asked is not None:
             axes.plot(
-                leg.t_1, asked[0] / MM, "x", color=VERMILLION, markersize=8, markeredgewidth=2, zorder=6, clip_on=False
+                leg.t_1,
+                asked[0] / MM,
+                "x",
+                color=style.VERMILLION,
+                markersize=8,
+                markeredgewidth=2,
+                zorder=6,
+                clip_on=False,
             )
-    axes.plot(course.t, course.plant.layout.place(course.q) / MM, color=BLACK, linewidth=2.4, zorder=5, gid="rail")
+    axes.plot(
+        course.t, course.plant.layout.place(course.q) / MM, color=style.BLACK, linewidth=2.4, zorder=5, gid="rail"
+    )
     layout, limits = course.plant.layout, course.plant.limits
     low, high = float(layout.place(limits.lower)) / MM, float(layout.place(limits.upper)) / MM
-    name_limit(axes, high, f"end of the rail {number(high)} mm")
-    name_limit(axes, low, f"end of the rail {number(low)} mm", below=True)
+    style.name_limit(axes, high, f"end of the rail {number(high)} mm")
+    style.name_limit(axes, low, f"end of the rail {number(low)} mm", below=True)
     axes.set_ylim(low - 0.09 * (high - low), high + 0.09 * (high - low))
     axes.set_ylabel("rail [mm]")
     axes.set_xlabel(TIME)
     mark_motions(course, [axes])
-    handles: list[Line2D | Patch] = [Line2D([], [], color=BLACK, linewidth=2.4, label="rail")]
+    handles: list[Line2D | Patch] = [Line2D([], [], color=style.BLACK, linewidth=2.4, label="rail")]
     if any(target_flange(leg) is not None for leg in course.legs):
         told = "rail positions that reach the point"
-        handles.append(Line2D([], [], color=SKY, linewidth=3, marker="_", markeredgecolor=BLUE, label=told))
+        handles.append(Line2D([], [], color=style.SKY, linewidth=3, marker="_", markeredgecolor=style.BLUE, label=told))
     if any(course.plant.rail_value(leg.motion.extax) is not None for leg in course.moves):  # type: ignore[union-attr]
-        handles.append(Line2D([], [], color=VERMILLION, marker="x", linestyle="", label="rail as programmed"))
+        handles.append(Line2D([], [], color=style.VERMILLION, marker="x", linestyle="", label="rail as programmed"))
     key(figure, course, handles)
     return named(course, figure, axes)
 
 
 def tcp_speed(course: PlanSeries) -> Figure:
     """Speed of the TCP, the speed the program gives each motion, and the plant's cap. Fig. 4.4."""
-    figure = new_figure(5.4, "Speed of the tool centre point", course.below)
+    figure = style.new_figure(5.4, "Speed of the tool centre point", course.below)
     axes = figure.subplots()
     speed = np.linalg.norm(course.V_WT[:, :3], axis=1) / MM
     cap = course.plant.tcp.speed / MM
@@ -159,16 +153,18 @@ def tcp_speed(course: PlanSeries) -> Figure:
         value = programmed_speed(course.plant, leg.motion)
         if value is not None:
             bound = True
-            axes.plot([leg.t_0, leg.t_1], [min(value / MM, cap)] * 2, color=VERMILLION, linewidth=2.2, gid="programmed")
-    axes.plot(course.t, speed, color=BLUE, gid="speed")
-    name_limit(axes, cap, f"cap of the tool centre point {number(cap)} mm/s")
+            axes.plot(
+                [leg.t_0, leg.t_1], [min(value / MM, cap)] * 2, color=style.VERMILLION, linewidth=2.2, gid="programmed"
+            )
+    axes.plot(course.t, speed, color=style.BLUE, gid="speed")
+    style.name_limit(axes, cap, f"cap of the tool centre point {number(cap)} mm/s")
     axes.set_ylim(0, 1.1 * max(cap, float(speed.max())))
     axes.set_ylabel("TCP speed [mm/s]")
     axes.set_xlabel(TIME)
     mark_motions(course, [axes])
-    handles = [Line2D([], [], color=BLUE, label="planned")]
+    handles = [Line2D([], [], color=style.BLUE, label="planned")]
     if bound:
-        handles.append(Line2D([], [], color=VERMILLION, linewidth=2.2, label="programmed, at most the cap"))
+        handles.append(Line2D([], [], color=style.VERMILLION, linewidth=2.2, label="programmed, at most the cap"))
     key(figure, course, handles)
     return named(course, figure, axes)
 
@@ -181,44 +177,46 @@ def effector(course: PlanSeries) -> Figure:
     if course.plant.robot.has_rail:
         on_carriage = V - course.rail_speed / MM
         speeds = [("speed in the world\n[mm/s]", V), ("speed seen from\nthe carriage [mm/s]", on_carriage)]
-    figure = new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", course.below)
+    figure = style.new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", course.below)
     grid = figure.subplots(2 + len(speeds), 1, sharex=True)
     draw_xyz(grid[0], course.t, course.X_WT[:, :3, 3] / MM)
     grid[0].set_ylabel("position\n[mm]")
     for axes, (label, values) in zip(grid[1:-1], speeds, strict=True):
         draw_xyz(axes, course.t, values)
-        axes.axhline(0, color=GREY, linewidth=0.7)
+        axes.axhline(0, color=style.GREY, linewidth=0.7)
         axes.set_ylabel(label)
     reach = 1.12 * max(float(np.abs(V).max()), 0.0)
     if 1.3 * reach > cap:  # else the curves would be thin lines between two caps
         for limit in (-cap, cap):
-            grid[1].axhline(limit, **LIMIT)
+            grid[1].axhline(limit, **style.LIMIT)
         grid[1].set_ylim(-1.15 * cap, 1.15 * cap)
     draw_xyz(grid[-1], course.t, angles(course.X_WT) / DEG)
     grid[-1].set_ylabel("orientation\n[deg]")
-    _at_least(grid[-1], 20.0)
+    low, high = grid[-1].get_ylim()
+    if high - low < _LEAST_TURN:
+        grid[-1].set_ylim((low + high - _LEAST_TURN) / 2, (low + high + _LEAST_TURN) / 2)
     for axes in grid:
-        axes.yaxis.set_major_locator(MaxNLocator(5, steps=ROUND))
+        axes.yaxis.set_major_locator(MaxNLocator(5, steps=style.ROUND))
     grid[-1].legend(
         handles=xyz_handles(("turned about x", "then about the new y", "then about the new z")),
         loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncols=3, columnspacing=1.6, handlelength=2.6,
     )  # fmt: skip
     grid[-1].set_xlabel(TIME)
     mark_motions(course, grid)
-    capped = [Line2D([], [], **LIMIT, label=f"cap {number(cap)} mm/s")] if 1.3 * reach > cap else []  # type: ignore[arg-type]
+    capped = [Line2D([], [], **style.LIMIT, label=f"cap {number(cap)} mm/s")] if 1.3 * reach > cap else []  # type: ignore[arg-type]
     key(figure, course, [*xyz_handles(("along x", "along y", "along z")), *capped])
     return named(course, figure, grid[0])
 
 
 def draw_xyz(axes: Axes, t: Array, values: Array) -> None:
     """Three curves (n, 3) over t (n,) in the styles of x, y and z."""
-    for i, (color, line) in enumerate(AXIS_STYLES):
+    for i, (color, line) in enumerate(style.AXIS_STYLES):
         axes.plot(t, values[:, i], color=color, linestyle=line)
 
 
 def xyz_handles(labels: tuple[str, str, str] = ("x", "y", "z")) -> list[Line2D]:
     """What the legend shows for draw_xyz."""
-    return [Line2D([], [], color=c, linestyle=s, label=n) for n, (c, s) in zip(labels, AXIS_STYLES, strict=True)]
+    return [Line2D([], [], color=c, linestyle=s, label=n) for n, (c, s) in zip(labels, style.AXIS_STYLES, strict=True)]
 
 
 def number(value: float) -> str:
@@ -248,7 +246,11 @@ def columns(entries: Sequence[Line2D | Patch]) -> int:
     """How many entries of a legend stand beside each other."""
     wide = [0.75 + 0.093 * len(str(entry.get_label())) for entry in entries]  # in
     rows = 1
-    while max(wide) * -(-len(wide) // rows) > WIDTH - 0.4 and sum(wide) > (WIDTH - 0.4) * rows and rows < len(wide):
+    while (
+        max(wide) * -(-len(wide) // rows) > style.WIDTH - 0.4
+        and sum(wide) > (style.WIDTH - 0.4) * rows
+        and rows < len(wide)
+    ):
         rows += 1
     return -(-len(wide) // rows)
 
@@ -262,17 +264,9 @@ def with_names(figure: Figure, top: Axes, ends: Sequence[tuple[float, str]]) -> 
     """The settled figure with a name per (time [s], name) over its top panel."""
     names = name_times(top, ends)
     figure.align_ylabels()
-    settle(figure)
+    style.settle(figure)
     spread(names)
     return figure
-
-
-def _at_least(axes: Axes, span: float) -> None:
-    """Widen the vertical range to span, so that a constant does not fill the panel with its rounding."""
-    low, high = axes.get_ylim()
-    if high - low < span:
-        middle = (low + high) / 2
-        axes.set_ylim(middle - span / 2, middle + span / 2)
 
 
 def mark_motions(course: PlanSeries, panels: Iterable[Axes]) -> None:

@@ -24,12 +24,7 @@ from trajopt_cli.units import MM
 FUNCTIONAL, OPTIONAL, RAIL = "functional", "optional", "rail"
 _KINDS: dict[str, dict[str, Any]] = {
     FUNCTIONAL: {"color": VERMILLION, "linewidth": 3.2, "label": "has to be driven"},
-    OPTIONAL: {
-        "color": BLACK,
-        "linewidth": 1.5,
-        "linestyle": (0, (4, 1.5)),
-        "label": "may be left out",
-    },
+    OPTIONAL: {"color": BLACK, "linewidth": 1.5, "linestyle": (0, (4, 1.5)), "label": "may be left out"},
     RAIL: {"color": BLUE, "linewidth": 1.8, "linestyle": (0, (1.2, 1.6)), "label": "only the rail moves"},
 }
 _RAIL_ALONE = Patch(color="#cfe3f1", linewidth=0, label="only the rail moves")

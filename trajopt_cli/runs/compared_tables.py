@@ -43,7 +43,9 @@ def motions_table(answer: ComparedRuns, rows: Sequence[AlignedMotion]) -> TextTa
             return "not there" if two else "–"
         return "dropped" if motion.dropped else seconds(motion.time_s)
 
-    columns = {f">{run.letter} [s]": partial(time, n) for n, run in enumerate(answer.runs)}
+    columns: dict[str, Callable[[AlignedMotion], str]] = {
+        f">{run.letter} [s]": partial(time, n) for n, run in enumerate(answer.runs)
+    }
     if two:
         columns[">B − A [s]"] = lambda row: signed(row.times[1] - row.times[0])
     else:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import os
 import platform
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from functools import cache
+from functools import cache, wraps
 from importlib.metadata import version
 from io import BufferedRandom
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
-from typing import Any, Generic, TypeVar
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
@@ -42,6 +42,8 @@ MOST_BYTES, MOST_RECORD = 1_000_000_000, 20_000_000
 """Of all files of a folder, and of its run.json; a folder that holds more is not read."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])
+P = ParamSpec("P")
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +72,23 @@ class ResultsFolder(Generic[Record]):
         return parse_record(self.contents[SUMMARY], str(self.folder / SUMMARY))
 
 
+def _as_it_stands(work: Callable[Concatenate[Path, P], T]) -> Callable[Concatenate[Path, P], T]:
+    """Work on a folder, done again where a run that ended just now has made another one of it meanwhile."""
+
+    @wraps(work)
+    def again(folder: Path, /, *args: P.args, **options: P.kwargs) -> T:
+        while True:
+            before = _identity(folder)
+            try:
+                return work(folder, *args, **options)
+            except InputError:
+                if _identity(folder) == before:
+                    raise
+
+    return again
+
+
+@_as_it_stands
 def read_run(
     folder: Path, model: type[Record], needed: tuple[str, ...] = (), judged: tuple[str, ...] = ()
 ) -> ResultsFolder[Record]:
@@ -79,18 +98,6 @@ def read_run(
     it. Raises InputError for a folder that is none, is another or newer, for a record that trajopt cannot have written,
     and for a file that was changed.
     """
-    while True:
-        before = _identity(folder)
-        try:
-            return _read_run(folder, model, needed, judged)
-        except InputError:
-            if _identity(folder) == before:
-                raise  # and not what a run that ended just now has made of it
-
-
-def _read_run(
-    folder: Path, model: type[Record], needed: tuple[str, ...], judged: tuple[str, ...]
-) -> ResultsFolder[Record]:
     with _reading(folder):
         try:
             folder.stat()
@@ -151,21 +158,12 @@ def _version(name: str) -> str:
     return version(name)
 
 
+@_as_it_stands
 def check_replaceable(folder: Path) -> None:
     """Raise InputError unless folder is absent, empty, or a folder that holds only what trajopt wrote, and can be
     written."""
     recover(folder)
     check_writable(folder)
-    while True:
-        before = _identity(folder)
-        try:
-            return _check_replaceable(folder)
-        except InputError:
-            if _identity(folder) == before:
-                raise
-
-
-def _check_replaceable(folder: Path) -> None:
     with _reading(folder):
         if not folder.exists():
             return

@@ -265,13 +265,7 @@ def estimate_record(answer: Estimate, logs: Logs | None, many: bool = False) -> 
         "fly_bys_driven_as_stops": answer.stops,
         "calibrated": logs is not None,
         "calibration": uncalibrated(logs),
-        "rests_on": [
-            {
-                "limit": one.limit, "value": one.value, "unit": one.unit, "source": one.source, "guess": one.guess,
-                "seconds": one.seconds,
-            }
-            for one in answer.rests
-        ],
+        "rests_on": [asdict(one) for one in answer.rests],
         "doubts": list(doubts(answer)),
         "motions": motions,
     }  # fmt: skip

@@ -155,8 +155,8 @@ def order_of(
     problem = PlanRequest(job.program, job.plant, target, EVERYTHING, changes).unchecked()[0]
     if not isinstance(problem, Problem):
         return problem
-    n = len(group.parts)
-    written = tuple(range(n))
+    n, last = len(group.parts), group.parts[-1].motions[1] - 1
+    written, at_last = tuple(range(n)), partial(Infeasible, last, job.program.motions[last].source)
     work, planned = _Work(group, target, changes, listen, patience, jobs or cores()), dict[Order, Tour]()
     if patience.limit is not None:
         patience.reserve(_WRITING * patience.load)
@@ -177,10 +177,7 @@ def order_of(
     exact = n <= axes.settings.exact_stations
     best, top = (math.inf, written) if steps is None else _best(steps, written, nearest, exact)
     if steps is None or not math.isfinite(best):
-        last = group.parts[-1].motions[1] - 1
-        return Infeasible(
-            last, job.program.motions[last].source, "no order of the parts connects the start with the end"
-        )
+        return at_last("no order of the parts connects the start with the end")
     bound = best if exact else sequence.least_time(steps)
     tried = dict.fromkeys([written, nearest, top, *sequence.near_orders(steps, top, _NEAR)])
     found = {one: Tour(one, steps.cost(one)) for one in tried}
@@ -194,9 +191,8 @@ def order_of(
     answer = Ordered(group, target, found, nearest, top, exact, bound, stopped, None)
     fastest = answer.best
     if fastest is None:
-        last = group.parts[-1].motions[1] - 1
         why = next((one.why for one in found.values() if one.why), "no plan was found")
-        return Infeasible(last, job.program.motions[last].source, f"no order that was planned can be done: {why}")
+        return at_last(f"no order that was planned can be done: {why}")
     why_not = None if fastest.order == written else group.why_not(fastest.order)
     return Ordered(group, target, found, nearest, top, exact, bound, stopped, why_not)
 
@@ -241,35 +237,29 @@ class _Work:
         return {order: one for order, one in shared_out(tasks, hear, self.workers).items() if one is not None}
 
     def _one(self, one: Tour, full: Patience | None, tell: Callable[[object], None]) -> Tour | None:
-        try:
-            with (full or self.patience).cutting():
-                return self._made(one, full, tell)
-        except Stopped:
-            return None
-
-    def _made(self, one: Tour, full: Patience | None, tell: Callable[[object], None]) -> Tour | None:
-        """The written order is always planned."""
+        """None where there is no patience left; the written order is always planned."""
         from trajopt_cli.plan import NoCleanPlan, optimize, search_estimate
 
         if self.patience.over and one.order != tuple(sorted(one.order)):
             return None
         job, target = self.group.job, self.target
         program, changes = self.group.program(one.order), self.group.changes(one.order, self.changes)
-        if full is None:
-            estimate = search_estimate(program, job.plant, target, changes)
-            tell(None)
-            return Tour(one.order, one.model, estimate)
         try:
-            plan = optimize(program, job.plant, target, bounded=False, changes=changes, patience=full)
+            with (full or self.patience).cutting():
+                if full is None:
+                    estimate = search_estimate(program, job.plant, target, changes)
+                    tell(None)
+                    return replace(one, estimate=estimate)
+                plan = optimize(program, job.plant, target, bounded=False, changes=changes, patience=full)
+                if isinstance(plan, Infeasible):
+                    return replace(one, why=str(plan))
+                illegal = why_illegal(job.plant, program, plan, target)
+                tell(None)
+                return replace(one, planned=plan.duration) if illegal is None else replace(one, why=illegal[0])
         except NoCleanPlan as no:
-            return Tour(one.order, one.model, one.estimate, why=f"no plan found: {no}")
-        if isinstance(plan, Infeasible):
-            return Tour(one.order, one.model, one.estimate, why=str(plan))
-        illegal = why_illegal(job.plant, program, plan, target)
-        tell(None)
-        if illegal is not None:
-            return Tour(one.order, one.model, one.estimate, why=illegal[0])
-        return Tour(one.order, one.model, one.estimate, plan.duration)
+            return replace(one, why=f"no plan found: {no}")
+        except Stopped:
+            return None
 
 
 # ------------------------------------------------------------------------------------------------------------ records

@@ -16,25 +16,8 @@ from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.scopes import nodes
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.parser import parse_module
-from trajopt_cli.rapid.language.syntax import (
-    Assign,
-    Call,
-    Component,
-    DataDeclaration,
-    Element,
-    For,
-    Goto,
-    Label,
-    Name,
-    Node,
-    ProcedureCall,
-    Raise,
-    Return,
-    Routine,
-    Simple,
-    Statement,
-)
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import Lines
 from trajopt_cli.validation import hint
@@ -42,7 +25,7 @@ from trajopt_cli.validation import hint
 LEAST, GREATEST = 2, 60
 """Parts of a group."""
 _WRITES = ("incr", "decr", "add", "clear")  # instructions that change what they are given
-_JUMPS = (Goto, Label, Return, Raise, Simple)
+_JUMPS = (syntax.Goto, syntax.Label, syntax.Return, syntax.Raise, syntax.Simple)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +34,7 @@ class Part:
     lines in the file. motions: its first one in the program, and the one behind its last."""
 
     name: str
-    statements: tuple[Statement, ...]
+    statements: tuple[syntax.Statement, ...]
     lines: tuple[int, int]
     motions: tuple[int, int] = (0, 0)
 
@@ -154,18 +137,18 @@ def group_of(job: Job, name: str | None = None) -> Group:
     return _with_motions(Group(job, name, path, tuple(parts)), key)
 
 
-def _found(job: Job, key: str, part: Lines | str) -> tuple[str, Routine, Part]:
+def _found(job: Job, key: str, part: Lines | str) -> tuple[str, syntax.Routine, Part]:
     """File, routine and part that a line of the cell file names."""
     if isinstance(part, str):
         calls = [
             (path, routine, one)
             for path, routine in _routines(job.program)
             for one in routine.body
-            if isinstance(one, ProcedureCall) and one.name.lower() == part.lower() and not one.args
+            if isinstance(one, syntax.ProcedureCall) and one.name.lower() == part.lower() and not one.args
         ]
         every = [
             one for _, routine in _routines(job.program) for one in nodes(routine.body)
-            if isinstance(one, ProcedureCall) and one.name.lower() == part.lower()
+            if isinstance(one, syntax.ProcedureCall) and one.name.lower() == part.lower()
         ]  # fmt: skip
         if len(calls) != 1 or len(every) != 1:
             told = "no statement calls it" if not every else f"{len(every)} statements call it"
@@ -190,7 +173,7 @@ def _found(job: Job, key: str, part: Lines | str) -> tuple[str, Routine, Part]:
     raise job.cell.error(key, f"{part}: no statement of a routine begins there")
 
 
-def _part(job: Job, key: str, path: str, name: str, statements: tuple[Statement, ...]) -> Part:
+def _part(job: Job, key: str, path: str, name: str, statements: tuple[syntax.Statement, ...]) -> Part:
     """A part with its whole lines. Raises InputError where it shares one of them with other code."""
     text = job.program.files[path].text
     start = max(text.rfind(sign, 0, statements[0].start) for sign in "\r\n") + 1
@@ -203,7 +186,7 @@ def _part(job: Job, key: str, path: str, name: str, statements: tuple[Statement,
     return Part(name, statements, (start, match.start()))
 
 
-def _check_row(job: Job, key: str, path: str, routine: Routine, parts: Sequence[Part]) -> None:
+def _check_row(job: Job, key: str, path: str, routine: syntax.Routine, parts: Sequence[Part]) -> None:
     """Raise InputError unless the parts stand one behind the other, each statement in one of them."""
     row = [one.start for part in parts for one in part.statements]
     if len(set(row)) < len(row):
@@ -246,13 +229,13 @@ def _with_motions(group: Group, key: str) -> Group:
     return replace(group, parts=parts)
 
 
-def _routines(program: Program) -> list[tuple[str, Routine]]:
+def _routines(program: Program) -> list[tuple[str, syntax.Routine]]:
     return [
         (path, item)
         for path, file in program.files.items()
         for module in parse_module(file.text, path).modules
         for item in module.items
-        if isinstance(item, Routine)
+        if isinstance(item, syntax.Routine)
     ]
 
 
@@ -266,9 +249,9 @@ def _jumps(group: Group) -> Iterator[str]:
                 yield f"{part.name} jumps or ends the routine ({type(one).__name__.upper()})"
 
 
-def _names(part: Part, routines: Sequence[tuple[str, Routine]], written: bool) -> Iterator[str]:
+def _names(part: Part, routines: Sequence[tuple[str, syntax.Routine]], written: bool) -> Iterator[str]:
     """The data that a part uses, or changes, with the procedures and functions that it calls; their own is left out."""
-    known: dict[str, list[Routine]] = {}
+    known: dict[str, list[syntax.Routine]] = {}
     for _, routine in routines:
         known.setdefault(routine.name.lower(), []).append(routine)
     seen: set[int] = set()
@@ -276,34 +259,36 @@ def _names(part: Part, routines: Sequence[tuple[str, Routine]], written: bool) -
     while blocks:
         block, own = blocks.pop()
         for node in nodes(block):
-            if isinstance(node, ProcedureCall | Call):
+            if isinstance(node, syntax.ProcedureCall | syntax.Call):
                 for called in known.get(node.name.lower(), ()):
                     if id(called) not in seen:
                         seen.add(id(called))
                         blocks.append((called.body, _own(called)))
-            used = [node.name.lower()] if isinstance(node, Name) else []
+            used = [node.name.lower()] if isinstance(node, syntax.Name) else []
             yield from (name for name in (_changed(node, known) if written else used) if name not in own)
 
 
-def _changed(node: Node, known: Mapping[str, Sequence[Routine]]) -> Iterator[str]:
+def _changed(node: syntax.Node, known: Mapping[str, Sequence[syntax.Routine]]) -> Iterator[str]:
     given: list[object] = []
-    if isinstance(node, Assign):
+    if isinstance(node, syntax.Assign):
         given = [node.target]
-    elif isinstance(node, ProcedureCall | Call):
+    elif isinstance(node, syntax.ProcedureCall | syntax.Call):
         name = node.name.lower()
         modes = [parameter.mode for one in known.get(name, ()) for parameter in one.parameters]
         if name in _WRITES or name.startswith("search") or any(mode is not None for mode in modes):
             given = [argument.value for argument in node.args]
     for thing in given:
-        while isinstance(thing, Component | Element):
+        while isinstance(thing, syntax.Component | syntax.Element):
             thing = thing.base
-        if isinstance(thing, Name):
+        if isinstance(thing, syntax.Name):
             yield thing.name.lower()
 
 
-def _own(routine: Routine) -> set[str]:
+def _own(routine: syntax.Routine) -> set[str]:
     names = {parameter.name.lower() for parameter in routine.parameters}
-    return names | {node.name.lower() for node in nodes(routine.body) if isinstance(node, DataDeclaration | For)}
+    return names | {
+        node.name.lower() for node in nodes(routine.body) if isinstance(node, syntax.DataDeclaration | syntax.For)
+    }
 
 
 def _left_behind(group: Group) -> Iterator[str]:

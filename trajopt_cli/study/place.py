@@ -161,12 +161,7 @@ class Placed:
 
 
 def place(
-    site: Site,
-    target: Target,
-    listen: Listener,
-    patience: Patience,
-    jobs: int | None = None,
-    points: int | None = None,
+    site: Site, target: Target, listen: Listener, patience: Patience, jobs: int | None = None, points: int | None = None
 ) -> Placed:
     """The best place of what a site moves, on one target.
 

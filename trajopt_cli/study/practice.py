@@ -6,18 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from trajopt_cli.motion import (
-    ExternalAxes,
-    Motion,
-    Move,
-    MoveAbsJ,
-    MoveExtJ,
-    PathMove,
-    Program,
-    Tool,
-    Written,
-    Zone,
-)
+from trajopt_cli.motion import ExternalAxes, Motion, Move, MoveAbsJ, MoveExtJ, PathMove, Program, Tool, Written, Zone
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant

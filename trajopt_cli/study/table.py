@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
@@ -55,16 +56,13 @@ SAMPLED = "sampled turn"
 """The row that is there only where a tool is free about its axis."""
 
 _RAPID, _STREAM = Target.RAPID, Target.STREAM
+_timed = partial(Baseline, _STREAM, after="fixed-rail")  # the fixed-rail plan's path, timed by others
 
 BASELINES: dict[str, Baseline] = {
     "as-written": _free(_RAPID, AS_WRITTEN, "the program's own rail positions and configurations", "timing"),
     "practice": Baseline(_RAPID, "today: home, the rail alone, the arm works", "timing", practice),
-    "bang-bang": Baseline(
-        _STREAM,
-        "generator of Krotký's thesis (2014) on Cartesian axes, no joint limits",
-        "timing",
-        bang_bang_row,
-        after="fixed-rail",
+    "bang-bang": _timed(
+        "generator of Krotký's thesis (2014) on Cartesian axes, no joint limits", "timing", bang_bang_row
     ),
     "thesis": Baseline(
         _RAPID, "rail heuristic of Krotký's thesis (2014), legs timed under all limits", "rail by rule", thesis
@@ -72,24 +70,11 @@ BASELINES: dict[str, Baseline] = {
     "fixed-rail": _free(
         _STREAM, FIXED_RAIL, "the best rail position per station, the rail still there", "rail per station, branch"
     ),
-    "ruckig": Baseline(
-        _STREAM,
-        "Ruckig from stop to stop at the fixed rail's positions, jerk free",
-        "timing",
-        ruckig,
-        after="fixed-rail",
-    ),
-    "ruckig jerk": Baseline(
-        _STREAM, "the same under the profile's jerk limits", "timing", ruckig_jerk, after="fixed-rail"
-    ),
-    "toppra": Baseline(
-        _STREAM, "the fixed-rail plan's path timed by TOPP-RA", "timing along a path", toppra, after="fixed-rail"
-    ),
+    "ruckig": _timed("Ruckig from stop to stop at the fixed rail's positions, jerk free", "timing", ruckig),
+    "ruckig jerk": _timed("the same under the profile's jerk limits", "timing", ruckig_jerk),
+    "toppra": _timed("the fixed-rail plan's path timed by TOPP-RA", "timing along a path", toppra),
     SAMPLED: Baseline(
-        _STREAM,
-        "free tools turned by a ladder graph (Descartes), timed by TOPP-RA",
-        "tool turn, timing",
-        sampled_turn,
+        _STREAM, "free tools turned by a ladder graph (Descartes), timed by TOPP-RA", "tool turn, timing", sampled_turn
     ),
     "optimum rapid": _free(_RAPID, EVERYTHING, "everything free that the controller can execute", "everything"),
     "optimum stream": _free(_STREAM, EVERYTHING, "everything free that a joint stream can carry", "everything"),
