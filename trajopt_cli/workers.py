@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from contextvars import ContextVar
 from multiprocessing.connection import Connection
-from multiprocessing.process import BaseProcess
 from types import TracebackType
 from typing import Any, Generic, TypeVar
 
@@ -57,7 +56,8 @@ class Worker(Generic[Answer]):
         fork = multiprocessing.get_context("fork")
         self._messages, theirs = fork.Pipe(duplex=False)
         self._process = fork.Process(target=_run, args=(work, theirs, os.getpid()), daemon=True)
-        _start(self._process)
+        with deaf():  # _run takes it from there
+            self._process.start()
         theirs.close()  # only the other process holds that end, so that its death is an end of file here
         self._answer: list[Answer] = []
 
@@ -103,11 +103,12 @@ class Worker(Generic[Answer]):
             self._hear(content)
 
 
-def _start(process: BaseProcess) -> None:
-    """Start a process that begins with Ctrl-C held back: _run takes it from there."""
+@contextmanager
+def deaf() -> Iterator[None]:
+    """Threads and processes that come up inside do not hear Ctrl-C, which is this one's to answer."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        process.start()
+        yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 

@@ -157,8 +157,7 @@ class _Writer:
     ) -> None:
         if wrong:
             source = self._program.motions[wrong[0]].source
-            error = refusal(source, why)
-            found = Disagreement(error.message, file=source.file, line=source.line, column=source.column)
+            found = Disagreement(why, file=source.file, line=source.line, column=source.column)
             spans = [self._program.motions[i].written.statement for i in wrong]
             routines = [self._scopes.routine(span.file, span.start) for span in spans]
             found.routines = frozenset(one.name.lower() for one in routines if one is not None)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -22,7 +21,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.parameter_study.point import PointInputs, Row, blank, evaluate
 from trajopt_cli.parameter_study.sampling import Point
 from trajopt_cli.problem.stop_condition import Patience
-from trajopt_cli.workers import Tasks, cores, give_back, in_turns
+from trajopt_cli.workers import Tasks, cores, deaf, give_back, in_turns
 
 Evaluate = Callable[[PointInputs, Point], Row]
 Say = Callable[[str], None]
@@ -120,21 +119,11 @@ def local_client(jobs: int | None = None, memory: float | None = None) -> Iterat
     each process at most [bytes]; None: its share of what there is."""
     limit = "auto" if memory is None else int(memory * 1.2)  # a point's own bound comes first, and in words
     how = {"threads_per_worker": 1, "memory_limit": limit, "dashboard_address": ":0", "silence_logs": 50}
-    with dask.config.set(_LOCAL), _deaf():
+    resource_tracker.ensure_running()  # it hears Ctrl-C again where it is started by the way
+    with dask.config.set(_LOCAL), deaf():
         cluster = LocalCluster(n_workers=jobs or cores(), **how)
     with cluster, Client(cluster, set_as_default=False) as client:
         yield client
-
-
-@contextmanager
-def _deaf() -> Iterator[None]:
-    """Threads and processes that come up inside do not hear Ctrl-C, which is this one's to answer."""
-    resource_tracker.ensure_running()  # it hears the signal again where it is started by the way
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
