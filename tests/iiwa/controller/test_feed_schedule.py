@@ -24,7 +24,6 @@ from trajopt_cli.iiwa.task.model import (
     Profile,
     RotationLaw,
     Route,
-    SegmentSpeeds,
     Waypoint,
 )
 from trajopt_cli.iiwa.task.segments import interpolate
@@ -342,7 +341,7 @@ def skew(rotation):
     first, second = (one.as_euler("xyz") for one in (Rotation.from_euler("xyz", [0.3, 1.0, -0.5]), turned))
     points = [np.r_[0, 0, 0, first], np.r_[0.02, 0, 0, second], np.r_[0.02, 0.02, 0, first]]
     waypoints = tuple(Waypoint(f"p{i}", point, f"poses[{i}]") for i, point in enumerate(points))
-    speeds = (SegmentSpeeds(V, 1.0, 1.5, 5.0),) * 2
+    speeds = np.tile([V, 1.0, 1.5, 5.0, np.nan, np.nan], (2, 1))
     return Route(waypoints, speeds, 8e-3, Profile.TRAPEZOID, rotation, AngleMeaning.ABSOLUTE)
 
 

@@ -50,7 +50,7 @@ def test_a_line_from_the_start_goes_before_the_path_at_the_first_segments_caps()
     assert (first.name, first.place) == ("start", "t.yaml:1")
     assert [waypoint.name for waypoint in rest] == ["1", "up", "3"]
     assert first.pose == pytest.approx([*X[:3, 3], 0, 0, 0])
-    assert [speeds.v_max for speeds in task.route.speeds] == [0.1, 0.1, 0.2]
+    assert task.route.caps[:, 0].tolist() == [0.1, 0.1, 0.2]
     found = interpolate(task.route)
     assert (found.pieces[0].origin, found.pieces[0].goal) == ("start", "1")
     assert np.array_equal(found.pose[found.pieces[0].last], rest[0].pose)

@@ -16,7 +16,7 @@ from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_checks import Arm, ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.joints import Followed, follow
-from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
+from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.segments import planned
 from trajopt_cli.robot.srs import load_srs
 
@@ -24,7 +24,7 @@ ROBOT = load_srs("iiwa7")
 LIMITS = ROBOT.profile()
 FLANGE = np.eye(4)
 HOME = np.radians([10.0, 35, -20, -95, 15, 55, 5])
-FAST = SegmentSpeeds(0.6, 3.0, 8.0, 40.0, 200.0, 1000.0)
+FAST = np.array([0.6, 3.0, 8.0, 40.0, 200.0, 1000.0])
 
 
 def arm(start: Array = HOME, angle: float | None = None) -> ArmOnPath:
@@ -35,7 +35,7 @@ def route(steps: list[list[float]], profile: Profile, law: RotationLaw, start: A
     pose = np.r_[ROBOT.forward(start)[:3, 3], np.zeros(3)]
     rows = np.cumsum([pose, *steps], axis=0)
     ways = tuple(Waypoint(f"p{i}", row, "task.yaml:7") for i, row in enumerate(rows))
-    return Route(ways, (FAST,) * len(steps), 1e-3, profile, law, AngleMeaning.RELATIVE)
+    return Route(ways, np.tile(FAST, (len(steps), 1)), 1e-3, profile, law, AngleMeaning.RELATIVE)
 
 
 def joints(way: Equilibrium, start: Array = HOME) -> Array:
@@ -80,8 +80,8 @@ def test_a_trapezoid_takes_the_least_time_that_toppra_finds(step: list[float]) -
     line = replace(line, R=rotation(line.pose[:, 3:]), pieces=(Piece(0, len(s) - 1, "p0", "p1"),))
     lengths = np.linalg.norm(step[:3]), np.linalg.norm(step[3:])
     path = SplineInterpolator(s, np.column_stack([joints(line), *(s * one for one in lengths)]))
-    speeds = np.r_[LIMITS.velocity, FAST.v_max, FAST.omega_max]
-    pushes = np.r_[LIMITS.acceleration, FAST.a_max, FAST.epsilon_max]
+    speeds = np.r_[LIMITS.velocity, FAST[:2]]
+    pushes = np.r_[LIMITS.acceleration, FAST[2:4]]
     of = [JointVelocityConstraint(np.c_[-speeds, speeds]), JointAccelerationConstraint(np.c_[-pushes, pushes])]
     least = TOPPRA(of, path, gridpoints=np.linspace(0, 1, 801)).compute_trajectory(0, 0).duration
     assert least <= timed.duration + asked.h
@@ -89,8 +89,8 @@ def test_a_trapezoid_takes_the_least_time_that_toppra_finds(step: list[float]) -
 
 
 def test_where_the_joints_have_room_the_time_is_the_poses() -> None:
-    slow = SegmentSpeeds(0.05, 0.2, 0.3, 1.0, 5.0, 20.0)
-    asked = replace(route(STEPS, Profile.S_CURVE, RotationLaw.SLERP), speeds=(slow,) * 3)
+    slow = np.tile([0.05, 0.2, 0.3, 1.0, 5.0, 20.0], (3, 1))
+    asked = replace(route(STEPS, Profile.S_CURVE, RotationLaw.SLERP), caps=slow)
     assert planned(asked, arm=arm())[0].duration == pytest.approx(planned(asked)[0].duration, rel=0.03)
 
 

@@ -23,7 +23,6 @@ from trajopt_cli.iiwa.task.model import (
     Profile,
     RotationLaw,
     Route,
-    SegmentSpeeds,
     Waypoint,
 )
 from trajopt_cli.iiwa.task.rounded import Polyline, rounded
@@ -47,7 +46,7 @@ def path(
 ) -> Route:
     poses = np.hstack([points, np.zeros_like(points) if angles is None else angles])
     v, w, a, e, jerk, turn_jerk = caps
-    speeds = (SegmentSpeeds(v, w, a, e, jerk, turn_jerk),) * (len(poses) - 1)
+    speeds = np.tile([v, w, a, e, jerk, turn_jerk], (len(poses) - 1, 1))
     way = PathPoints(poses, "path.csv", np.arange(2, len(poses) + 2), dwells=dwells or {})
     return Route(way, speeds, h, profile, law, AngleMeaning.RELATIVE, passing)
 

@@ -121,7 +121,7 @@ def test_a_task_file_names_a_path_and_passes_it(tmp_path: Path) -> None:
     task = load_task(file)
     assert task.route.passing == Passing(1e-3, np.radians(0.5))
     assert task.route.profile is Profile.TRAPEZOID
-    assert [one.jerk for one in task.route.speeds] == [0.1, 0.2]
+    assert task.route.caps[:, 4].tolist() == [0.1, 0.2]
     file.write_text(TASK + "passing: stop\n")
     task = load_task(file)
     assert (task.route.passing, task.route.profile, task.route.stops) == (None, Profile.THESIS, [0, 1, 2])

@@ -14,11 +14,11 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import AngleMeaning, Profile, RotationLaw, Route, SegmentSpeeds, Waypoint
+from trajopt_cli.iiwa.task.model import AngleMeaning, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.segments import interpolate, planned
 
 DEG = np.pi / 180
-SPEEDS = SegmentSpeeds(0.1, 0.5, a_max=1.0, epsilon_max=2.0, jerk=20.0, angular_jerk=40.0)
+SPEEDS = {"v_max": 0.1, "omega_max": 0.5, "a_max": 1.0, "epsilon_max": 2.0, "jerk": 20.0, "angular_jerk": 40.0}
 TB, SLERP = RotationLaw.TAIT_BRYAN, RotationLaw.SLERP
 THESIS, TRAPEZOID, S_CURVE = Profile.THESIS, Profile.TRAPEZOID, Profile.S_CURVE
 
@@ -32,13 +32,14 @@ def pose(name: str, *values: float, dwell: float = 0.0) -> Waypoint:
 
 def route(
     *waypoints: Waypoint,
-    speeds: SegmentSpeeds | tuple[SegmentSpeeds, ...] = SPEEDS,
+    speeds: dict[str, float] | Array = SPEEDS,
     h: float = 0.001,
     profile: Profile = THESIS,
     law: RotationLaw = TB,
 ) -> Route:
-    each = speeds if isinstance(speeds, tuple) else (speeds,) * (len(waypoints) - 1)
-    return Route(waypoints, each, h, profile, law, AngleMeaning.RELATIVE)
+    each = [*speeds.values()] if isinstance(speeds, dict) else speeds
+    caps = np.broadcast_to(each, (len(waypoints) - 1, 6))
+    return Route(waypoints, caps, h, profile, law, AngleMeaning.RELATIVE)
 
 
 def steps(rows: Array) -> Array:
@@ -65,7 +66,7 @@ def test_the_thesis_steps_by_hand() -> None:
 )
 def test_whole_numbers_of_periods_have_no_empty_ends(way: float, v: float, h: float, rows: int) -> None:
     """0.3 / 0.1 and 0.7 / 0.1 / 0.01 floor to one too few in doubles."""
-    found = interpolate(route(pose("a", 1), pose("b", 1, way), speeds=replace(SPEEDS, v_max=v), h=h))
+    found = interpolate(route(pose("a", 1), pose("b", 1, way), speeds=SPEEDS | {"v_max": v}, h=h))
     assert len(found.pose) == rows
     assert steps(found.pose) == pytest.approx(np.full(rows - 1, v * h), rel=1e-9)
 
@@ -108,7 +109,7 @@ def test_no_step_exceeds_its_cap_and_every_pose_is_met(
     values: list[tuple[float, ...]], caps: tuple[float, ...], h: float, profile: Profile, law: RotationLaw
 ) -> None:
     v, w, a, e, jerk = caps
-    speeds = SegmentSpeeds(v, w, a, e, jerk, 2 * jerk)
+    speeds = np.array([v, w, a, e, jerk, 2 * jerk])
     given_poses = [pose(f"p{i}", *row, dwell=0.5) for i, row in enumerate(values)]
     found = interpolate(route(*given_poses, speeds=speeds, h=h, profile=profile, law=law))
     assert steps(found.pose[:, :3]).max(initial=0) <= v * h * (1 + 1e-9)
@@ -135,7 +136,7 @@ def test_no_step_exceeds_its_cap_and_every_pose_is_met(
 @given(st.floats(1e-6, 0.5), st.floats(0.05, 3), st.sampled_from([0.001, 0.004]))
 def test_the_thesis_law_takes_the_least_time_it_can(way: float, v: float, h: float) -> None:
     """Steps add up to the way; the cruise steps all equal v h, the two others are equal and shorter."""
-    found = interpolate(route(pose("a"), pose("b", way), speeds=replace(SPEEDS, v_max=v), h=h))
+    found = interpolate(route(pose("a"), pose("b", way), speeds=SPEEDS | {"v_max": v}, h=h))
     x = found.pose[:, 0]
     size = np.diff(x)
     assert x[-1] == way
@@ -152,7 +153,7 @@ def test_the_thesis_law_takes_the_least_time_it_can(way: float, v: float, h: flo
 @pytest.mark.parametrize("profile", list(Profile))
 def test_large_coordinates_do_not_break_the_bound(x: float, v: float, profile: Profile) -> None:
     """1 mm/s is 1e-6 m per period; at 5 m a double is only good to 9e-16 m, 1e-9 of it."""
-    speeds = replace(SPEEDS, v_max=v)
+    speeds = SPEEDS | {"v_max": v}
     found = interpolate(route(pose("a", x, x), pose("b", x + 0.02, x), speeds=speeds, profile=profile))
     assert steps(found.pose[:, :3]).max() <= v * 0.001 * (1 + 1e-9)
     assert found.pose[-1, 0] == x + 0.02
@@ -285,10 +286,9 @@ def test_dwells_stand_and_are_rounded_up_with_a_note() -> None:
 
 @pytest.mark.parametrize("law", list(RotationLaw))
 def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: RotationLaw) -> None:
-    go = SegmentSpeeds(0.1, 0.0, a_max=1.0, jerk=9.0)
-    turn = SegmentSpeeds(0.0, 0.5, epsilon_max=1.0, angular_jerk=9.0)
+    each = np.array([[0.1, 0.0, 1.0, np.nan, 9.0, np.nan], [0.0, 0.5, np.nan, 1.0, np.nan, 9.0]])
     for profile in Profile:
-        wanted = route(pose("a"), pose("b", 0.1), pose("c", 0.1, 0, 0, 30), speeds=(go, turn), profile=profile, law=law)
+        wanted = route(pose("a"), pose("b", 0.1), pose("c", 0.1, 0, 0, 30), speeds=each, profile=profile, law=law)
         found = interpolate(wanted)
         middle = found.pieces[0].last
         assert np.all(found.pose[:middle, 3:] == 0)
@@ -301,27 +301,27 @@ def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: R
     [
         (route(pose("a")), "cube.yaml:7: 1 pose; a path needs at least 2"),
         (
-            route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, v_max=0.0)),
+            route(pose("a"), pose("b", 0.2), speeds=SPEEDS | {"v_max": 0.0}),
             "cube.yaml:8: segment a -> b: v_max is 0 m/s with 0.2 m to go; give a finite cap above zero",
         ),
         (
-            route(pose("a"), pose("b", 0.2, 0, 0, 90), speeds=replace(SPEEDS, omega_max=np.inf)),
+            route(pose("a"), pose("b", 0.2, 0, 0, 90), speeds=SPEEDS | {"omega_max": np.inf}),
             "cube.yaml:8: segment a -> b: omega_max is inf rad/s with 1.5708 rad to go; give a finite cap above zero",
         ),
         (
-            route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, v_max=np.nan)),
-            "cube.yaml:8: segment a -> b: v_max is nan m/s with 0.2 m to go; give a finite cap above zero",
+            route(pose("a"), pose("b", 0.2), speeds=SPEEDS | {"v_max": np.nan}),
+            "cube.yaml:8: segment a -> b: v_max [m/s] is missing; profile thesis needs it with 0.2 m to go",
         ),
         (
-            route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, omega_max=-1.0)),
+            route(pose("a"), pose("b", 0.2), speeds=SPEEDS | {"omega_max": -1.0}),
             "cube.yaml:8: segment a -> b: omega_max is -1 rad/s with 0 rad to go; give a finite cap above zero",
         ),
         (
-            route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, a_max=None), profile=TRAPEZOID),
+            route(pose("a"), pose("b", 0.2), speeds=SPEEDS | {"a_max": np.nan}, profile=TRAPEZOID),
             "cube.yaml:8: segment a -> b: a_max [m/s2] is missing; profile trapezoid needs it with 0.2 m to go",
         ),
         (
-            route(pose("a"), pose("b", 0, 0, 0, 9), speeds=replace(SPEEDS, angular_jerk=None), profile=S_CURVE),
+            route(pose("a"), pose("b", 0, 0, 0, 9), speeds=SPEEDS | {"angular_jerk": np.nan}, profile=S_CURVE),
             "cube.yaml:8: segment a -> b: angular_jerk [rad/s3] is missing; profile s-curve needs it with "
             "0.15708 rad to go",
         ),
@@ -341,12 +341,12 @@ def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: R
         (route(pose("a"), pose("b", 0.2), h=0.0), "h is 0 s; give a period above zero, for example 0.001 s"),
         (route(pose("a"), pose("b", 0.2), h=np.nan), "h is nan s; give a period above zero, for example 0.001 s"),
         (
-            route(pose("a"), pose("b", 0.2), speeds=replace(SPEEDS, v_max=1e-9)),
+            route(pose("a"), pose("b", 0.2), speeds=SPEEDS | {"v_max": 1e-9}),
             "cube.yaml:8: segment a -> b takes 2e+11 periods of 0.001 s, the sequence 2e+11, at most 5e+06; give a "
             "higher speed, a shorter dwell or a longer period",
         ),
         (
-            route(pose("a", 1e9), pose("b", 1e9 + 0.01), speeds=replace(SPEEDS, v_max=0.001)),
+            route(pose("a", 1e9), pose("b", 1e9 + 0.01), speeds=SPEEDS | {"v_max": 0.001}),
             "cube.yaml:8: segment a -> b: 1e-06 m and 0 rad per period are lost in the rounding of coordinates this "
             "large; give higher speeds, or coordinates from a nearer origin",
         ),

@@ -40,9 +40,9 @@ def test_a_minimal_file_in_si() -> None:
     np.testing.assert_allclose(first.pose, [*START, 0, 0, 0], rtol=0, atol=1e-15)
     np.testing.assert_allclose(second.pose, [0.5, 0.1, 0.3, 0, np.radians(10), 0], rtol=1e-15)
     assert second.place == "t.yaml:4"
-    (speeds,) = task.route.speeds
-    assert speeds.v_max == 0.2
-    assert speeds.omega_max == pytest.approx(np.radians(30), rel=1e-15)
+    ((v_max, omega_max, *_),) = task.route.caps
+    assert v_max == 0.2
+    assert omega_max == pytest.approx(np.radians(30), rel=1e-15)
     assert (task.route.h, task.route.profile, task.route.rotation) == (0.001, Profile.THESIS, RotationLaw.TAIT_BRYAN)
     assert task.route.meaning is AngleMeaning.RELATIVE
     assert task.integration is Integration.EULER
@@ -189,7 +189,7 @@ def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> No
     np.testing.assert_allclose(task.route.waypoints[1].pose[:3], [0.5, 0.15, 0.3], rtol=1e-15)
     # [0, 0, 1, 0] is half a turn about y, and so is the flange at the start: nothing to turn.
     np.testing.assert_allclose(task.route.waypoints[1].pose[3:], 0, atol=1e-12)
-    assert [speeds.v_max for speeds in task.route.speeds] == [0.1, 0.2]
+    assert task.route.caps[:, 0].tolist() == [0.1, 0.2]
     assert task.route.waypoints[1].dwell == 0.5
     assert any("do1 is left out" in note for note in task.notes)
     assert any("seam.mod:11: a repeats the pose before; left out" in note for note in task.notes)

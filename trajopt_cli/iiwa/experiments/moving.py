@@ -29,7 +29,6 @@ from trajopt_cli.iiwa.task.model import (
     Profile,
     RotationLaw,
     Route,
-    SegmentSpeeds,
     Waypoint,
 )
 from trajopt_cli.iiwa.task.segments import interpolate
@@ -185,7 +184,7 @@ def _path(corners: Sequence[tuple[int, int, int]], v: float) -> Equilibrium:
     waypoints = tuple(
         Waypoint(f"{i}", np.r_[SIDE * np.array(corner), np.zeros(3)], "the cube") for i, corner in enumerate(corners)
     )
-    caps = tuple(SegmentSpeeds(v, 1.0) for _ in corners[1:])
+    caps = np.tile([v, 1.0, *[np.nan] * 4], (len(corners) - 1, 1))
     return interpolate(Route(waypoints, caps, H, Profile.THESIS, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE))
 
 

@@ -299,9 +299,8 @@ def _accelerations(task: Task) -> _Caps:
     """The least a_max [m/s2] and epsilon_max [rad/s2] of the task's segments, None where its profile has none."""
     if task.route.profile is Profile.THESIS:
         return None, None
-    caps = zip(*((one.a_max, one.epsilon_max) for one in task.route.speeds), strict=True)
-    least = (min((cap for cap in column if cap is not None), default=None) for column in caps)
-    return next(least), next(least)
+    least = np.fmin.reduce(task.route.caps[:, 2:4], axis=0)
+    return tuple(None if np.isnan(cap) else float(cap) for cap in least)  # type: ignore[return-value]
 
 
 def _steady(task: Task, bound: float) -> float:

@@ -22,14 +22,14 @@ def by_line(route: Route, X_start: Array, place: str) -> tuple[Route, tuple[str,
     """The route behind a leg from the tool at the start X_start (4, 4) to its first pose at the first segment's caps,
     where they differ, and what to say of it. place: of the start, for messages.
     """
-    first, speeds = route.waypoints[0], route.speeds
+    first, caps = route.waypoints[0], np.vstack([route.caps[:1], route.caps])
     told = _apart(X_start, first, route.meaning)
     if told is None:
         return route, ()
     angles = np.zeros(3) if route.meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
     begin = Waypoint("start", np.concatenate([X_start[:3, 3], angles]), place)
     note = f"approach: a line from the tool at the start joints to pose {first.name}, {told}, goes before the path"
-    return replace(route, waypoints=_after(begin, route.waypoints), speeds=(speeds[0], *speeds)), (note,)
+    return replace(route, waypoints=_after(begin, route.waypoints), caps=caps), (note,)
 
 
 def by_joints(route: Route, arm: Arm) -> tuple[Route, Array, tuple[str, ...]]:

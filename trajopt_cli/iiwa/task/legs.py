@@ -9,15 +9,13 @@ from math import ceil, floor, isfinite
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation, rotation_vector
-from trajopt_cli.iiwa.task.model import BETA_LIMIT, COORDINATES, Profile, RotationLaw, Route
+from trajopt_cli.iiwa.task.model import BETA_LIMIT, CAPS, COORDINATES, Profile, RotationLaw, Route
 
 SAME = 1e-12
 """Distances [m, rad] up to this are the rounding of the numbers given, and no way to go."""
 
-CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
-"""Caps of the translation and of the rotation in turns, by the derivative that they bound."""
 _CAP_UNITS = ("m/s", "rad/s", "m/s2", "rad/s2", "m/s3", "rad/s3")
 
 MOST_ROWS = 5_000_000
@@ -172,20 +170,16 @@ def name_of(route: Route, leg: int) -> str:
 
 def _caps(route: Route, lengths: Array, turns: Array) -> Array:
     """Caps (n-1, 6); of a part that stands on a leg those of the legs on which it moves, if it has none there."""
-    kinds = list({id(speeds): speeds for speeds in route.speeds}.values())  # mostly one for all
-    number = {id(speeds): i for i, speeds in enumerate(kinds)}
-    kind: IndexArray = np.array([number[id(speeds)] for speeds in route.speeds], dtype=np.intp)
-    table = np.full((len(kind), 6), np.inf)
+    table = np.full((len(lengths), 6), np.inf)
     for k in range(2 * _ORDERS[route.profile]):
-        ways, cap, unit = (lengths, turns)[k % 2], CAPS[k], _CAP_UNITS[k]
-        given = np.array([getattr(speeds, cap) for speeds in kinds], dtype=np.float64)[kind]  # None becomes NaN
+        ways, cap, unit, given = (lengths, turns)[k % 2], CAPS[k], _CAP_UNITS[k], route.caps[:, k]
         moves, usable = ways > 0, np.isfinite(given) & (given > 0)
         wrong = (moves & ~usable) | (given < 0)
         if wrong.any():
             leg = int(np.argmax(wrong))
             name, to_go = name_of(route, leg), f"{ways[leg]:.6g} {('m', 'rad')[k % 2]} to go"
             message = f"{name}: {cap} is {given[leg]:g} {unit} with {to_go}; give a finite cap above zero"
-            if getattr(route.speeds[leg], cap) is None:
+            if np.isnan(given[leg]):
                 message = f"{name}: {cap} [{unit}] is missing; profile {route.profile.value} needs it with {to_go}"
             raise InputError(message, file=route.waypoints[leg + 1].place)
         if moves.any():

@@ -42,7 +42,6 @@ from trajopt_cli.units import MM
 from trajopt_cli.yaml_file import line_of, parse, read_text, refuse_empty, validated
 
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
-_CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
 _FARTHEST, _LONGEST_TOOL, _THICKEST_TIP, _THINNEST = 1e3, 10.0, 1.0, 1e-6  # m
 _SINGULAR = 1e-6  # rad, m: a start this near has no configuration of its own
 _NEEDED = "start, poses, v_max, omega_max, K, D and M are needed at least"
@@ -196,7 +195,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
     else:
         assert document.poses is not None
         waypoints = written_waypoints(document.poses, force, meaning, X_WF @ X_FT, lines, file)
-    speeds = _speeds(document, waypoints, at, given_speeds)
+    caps = _caps(document, waypoints, at, given_speeds)
     said = (force, *(one.force for one in document.poses or ()))
     if force is not None and all(one is None or one.value is None for one in said):
         raise at.wrong("force", "force: nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
@@ -213,7 +212,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
     angle = document.arm_angle.value if document.arm_angle else None
     profile = model.Profile(document.profile or ("thesis" if passing is None else "s-curve"))
     law = model.RotationLaw(document.rotation)
-    route, came = model.Route(waypoints, speeds, document.h, profile, law, meaning, passing), tuple[str, ...]()
+    route, came = model.Route(waypoints, caps, document.h, profile, law, meaning, passing), tuple[str, ...]()
     if document.approach == "line":
         route, came = by_line(route, X_WF @ X_FT, f"{file}:{line_of('start.joints', lines)}")
     elif document.approach == "joint":
@@ -330,30 +329,25 @@ def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, at: _Lines,
         raise at.wrong(key, f"{message}; start a degree away from it")
 
 
-def _speeds(
+def _caps(
     document: TaskDocument,
     waypoints: Sequence[model.Waypoint],
     at: _Lines,
     given: tuple[tuple[float, float], ...] | None,
-) -> tuple[model.SegmentSpeeds, ...]:
-    """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
-    count = len(waypoints) - 1
-    columns: dict[str, list[float | None]] = {}
-    for key in _CAPS:
+) -> Array:
+    """Caps (n, 6) of the segments; given: v_max and omega_max of a program, which the file's own replace."""
+    count, columns = len(waypoints) - 1, list[Array]()
+    for k, key in enumerate(model.CAPS):
         value = getattr(document, key)
         if isinstance(value, tuple) and len(value) != count:
             raise at.wrong(key, f"{key}: {len(value)} values for {count} segments; give one for all, or one each")
-        required = value is None and key in ("v_max", "omega_max")
-        if required and given is None:
-            message = f"{key}: is missing; give a cap for all segments, or one each"
-            raise InputError(message, file=at.file, line=1)
-        if required and given is not None:
-            value = tuple(pair[key == "omega_max"] for pair in given)
-        columns[key] = list(value) if isinstance(value, tuple) else [value]
-    if all(len(column) == 1 for column in columns.values()):
-        return (model.SegmentSpeeds(*(column[0] for column in columns.values())),) * count  # type: ignore[arg-type]
-    rows = zip(*(column if len(column) > 1 else column * count for column in columns.values()), strict=True)
-    return tuple(model.SegmentSpeeds(*row) for row in rows)
+        if value is None and k < 2:
+            if given is None:
+                message = f"{key}: is missing; give a cap for all segments, or one each"
+                raise InputError(message, file=at.file, line=1)
+            value = tuple(pair[k] for pair in given)
+        columns.append(np.broadcast_to(np.nan if value is None else np.array(value), count))
+    return np.column_stack(columns)
 
 
 def _compliance(

@@ -23,6 +23,8 @@ from trajopt_cli.shapes import Box, Capsule
 
 COORDINATES = ("x", "y", "z", "alpha", "beta", "gamma")
 UNITS = ("m", "m", "m", "rad", "rad", "rad")
+CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
+"""Caps of a segment [m/s, rad/s, m/s2, rad/s2, m/s3, rad/s3], of its translation and its rotation in turns."""
 _SOON = 1e-9  # s
 BETA_LIMIT = np.radians(85.0)
 """Largest |beta| [rad] of the controller's angles: nearer to 90 deg the Tait-Bryan angles lock (section 4.1.2)."""
@@ -93,19 +95,6 @@ class Waypoint:
 
 
 @dataclass(frozen=True)
-class SegmentSpeeds:
-    """Caps of one segment: v_max [m/s], omega_max [rad/s]; a_max [m/s2], epsilon_max [rad/s2] for the profiles with
-    ramps; jerk [m/s3], angular_jerk [rad/s3] for the s-curve. None where the profile does not need it."""
-
-    v_max: float
-    omega_max: float
-    a_max: float | None = None
-    epsilon_max: float | None = None
-    jerk: float | None = None
-    angular_jerk: float | None = None
-
-
-@dataclass(frozen=True)
 class Passing:
     """How near poses are passed that are no stops: within tolerance [m] and turn_tolerance [rad]."""
 
@@ -150,13 +139,13 @@ class PathPoints(Sequence[Waypoint]):
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """Poses X_1..X_M (M >= 2) and the caps of the M - 1 segments between them, sampled every h [s].
+    """Poses X_1..X_M (M >= 2) and caps (M - 1, 6) of the segments between them, NaN for none, sampled every h [s].
 
     passing: how the poses between the first and the last are passed that have no dwell; None where all are stops.
     """
 
     waypoints: Sequence[Waypoint]
-    speeds: tuple[SegmentSpeeds, ...]
+    caps: Array
     h: float
     profile: Profile
     rotation: RotationLaw

@@ -15,8 +15,8 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import angles_of, rotation_vector
 from trajopt_cli.iiwa.task.joint_checks import ArmOnPath, Untimed
-from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS
-from trajopt_cli.iiwa.task.model import Passing
+from trajopt_cli.iiwa.task.legs import MOST_ROWS
+from trajopt_cli.iiwa.task.model import CAPS, Passing
 from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded
 from trajopt_cli.timing.varying_caps import Rows, least_time, rest_to_rest
 

@@ -19,8 +19,8 @@ from trajopt_cli.geometry import Array, rotation_about
 from trajopt_cli.iiwa.task.angles import angles_of, continuous, rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task.joint_checks import ArmOnPath
-from trajopt_cli.iiwa.task.legs import CAPS, MOST_ROWS, Path, name_of, path_of, whole_periods
-from trajopt_cli.iiwa.task.model import COORDINATES, Passing, Profile, RotationLaw, Route, Waypoint
+from trajopt_cli.iiwa.task.legs import MOST_ROWS, Path, name_of, path_of, whole_periods
+from trajopt_cli.iiwa.task.model import CAPS, COORDINATES, Passing, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.passing import divided_differences, passage
 from trajopt_cli.iiwa.task.rounded import Polyline
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
