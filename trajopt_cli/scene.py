@@ -11,11 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise, product
+from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose, readonly, rotation_about
+from trajopt_cli.geometry import Array, inverse_pose, pose, readonly, rotation_about
 from trajopt_cli.motion import SLIDE, MoveAbsJ, PathMove, PoseMove, Program
 from trajopt_cli.problem.collision_objects import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
@@ -31,7 +31,7 @@ BASE, WORLD = -1, -2
 LINK, TOOL_ROLE, OBSTACLE, RAIL, CARRIAGE, PART = "link", "tool", "obstacle", "rail", "carriage", "part"
 _STEP = 2e-3  # s between rows: at 20 m/s² a straight line between them is 0.01 mm off
 _MOST_ROWS = 20_000
-_BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
+_BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of a rail's beam and of the carriage's plate
 _BONE = 0.035  # m, radius of a link of which no shape is known
 
 
@@ -158,13 +158,12 @@ class Cycle:
 
 
 def scene_of_plant(plant: Plant, moving: Iterable[str] = ()) -> Scene:
-    """A cell: robot, rail with carriage, obstacles, what the flange carries. moving: names of obstacles to leave out,
+    """A cell: robot, rails with carriages, obstacles, what the flange carries. moving: names of obstacles to leave out,
     because a cycle has them as parts."""
-    left_out, rail = set(moving), plant.layout.rail
-    stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
+    left_out = set(moving)
     there = [solid for solid in plant.obstacles if solid.name not in left_out]
     obstacles = [solid.loaded for solid in there if solid.rides is None]
-    scene = scene_of_robot(plant.robot, obstacles, [solid.loaded for solid in plant.attached], stroke)
+    scene = scene_of_robot(plant.robot, obstacles, [solid.loaded for solid in plant.attached], _strokes(plant))
     riding = [Body(one.loaded, table_frame(plant, one.rides), OBSTACLE) for one in there if one.rides is not None]
     return replace(scene, bodies=(*scene.bodies, *riding), tables=tables_of(plant))
 
@@ -206,21 +205,21 @@ def scene_of_robot(
     robot: RobotModel | SrsRobot,
     obstacles: Sequence[Shape] = (),
     carried: Sequence[Shape] = (),
-    stroke: tuple[float, float] | None = None,
+    strokes: Array | Sequence[tuple[float, float]] = (),
 ) -> Scene:
-    """Any robot. obstacles: shapes in the world, carried: in the flange frame. stroke: lowest and highest rail
-    position [m], None without a rail."""
+    """Any robot. obstacles: shapes in the world, carried: in the flange frame. strokes (r, 2): lowest and highest
+    positions of its rails [m], each of which is drawn on the carriage of the one before."""
     chain = chain_of(robot)
     frames = {robot.link_names[0]: BASE} | {joint.link: i for i, joint in enumerate(chain)}
     links = [Body(shape, frames[link], LINK) for link, shapes in robot.bodies.items() for shape in shapes]
     bodies = links or [*_bones(chain)]
     bodies += [Body(shape, len(chain) - 1, TOOL_ROLE) for shape in carried]
     bodies += [Body(shape, WORLD, OBSTACLE) for shape in obstacles]
-    if stroke is not None and isinstance(robot, RobotModel):
-        beam, plate = _rail(robot, stroke)
-        if not any(one.name == "track" for one in obstacles):  # the cell says how large it is
-            bodies.append(Body(beam, WORLD, RAIL))
-        bodies.append(Body(plate, frames[robot.link_names[0]], CARRIAGE))
+    if isinstance(robot, RobotModel):
+        for i, (beam, plate) in enumerate(_rails(robot, np.asarray(strokes))):
+            if not any(one.name == "track" for one in obstacles):  # the cell says how large it is
+                bodies.append(Body(beam, i - 1 if i else WORLD, RAIL))
+            bodies.append(Body(plate, i, CARRIAGE))
     base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
     return Scene(base, chain, tuple(bodies), tuple(robot.axis_names), colour=robot.colour)
 
@@ -289,11 +288,18 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
 
 
 def rail_ends(plant: Plant) -> Array:
-    """Where the arm's base is with the rails at their ends (2^r, 3) [m] in the world; (0, 3) without a rail."""
-    if not plant.robot.has_rail:
-        return np.empty((0, 3))
-    strokes = zip(plant.limits.lower[plant.layout.rail], plant.limits.upper[plant.layout.rail], strict=True)
-    return np.asarray(plant.robot.X_WB0[:3, 3] + plant.robot.way(np.array([*product(*strokes)])))
+    """Where the arm's base is with one rail after the other at both of its ends (2 r, 3) [m] in the world, the others
+    where they start."""
+    strokes = _strokes(plant)
+    ends = np.tile(plant.start[plant.layout.rail], (len(strokes), 2, 1))
+    for i, stroke in enumerate(strokes):
+        ends[i, :, i] = stroke
+    return np.asarray(plant.robot.X_WB0[:3, 3] + plant.robot.way_at(ends.reshape(2 * len(strokes), len(strokes))))
+
+
+def _strokes(plant: Plant) -> Array:
+    """Lowest and highest positions (r, 2) of the rails [m]."""
+    return np.column_stack([plant.limits.lower, plant.limits.upper])[plant.layout.rail]
 
 
 def _parts(program: Program, plan: Plan, plant: Plant, flange: int) -> Iterator[Body]:
@@ -332,29 +338,30 @@ def _bones(chain: Sequence[Joint]) -> Iterator[Body]:
             yield Body(Capsule(f"to {joint.name}", np.zeros(3), end, _BONE), i - 1, LINK)
 
 
-def _rail(robot: RobotModel, stroke: tuple[float, float]) -> tuple[Box, Box]:
-    """The rail's beam in the world, and the carriage's plate in the frame of the arm's base.
+def _rails(robot: RobotModel, strokes: Array) -> Iterator[tuple[Box, Box]]:
+    """Each rail's beam in the frame of the carriage before it, the world for the first, and its own carriage's plate.
 
-    No robot file says how large they are: the beam is as long as the stroke and the plate, and stands under the base.
+    No robot file says how large they are: a beam is as long as the stroke and the plate, and stands under the plate;
+    the last plate is under the arm's base, any other one under the middle of the beam behind it.
     """
-    along = robot.rail_axes_W[0]
-    up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
-    if np.linalg.norm(up) < 0.1:  # the arm's base looks along the rail
-        up = robot.X_WB0[:3, 0] - (robot.X_WB0[:3, 0] @ along) * along
-    up = up / np.linalg.norm(up)
-    R = np.column_stack([along, np.cross(up, along), up])
     (width, height), (plate, thick) = _BEAM, _PLATE
-    beam, carriage = np.eye(4), np.eye(4)
-    beam[:3, :3] = R
-    middle = robot.X_WB0[:3, 3] + along * (stroke[0] + stroke[1]) / 2
-    beam[:3, 3] = middle - up * (thick + height / 2)
-    R_BW = robot.X_WB0[:3, :3].T
-    carriage[:3, :3] = R_BW @ R
-    carriage[:3, 3] = -R_BW @ up * thick / 2
-    length = stroke[1] - stroke[0] + plate
-    return Box("rail", np.array([length, width, height]), beam), Box(
-        "carriage", np.array([plate, plate, thick]), carriage
-    )
+    p, out = robot.X_WB0[:3, 3], list[tuple[Box, Box]]()
+    for i in reversed(range(len(strokes))):
+        along, (low, high), name = robot.rail_axes_W[i], strokes[i], robot.axis_names[i]
+        up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
+        if np.linalg.norm(up) < 0.1:  # the arm's base looks along the rail
+            up = robot.X_WB0[:3, 0] - (robot.X_WB0[:3, 0] @ along) * along
+        up = up / np.linalg.norm(up)
+        R, middle = np.column_stack([along, np.cross(up, along), up]), p + along * (low + high) / 2
+        beam, carriage = pose(R, middle - up * (thick + height / 2)), pose(R, p - up * thick / 2)
+        size = np.array([high - low + plate, width, height])
+        seen = inverse_pose(robot.X_WR)  # as rails do not turn what they carry
+        out.append((
+            Box(name, size, seen @ beam if i else beam),
+            Box(name.replace("rail", "carriage"), np.array([plate, plate, thick]), seen @ carriage),
+        ))  # fmt: skip
+        p = middle - up * (thick + height)
+    yield from reversed(out)
 
 
 def _sampled(trajectory: Trajectory) -> tuple[Array, Array]:

@@ -27,7 +27,7 @@ def scene_of(name: str) -> Scene:
     if read_head(find_robot(name)).structure is Structure.SRS:
         return scene_of_robot(load_srs(name))
     robot = load_robot(name)
-    return scene_of_robot(robot, stroke=(-STROKE / 2, STROKE / 2) if robot.has_rail else None)
+    return scene_of_robot(robot, strokes=[(-STROKE / 2, STROKE / 2)] * robot.has_rail)
 
 
 def triangles_of(scene: Scene) -> tuple[Array, Array]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from base64 import b64decode
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,12 +15,14 @@ from arms import on_rail, pin_flange, some_arm
 from link_poses import link_poses
 from small_cells import plant_with_rail, plant_without_rail, rapid
 
+from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.job import read_job
 from trajopt_cli.motion import SignalEvent
 from trajopt_cli.page.scene import plant_scene, robot_scene
+from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.robot.srs import load_srs
-from trajopt_cli.scene import Cycle, plan_cycle, scene_of_robot
+from trajopt_cli.scene import Cycle, plan_cycle, rail_ends, scene_of_robot
 from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
 from trajopt_cli.trajectory import Trajectory
 
@@ -133,6 +136,36 @@ def test_the_rail_carries_the_base_from_end_to_end_of_its_stroke() -> None:
     (plate,) = [one for one in scene["bodies"] if one["role"] == "carriage"]
     X_WP = frames(scene, np.r_[1.5, np.zeros(6)])[plate["link"]] @ np.reshape(plate["X"], (4, 4))
     np.testing.assert_allclose(X_WP[:3, :3], X[:3, :3], atol=1e-12)
+
+
+def test_every_axis_of_a_gantry_has_its_beam_on_the_carriage_before_it() -> None:
+    """Wherever the axes are, a carriage lies flat on its own beam, and the next beam across it."""
+    text = """robot: irb140
+base: {position: [0, 0, 2], rpy: ["180 deg", 0, 0]}
+axes: {eax_a: {axis: [1, 0, 0], stroke: [0, 3]}, eax_b: {axis: [0, 1, 0], stroke: [0, 1]}, eax_c: {axis: [0, 0, 1], stroke: [-1, 0]}}
+start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: [1, 0.5, 0]}
+"""  # noqa: E501
+    plant = build_plant(parse_cell(text, "cell.yaml"))
+    np.testing.assert_allclose(
+        rail_ends(plant), [[0, 0.5, 2], [3, 0.5, 2], [1, 0, 2], [1, 1, 2], [1, 0.5, 1], [1, 0.5, 2]], atol=1e-12
+    )
+    scene = plant_scene(plant, [], [Cycle("one", np.zeros(1), plant.start[None])])
+    (first,) = [one for one in scene["static"] if one["role"] == "rail"]
+    beams = [first, *(one for one in scene["bodies"] if one["role"] == "rail")]
+    plates = [one for one in scene["bodies"] if one["role"] == "carriage"]
+    assert [one["name"] for one in beams] == ["rail_a", "rail_b", "rail_c"]
+    for d in product((0.0, 3.0), (0.0, 1.0), (-1.0, 0.0)):
+        at = frames(scene, np.r_[d, np.zeros(6)])
+        X_beam = [np.reshape(one["X"], (4, 4)) for one in beams]
+        X_beam = [X_beam[0], *(at[i] @ X for i, X in enumerate(X_beam[1:]))]
+        for i, plate in enumerate(plates):
+            assert plate["link"] == i
+            foot = (np.linalg.inv(X_beam[i]) @ at[i] @ np.reshape(plate["X"], (4, 4)))[:3, 3]
+            assert abs(foot[0]) <= (beams[i]["size"][0] - plate["size"][0]) / 2 + 1e-12
+            np.testing.assert_allclose(foot[1:], [0, (beams[i]["size"][2] + plate["size"][2]) / 2], atol=1e-12)
+            X_WP = at[i] @ np.reshape(plate["X"], (4, 4))
+            above = plant.robot.base(np.array(d)) if i == 2 else X_beam[i + 1]
+            assert abs((above[:3, 3] - X_WP[:3, 3]) @ X_WP[:3, 2]) < 0.25
 
 
 def test_obstacles_and_what_the_flange_carries() -> None:

@@ -39,8 +39,8 @@ def arm(course: PlanSeries) -> Figure:
     shapes = [skeleton(course.plant, course.q[i], X_FT) / MM for i, _, X_FT in stations]
     bodies = [_solids(course.plant, course.q[i]) / MM for i, _, _ in stations]
     p = course.X_WT[:, :3, 3] / MM
-    beam = rail_ends(course.plant) / MM
-    if len(beam):
+    beams = rail_ends(course.plant) / MM
+    for beam in beams.reshape(-1, 2, 3):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=style.GREY, linewidth=1, zorder=1.1)
     halo = [withStroke(linewidth=3, foreground="white")]
@@ -60,7 +60,7 @@ def arm(course: PlanSeries) -> Figure:
             path_effects=halo,
         )
     axes.plot(*p.T, color=style.BLACK, linewidth=1.5, zorder=20)
-    everything = np.vstack([p, beam, *shapes, *(solids.reshape(-1, 3) for solids in bodies)])
+    everything = np.vstack([p, beams, *shapes, *(solids.reshape(-1, 3) for solids in bodies)])
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)

@@ -56,7 +56,7 @@ _ARROWS_FROM, _ARROWS_EVERY = 20.0, 260.0  # px
 @dataclass(frozen=True, eq=False)
 class Space:
     """What a path is drawn in: its name, the path (n, 3), the places of the program's points (m, 3), and what the arm
-    stands on (k, 3): both ends of the rail, the carriage alone, or nothing (k = 0), all in m. bodies: clouds of points
+    stands on (k, 3): both ends of each rail, the carriage alone, or nothing (k = 0), all in m. bodies: clouds of points
     (n, 3) whose hulls stand there."""
 
     name: str
@@ -166,9 +166,9 @@ def path_figure(
                 corners = obstacles.seen(cloud, plane) / MM
                 for look in (obstacles.FACE, obstacles.EDGE):
                     axes.add_patch(Polygon(corners, zorder=0.5, gid="obstacle", **look))
-            if len(space.ground):  # a beam between two places, a block at one
-                look = _RAIL if len(space.ground) == 2 else _CARRIAGE
-                axes.plot(*space.ground[:, plane].T / MM, **look, gid="ground")
+            look, count = (_RAIL, 2) if len(space.ground) > 1 else (_CARRIAGE, 1)
+            for beam in space.ground.reshape(-1, count, 3):  # between two places, or a block at one
+                axes.plot(*beam[:, plane].T / MM, **look, gid="ground")
             for part, kind in parts:
                 axes.plot(*space.path[part][:, plane].T / MM, **kinds[kind], solid_capstyle="round", gid=kind)
             for which, look in looks:
@@ -208,8 +208,9 @@ def path_figure(
 
 def _filled(ground: Array) -> Array:
     """Points (n, 2) on what the arm stands on, for names to keep away from."""
-    if len(ground) == 2:
-        return np.asarray(ground[0] + np.linspace(0, 1, 200)[:, None] * (ground[1] - ground[0]))
+    if len(ground) > 1:
+        begins, ends = ground[0::2], ground[1::2]
+        return np.asarray(begins + np.linspace(0, 1, 200)[:, None, None] * (ends - begins)).reshape(-1, 2)
     return np.vstack([ground + np.array(corner) for corner in product((-40.0, 0.0, 40.0), repeat=2)])  # mm
 
 
