@@ -43,7 +43,8 @@ class GridResolution:
     rest: float
 
 
-CLEARANCE, SELF_CLEARANCE = "clearance", "self clearance"
+CLEARANCE, SELF_CLEARANCE, TABLE_CLEARANCE = "clearance", "self clearance", "table clearance"
+CLEARANCES = (CLEARANCE, SELF_CLEARANCE, TABLE_CLEARANCE)
 COARSE = ("printed resolution", "row spacing")
 """Checks of the file itself: one that fails them cannot be judged."""
 
@@ -97,8 +98,8 @@ class Report:
 
 
 def collisions(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """The findings that say the robot hits something or comes too close, in time order."""
-    missed = [one for one in findings if one.check in (CLEARANCE, SELF_CLEARANCE) and not one.passed]
+    """The findings that say the robot, or a body on a positioner, hits something or comes too close, in time order."""
+    missed = [one for one in findings if one.check in CLEARANCES and not one.passed]
     return tuple(sorted(missed, key=lambda one: one.time or 0.0))
 
 

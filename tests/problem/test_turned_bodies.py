@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import coal
 import numpy as np
@@ -17,13 +18,14 @@ from link_poses import link_poses
 from unrefined import coarse_search
 
 from trajopt_cli.cell.loader import parse_cell
-from trajopt_cli.collision.collision_scene import CollisionScene
+from trajopt_cli.collision.collision_scene import CollisionScene, turned_into
 from trajopt_cli.errors import InputError
-from trajopt_cli.findings import CLEARANCE, Finding
-from trajopt_cli.geometry import Array
+from trajopt_cli.findings import CLEARANCE, TABLE_CLEARANCE, Finding
+from trajopt_cli.geometry import Array, pose
 from trajopt_cli.judge.clearance import check_clearance
+from trajopt_cli.judge.scene import legs_of
 from trajopt_cli.judge.verify import verify
-from trajopt_cli.motion import Program, TextFile
+from trajopt_cli.motion import MoveJ, Program, TextFile
 from trajopt_cli.plan import optimize
 from trajopt_cli.problem.collision_objects import bodies_on
 from trajopt_cli.problem.editable import everything
@@ -31,7 +33,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scene import WORLD, plan_cycle, scene_of_plant
-from trajopt_cli.shapes import Box, Capsule, Mesh
+from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
 from trajopt_cli.trajectory import Trajectory
 
 pytestmark = pytest.mark.usefixtures("coarse", "unrefined")
@@ -393,3 +395,147 @@ def test_the_page_has_a_part_on_the_table_from_when_it_is_left_there() -> None:
     X = table(-np.pi / 2) @ np.linalg.inv(table(0)) @ rides.shape.X
     np.testing.assert_allclose(X[:3, 3], [0.55 - 0.2, 0.3, 0.25], atol=1e-9)
     np.testing.assert_allclose(table_.X, table(0), atol=1e-12)
+
+
+# ------------------------------------------------------------------------------------------- parts on turned tables
+
+CUBE = "box: {size: [0.04, 0.04, 0.26], position: "
+SET_DOWN_TURNED = "MoveJ pA,v1000,fine,tool0;\nWaitTime 0.2;\nMoveJ pH,v1000,fine,tool0;\nWaitTime 0.2;\n"
+
+
+def carried_to(cube: str, at: int, detach: int, body: str) -> tuple[Plant, Program]:
+    """A cube that the flange takes and leaves at the ends of the moves on two lines, beside a plate on the table."""
+    plate = "plate: {on: STN1, box: {size: [0.5, 0.5, 0.024], position: [0, 0, 0.01]}}\n"
+    attach = f"attach: [{{part: cube, at: {at}, detach: {detach}}}]\nobstacles:"
+    return job(body, plate + cube, CELL.replace("obstacles:", attach))
+
+
+def places_at_end(plant: Plant, program: Program) -> list[Array]:
+    """Where planner and judge have the cube's middle in the world behind the last move, the table at 0 there."""
+    planned_ = {one.name: one for one in bodies_on(plant, program, len(program.motions) - 1).standing}
+    ends = [(i, move) for i, move in enumerate(program.motions) if isinstance(move, MoveJ)]
+    visits = [SimpleNamespace(point=SimpleNamespace(index=-1), X_WF=plant.robot.forward(plant.start), depart=0)]
+    visits += [SimpleNamespace(point=SimpleNamespace(index=i), X_WF=move.X_WT, depart=i + 1) for i, move in ends]
+    n = len(program.motions) + 2
+    legs = legs_of(program, plant, visits, n - 1)
+    judged = {one.name: one for one in legs[-1].standing}
+    # a part that stands 2 mm deep in its plate rides along: turning both is no hit
+    t, theta = np.arange(n) * 1.0, np.zeros((n, 1))
+    theta[-1] = 0.5
+    rows = Trajectory(plant.limits.names, t, np.tile(plant.start, (n, 1)), tables=Trajectory(("eax_b",), t, theta))
+    found = check_clearance(program, plant, rows, lambda _: None, legs)
+    assert all(one.passed for one in found if one.check == TABLE_CLEARANCE)
+    assert turned_into(plant, program) is None
+    return [np.asarray(one["cube"].loaded.X[:3, 3]) for one in (planned_, judged)]
+
+
+def test_a_part_that_is_left_on_a_turned_table_goes_with_it() -> None:
+    """Left at (550, 100) with the table at -90 degrees, 200 mm before its axis; back at 0 that is 200 mm beside it."""
+    back = "MoveJ pA,v1000,fine,tool0;\nMoveJ pB,v1000,fine,tool0;"
+    plant, program = carried_to(f"cube: {{{CUBE}[0.55, -0.15, 0.25]}}}}", 10, 12, SET_DOWN_TURNED + back)
+    for place in places_at_end(plant, program):
+        np.testing.assert_allclose(place, [0.75, 0.3, 0.25], atol=1e-9)
+
+
+def test_a_part_is_taken_from_where_a_turned_table_has_it() -> None:
+    """At (200, 0) on the table, which has turned by -90 degrees: 100 mm in y in the world, 250 mm behind pA's."""
+    body = "MoveJ pA,v1000,fine,tool0;\nMoveJ pH,v1000,fine,tool0;\nMoveJ pT,v1000,fine,tool0;\nWaitTime 0.2;\n"
+    cube = f"cube: {{on: STN1, {CUBE}[0.2, 0, 0.15]}}}}"
+    plant, program = carried_to(cube, 11, 12, body + "MoveJ pA,v1000,fine,tool0;\nMoveJ pB,v1000,fine,tool0;")
+    for place in places_at_end(plant, program):
+        np.testing.assert_allclose(place, [0.55, -0.15, 0.25], atol=1e-9)
+
+
+# ----------------------------------------------------------------------------------- bodies on tables and all others
+
+TURN = "MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0;"
+POST = "post: {box: {size: [0.06, 0.06, 0.3], position: [0.727, 0.123, 0.25]}}"
+"""In the middle of the fin's way from 0 to -90 degrees, 250 mm from the axis; where it begins and ends nothing is."""
+
+
+def beside(plant: Plant, program: Program, angle: float = -np.pi / 2) -> list[Finding]:
+    """What the judge says of the bodies alone, the arm at rest while the table turns."""
+    t, theta = np.array([0.0, 1.0]), np.array([[0.0], [angle]])
+    rows = Trajectory(plant.limits.names, t, np.tile(plant.start, (2, 1)), tables=Trajectory(("eax_b",), t, theta))
+    source = program.motions[1].source
+    return [
+        f
+        for f in check_clearance(program, plant, rows, lambda _: source)
+        if f.check == TABLE_CLEARANCE and not f.passed
+    ]
+
+
+def test_a_table_that_turns_its_body_into_what_stands_is_refused() -> None:
+    plant, program = job(TURN, f"{FIN}\n{POST}")
+    answer = planned(plant, program)
+    assert isinstance(answer, Infeasible)
+    assert (answer.index, answer.source) == (1, program.motions[1].source)
+    assert "fin" in answer.message
+    assert "'post'" in answer.message
+    (found,) = beside(plant, program)
+    assert found.source == program.motions[1].source
+    assert found.time == pytest.approx(0.36, abs=0.03)
+    assert "fin" in found.message
+    assert "'post'" in found.message
+    X_TB, post = np.linalg.inv(table(0)) @ plant.obstacles[0].loaded.X, plant.obstacles[1].loaded
+    least = np.inf
+    for angle in np.linspace(0, -np.pi / 2, 2001):
+        X = table(angle) @ X_TB
+        request, result = coal.DistanceRequest(False, 0.0, 0.0), coal.DistanceResult()
+        request.enable_signed_distance = True
+        places = (coal.Transform3s(one[:3, :3].copy(), one[:3, 3].copy()) for one in (X, post.X))
+        both = (coal.Box(0.1, 0.04, 0.36), next(places), coal.Box(0.06, 0.06, 0.3), next(places))
+        least = min(least, coal.distance(*both, request, result))
+    assert found.value == pytest.approx(least, abs=2e-4)
+    assert f"{-least * 1e3:.1f} mm inside" in answer.message
+
+
+@pytest.mark.parametrize(
+    "others",
+    [
+        f"{FIN}\n{POST.replace('0.123', '0.477')}",  # at +45 degrees, where the fin does not come
+        f"{FIN}\n{POST.replace('0.25]', '0.65]')}",  # above the fin
+        f"{FIN}\n{POST.replace('box:', 'ignore: [fin], box:')}",
+        f"{FIN}\npost: {{on: STN1, box: {{size: [0.06, 0.06, 0.3], position: [0.2, -0.1, 0.15]}}}}",
+        f"{FIN}\nfoot: {{box: {{size: [0.5, 0.5, 0.1], position: [0.55, 0.3, 0.05]}}}}",  # the fin stands on it
+    ],
+)
+def test_bodies_that_do_not_meet_ride_together_or_may_touch_are_no_hit(others: str) -> None:
+    plant, program = job(TURN, others)
+    assert turned_into(plant, program) is None
+    assert beside(plant, program) == []
+
+
+def test_bodies_on_two_tables_are_held_against_each_other() -> None:
+    """The other table, 500 mm to the side, has a fin of its own that comes to the middle between both at 0."""
+    second = f"  STN2: {{eax: c, frame: {{position: [0.55, -0.2, 0.1]}}, {LIMITS}}}\nobstacles:\n"
+    fins = f"{FIN}\n{FIN.replace('fin:', 'other:').replace('STN1', 'STN2').replace('[0.25, 0,', '[0, 0.25,')}"
+    plant, program = job(TURN, fins, CELL.replace("obstacles:\n", second))
+    answer = turned_into(plant, program)
+    assert answer is not None
+    assert answer.index == 1
+    assert "fin" in answer.message
+    assert "'other'" in answer.message
+    (found,) = beside(plant, program)
+    assert {"fin", "other"} <= {*found.message.replace("'", "").split()}
+    apart, program = job(TURN, fins.replace("[0, 0.25,", "[0, -0.25,"), CELL.replace("obstacles:\n", second))
+    assert turned_into(apart, program) is None
+    assert beside(apart, program) == []
+
+
+def test_a_part_that_was_left_on_a_table_is_held_against_what_stands() -> None:
+    """The cube goes from (550, 100) to (350, 300), 200 mm from the axis; the post is on that way."""
+    plant, program = left_on_the_table()
+    post = Box("post", np.array([0.05, 0.05, 0.3]), pose(np.eye(3), [0.41, 0.16, 0.25]))
+    plant = replace(plant, obstacles=(*plant.obstacles, Solid(post)))
+    answer = turned_into(plant, program)
+    assert answer is not None
+    assert answer.index == 5
+    assert "cube" in answer.message
+    assert "'post'" in answer.message
+
+
+def test_only_bodies_of_the_cell_may_be_ignored() -> None:
+    with pytest.raises(InputError, match="pots") as error:
+        cell_of(f"{FIN.replace('{on', '{ignore: [pots], on')}\n{POST}")
+    assert error.value.line == 7

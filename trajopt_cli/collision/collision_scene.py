@@ -13,14 +13,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, reduce
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, rotation_about
-from trajopt_cli.motion import Program, UnitMove
+from trajopt_cli.motion import Program, UnitMove, motion_name
 from trajopt_cli.path.turning import Turn
-from trajopt_cli.problem.collision_objects import Bodies, Turned, bodies_on
+from trajopt_cli.problem.collision_objects import RESTS, Bodies, Turned, bodies_on
+from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.proximity.near import WORLD, NearPairs
@@ -29,6 +30,7 @@ from trajopt_cli.settings import Settings
 from trajopt_cli.shapes import Shape, Solid, outline
 from trajopt_cli.trajectories.clearance_queries import Contacts
 
+_TURNS = 2001  # places on the way of a positioner, where it touches something: to say how deep
 _FLANGE = 7  # number of the flange behind base and six links
 
 
@@ -68,7 +70,7 @@ class _Pair:
     """A body of the robot and what it is held against: another one of its bodies, or one that stands. wanted [m]: the
     least distance between them, the margin included."""
 
-    body: _Body
+    body: _Body | _Turned
     other: _Body | _Turned | Solid
     wanted: float
 
@@ -90,6 +92,8 @@ class _Pair:
     @property
     def levers(self) -> Array:
         """How far (6,) each joint moves the body against the other per turn: those behind the other's link."""
+        if isinstance(self.body, _Turned):
+            return np.zeros(6)
         return np.where(np.arange(len(self.body.levers)) >= self.since, self.body.levers, 0.0)
 
     @property
@@ -144,16 +148,16 @@ class _Scene:
     def __init__(self, robot: RobotModel, pairs: Sequence[_Pair], settings: Settings, units: Sequence[UnitMove] = ()):
         self.robot, self.pairs, self._settings, self.units = robot, pairs, settings, units
         self.wanted = np.array([pair.wanted for pair in pairs])
-        found = {pair.other.frame: pair.other.units for pair in pairs if isinstance(pair.other, _Turned)}
-        self._turned = [found[frame] for frame in sorted(found)]
+        each = [[one for one in (pair.body, pair.other) if isinstance(one, _Turned)] for pair in pairs]
+        found = {one.frame: one.units for some in each for one in some}
+        self._turned = [found.get(frame, ()) for frame in range(_FLANGE + 1, max(found, default=0) + 1)]
         rides = [float(pair.since == WORLD) for pair in pairs]  # the rail takes one along and not the other
         own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
         if robot.linkage:  # axis 2 shifts the upper arm against the base and turns it against the lower arm
             own[:, 1] = np.maximum(own[:, 1], own[:, 2])
         self.levers = np.column_stack([rides] * robot.layout.r + [own])
         if units:
-            none = np.zeros(len(units))
-            its = [pair.other.levers if isinstance(pair.other, _Turned) else none for pair in pairs]
+            its = [sum((one.levers for one in some), np.zeros(len(units))) for some in each]
             self.levers = np.column_stack([self.levers, np.array(its)])
         self.near = NearPairs([pair.shapes for pair in pairs])
 
@@ -164,7 +168,8 @@ class _Scene:
         if not self._turned:
             return X
         each = [Turn.of(unit).pose(s) for unit, s in zip(self.units, q[:, n:].T, strict=True)]
-        own = [reduce(np.matmul, [each[i] for i in numbers]) for numbers in self._turned]
+        own = [np.broadcast_to(reduce(np.matmul, [each[i] for i in numbers], np.eye(4)), (len(q), 4, 4))
+               for numbers in self._turned]  # fmt: skip
         return np.concatenate([X, np.stack(own, axis=1)], axis=1)
 
     def least(self, q: Array) -> Array:
@@ -185,6 +190,18 @@ class _Scene:
         out = np.ones(len(q), dtype=bool)
         out[rows[self.distance(X, rows, pairs) < 0]] = False
         return out
+
+    def hits(self, q: Array) -> Iterator[Hit]:
+        """Each pair that is too close at any of axes q (m, n + U), where it is worst."""
+        X, margin, n = self.poses(q), self._settings.clearance_margin, self.robot.layout.n
+        rows, pairs = self.near.closer(X, self.wanted)
+        distance = self.distance(X, rows, pairs)
+        for number in np.unique(pairs[distance < 0]).tolist():
+            pair, mine = self.pairs[number], np.flatnonzero(pairs == number)
+            i = mine[np.argmin(distance[mine])]
+            touch, own = float(distance[i] + pair.wanted), isinstance(pair.other, _Body)
+            missing = pair.wanted - margin - touch
+            yield Hit(q[rows[i], :n], pair.body.name, pair.other.name, missing, touch, own, margin)
 
     def distance(self, X: Array, rows: IndexArray, pairs: IndexArray) -> Array:
         """Distances (k,) of pairs in rows of placings of the links, less what is wanted."""
@@ -347,19 +364,8 @@ class CollisionScene:
 
     def hits(self, q: Array, index: int, turns: Array | None = None) -> list[Hit]:
         """Each pair that is too close at any of axes q (m, n) during a motion, where it is worst; the worst first."""
-        out = []
-        for scene, _ in self._by_scene(len(q), index, turns):
-            X = scene.poses(_with(scene, q, turns))
-            rows, pairs = scene.near.closer(X, scene.wanted)
-            distance = scene.distance(X, rows, pairs)
-            for number in np.unique(pairs[distance < 0]).tolist():
-                pair, mine = scene.pairs[number], np.flatnonzero(pairs == number)
-                i = mine[np.argmin(distance[mine])]
-                touch = float(distance[i] + pair.wanted)
-                margin, own = self._settings.clearance_margin, isinstance(pair.other, _Body)
-                missing = pair.wanted - margin - touch
-                out.append(Hit(q[rows[i]], pair.body.name, pair.other.name, missing, touch, own, margin))
-        return sorted(out, key=lambda hit: -hit.missing)
+        found = [scene.hits(_with(scene, q, turns)) for scene, _ in self._by_scene(len(q), index, turns)]
+        return sorted((hit for hits in found for hit in hits), key=lambda hit: -hit.missing)
 
     def _by_scene(
         self, m: int, index: int | IndexArray, turns: Array | None = None
@@ -389,6 +395,49 @@ def collision_scene_of(problem: Problem) -> CollisionScene | None:
     """What a problem's motions must stay clear of; None where that is nothing, or where nothing may change that could
     avoid it: the program as written is driven as it is, and the judge tells."""
     return _known(problem.plant, problem.program) if problem.freedom.ways else None
+
+
+@lru_cache(maxsize=8)
+def turned_into(plant: Plant, program: Program) -> Infeasible | None:
+    """The first motion on which positioners turn or shift a body into one that does not ride along, whatever the robot
+    does; their axes at equal shares of their ways. Bodies that touch where the program begins are built so."""
+    built, asked = _touching(plant), set[Bodies]()
+    for index, motion in enumerate(program.motions) if plant.units else ():
+        bodies = bodies_on(plant, program, index)
+        if not bodies.turned or bodies in asked:
+            continue
+        asked.add(bodies)
+        frames = {units: _FLANGE + 1 + i for i, units in enumerate(sorted({one.units for one in bodies.turned}))}
+        turned = [(one.solid, _Turned.of(one, frames[one.units], bodies.units)) for one in bodies.turned]
+        every: list[tuple[Solid, _Turned | Solid]] = [*turned, *((one, one) for one in bodies.standing)]
+        pairs = [
+            _Pair(body, other, plant.settings.clearance_margin)
+            for i, (solid, body) in enumerate(turned)
+            for beside, other in every[i + 1 :]
+            if _must_not_touch(solid, beside) and frozenset((solid.name, beside.name)) not in built
+        ]
+        scene = _Scene(plant.robot, pairs, plant.settings, bodies.units)
+        share = np.tile(np.linspace(0.0, 1.0, _TURNS)[:, None], len(bodies.units))
+        q = np.hstack([np.tile(plant.start, (_TURNS, 1)), share])
+        if pairs and not scene.ways_free(q[[0, -1]], np.array([0]), np.array([1]))[0]:
+            hit = max(scene.hits(q), key=lambda one: one.missing, default=None)
+            said = "a body on a positioner touches another one" if hit is None else hit.said
+            return Infeasible(index, motion.source, f"{motion_name(motion)} turns a positioner into something: {said}")
+    return None
+
+
+def _must_not_touch(a: Solid, b: Solid) -> bool:
+    """Whether two bodies ride apart, or one stands, and nobody allows them to touch."""
+    alike = a.rides is not None and b.rides is not None and a.rides.unit == b.rides.unit
+    return not (alike or a.name in b.ignore or b.name in a.ignore)
+
+
+def _touching(plant: Plant) -> set[frozenset[str]]:
+    """The names of two obstacles each, one at least on a positioner, that touch where the program begins."""
+    both = [(a, b) for a, b in combinations(plant.obstacles, 2) if a.rides or b.rides]
+    pairs, numbers = NearPairs([(a.loaded, 0, b.loaded, WORLD) for a, b in both]), np.arange(len(both))
+    distance = pairs.nearest(np.eye(4)[None, None], 0 * numbers, numbers, points=False).distance
+    return {frozenset((a.name, b.name)) for (a, b), apart in zip(both, distance, strict=True) if apart <= RESTS}
 
 
 def _with(scene: _Scene, q: Array, turns: Array | None) -> Array:

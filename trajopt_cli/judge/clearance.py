@@ -9,17 +9,18 @@ other are not looked at: nothing a program does changes them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
-from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding
+from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, TABLE_CLEARANCE, Finding
 from trajopt_cli.judge.continuous_collision import LOOKS, OVERLOOKED, Body, Closest, Near, Sweep
 from trajopt_cli.judge.findings import SourceAt
 from trajopt_cli.judge.machine import Machine
 from trajopt_cli.judge.mechanism import FLANGE, Mechanism, mechanism_of
-from trajopt_cli.judge.scene import BodyInterval, shape_of, standing_still, tables_of
+from trajopt_cli.judge.scene import RESTS, BodyInterval, shape_of, standing_still, tables_of
 from trajopt_cli.motion import Move, Program, Source, motion_name
+from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import TOOL, Capsule, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
 
@@ -45,7 +46,8 @@ def check_clearance(
     start: str = "",
     open_: float = 0.0,
 ) -> list[Finding]:
-    """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it.
+    """One finding per obstacle, one for the robot against itself, and one for what positioners turn against all that
+    does not ride with it; none where the plant has no shapes for it.
 
     legs: which bodies are where during which rows; None: as at the start, all the time. open_: how much nearer than it
     is the robot may be seen, as its rows and their digits show it [m].
@@ -58,14 +60,22 @@ def check_clearance(
     links = [Body(n, shape, i) for i, n in enumerate(mechanism.link_names) for shape in plant.robot.bodies.get(n, ())]
     carried = {shape: Body(shape.name, shape, FLANGE) for leg in legs for shape in map(shape_of, leg.carried)}
     facing: dict[str, _Spans] = {solid.name: _Spans(last) for solid in plant.obstacles}
-    own, turned = _Spans(last), dict[Shape, Body]()
+    own, beside, turned = _Spans(last), _Spans(last), dict[Shape, Body]()
+    built = _touching_at_start(plant) if tables.turning else set[frozenset[str]]()
     for leg in legs:
         held = [carried[shape_of(solid)] for solid in leg.carried]
+        placed: list[tuple[Solid, Shape | Body]] = []
         for solid in leg.standing:
             other: Shape | Body = shape_of(solid)
             if solid.rides is not None:
                 number = FLANGE + 1 + tables.number[solid.rides]
                 other = turned.setdefault(shape_of(solid), Body(solid.name, shape_of(solid), number))
+            for one, before in placed:
+                if {one.rides, solid.rides} & tables.turning and _apart(one, solid, built):
+                    pair = (other, before) if isinstance(other, Body) else (before, other)
+                    assert isinstance(pair[0], Body)
+                    beside.add(leg, pair[0], pair[1])
+            placed.append((solid, other))
             for body in (*links, *held):
                 if _meet(mechanism, body, solid) or (solid.rides in tables.turning and body.name not in solid.ignore):
                     facing[solid.name].add(leg, body, other)
@@ -80,8 +90,25 @@ def check_clearance(
         for group in (spans.group() for spans in facing.values())
         if group
     ]
-    pairs = own.group()
-    return [*out, _finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start, open_)] if pairs else out
+    groups = {SELF_CLEARANCE: own.group(), TABLE_CLEARANCE: beside.group()}
+    return out + [_finding(check, program, sweep, pairs, 0.0, source_at, start, open_)
+                  for check, pairs in groups.items() if pairs]  # fmt: skip
+
+
+def _touching_at_start(plant: Machine) -> set[frozenset[str]]:
+    """The obstacles that are nearer to each other than REST where the program begins: they are built so."""
+    here = np.eye(4)
+    return {
+        frozenset((a.name, b.name))
+        for a, b in combinations(plant.obstacles, 2)
+        if (a.rides or b.rides) and Pair(shape_of(a), shape_of(b)).distance(here, here) <= RESTS
+    }
+
+
+def _apart(a: Solid, b: Solid, built: set[frozenset[str]]) -> bool:
+    """Whether two bodies, of which a positioner turns one, must not touch."""
+    alike = a.rides is not None and b.rides is not None and a.rides.unit == b.rides.unit
+    return not (alike or a.name in b.ignore or b.name in a.ignore or frozenset((a.name, b.name)) in built)
 
 
 class _Spans:
@@ -150,7 +177,8 @@ def _names(closest: Closest) -> str:
 
 def _against(closest: Closest) -> str:
     """An obstacle's name is the user's, a link's the robot's."""
-    return f"'{closest.near.against}'" if closest.near.other is None else closest.near.against
+    robots = closest.near.other is not None and closest.near.other.frame <= FLANGE
+    return closest.near.against if robots else f"'{closest.near.against}'"
 
 
 def _what(program: Program, source: Source | None, start: str) -> str:
@@ -178,4 +206,4 @@ def _touch(first: Closest, least: Closest, wanted: float, where: str) -> str:
         return f"{said} ({assumed}: give its bodies under attached, or another tool_radius)"
     # A link's polytope is up to half as large again as its hull, a capsule up to three times as large.
     remedy = " (by bodies around them; where the links themselves are clear, name the pair under may_touch)"
-    return said if first.near.other is None else said + remedy
+    return said + remedy if first.near.other is not None and first.near.other.frame <= FLANGE else said

@@ -51,7 +51,7 @@ class Body:
     @property
     def joints(self) -> int:
         """How many of the arm's joints move it."""
-        return min(self.frame, 6)
+        return min(self.frame, 6) if self.frame <= FLANGE else 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,14 +208,12 @@ class _Look:
 
     def moved(self, body: Body, since: int) -> Array:
         """How far (m,) a body's points move at most, seen from the link number since; from the world for -1."""
+        if body.frame > FLANGE:
+            assert self._tables is not None
+            return self._tables.moved(body.shape, body.frame - FLANGE - 1, self._theta, self._swing)
         parts = self._body(body)[1]
         arm: Array = parts[:, max(since, 0) :].sum(axis=1)
         return arm + self._rail if since < 0 else arm
-
-    def turned(self, body: Body) -> Array:
-        """How far (m,) the points of a body on a table move at most."""
-        assert self._tables is not None
-        return self._tables.moved(body.shape, body.frame - FLANGE - 1, self._theta, self._swing)
 
     def _body(self, body: Body) -> tuple[Array, Array]:
         """Outline in the world, and how far each joint that moves the body moves its points: radius times angle."""
@@ -243,7 +241,7 @@ class _Placed:
     def moved(self, look: _Look) -> Array:
         """How far (m,) the bodies' points move against each other at most."""
         if self._other is not None and self._other.frame > FLANGE:
-            return look.moved(self._body, -1) + look.turned(self._other)
+            return look.moved(self._body, -1) + look.moved(self._other, -1)
         return look.moved(self._body, -1 if self._other is None else self._other.frame)
 
     def bound(self, look: _Look, rows: IndexArray) -> Array:

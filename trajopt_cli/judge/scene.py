@@ -27,7 +27,7 @@ from trajopt_cli.proximity.pair import Pair
 from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, MeshFile, Shape, Solid, moved
 from trajopt_cli.trajectory import Trajectory
 
-_RESTS = 1e-3  # m: a part that is nearer to another body, or nearer than the clearance wanted, stands on it
+RESTS = 1e-3  # m: a part that is nearer to another body, or nearer than the clearance wanted, stands on it
 
 _Pairs = Collection[tuple[str, str]]  # a carried body and one that stands
 
@@ -135,7 +135,7 @@ class _Scene:
 
     def rests_on(self, part: str) -> set[tuple[str, str]]:
         """The part, which stands, with all that it stands on."""
-        near = max(_RESTS, self._plant.clearance)
+        near = max(RESTS, self._plant.clearance)
         shape, here = self._now(self._stands[part]), np.eye(4)
         others = [solid for solid in self._stands.values() if solid.name != part]
         return {(part, one.name) for one in others if Pair(shape, self._now(one)).distance(here, here) <= near}

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.collision.collision_scene import collision_scene_of
+from trajopt_cli.collision.collision_scene import collision_scene_of, turned_into
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.by_rails import check_reach, search
 from trajopt_cli.graph_search.ik_tables import broken_between
@@ -100,8 +100,11 @@ class PlanRequest:
     changes: Changes | None = None
 
     def problems(self, axes: Axes) -> list[Problem | Infeasible]:
-        """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
-        return [(check_reach(axes, one) or one) if isinstance(one, Problem) else one for one in self.unchecked()]
+        """The whole program, and without the motions the user lets go if there are any; each checked for reach, and for
+        what its positioners turn into."""
+        turned = turned_into(self.plant, self.program) if self.freedom.ways else None
+        return [(check_reach(axes, one) or turned or one) if isinstance(one, Problem) else one
+                for one in self.unchecked()]  # fmt: skip
 
     def in_first_pass(self, axes: Axes, out: Infeasible) -> Infeasible:
         """Why a cycle cannot be done, as the program meets it from its start on: that comes first to who runs it."""

@@ -347,7 +347,8 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
         raise cell.error(key, "this is the name of the capsule around the tool; give the body another name")
     carried = () if section == "attached" else tuple(other.name for other in cell.attached) or (TOOL,)
     taken = () if section == "attached" else tuple(grip.part for grip in cell.grips)
-    known = (*robot.bodies, *carried, *dict.fromkeys(taken))
+    beside = [one.name for one in cell.obstacles if one.name != solid.name and (one.rides or solid.rides)]
+    known = (*robot.bodies, *carried, *dict.fromkeys((*taken, *beside)))
     for name in sorted(solid.ignore):
         if name not in known:
             raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")

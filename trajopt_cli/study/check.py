@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
-from trajopt_cli.findings import CLEARANCE, SELF_CLEARANCE, Finding, Report, closeness, good_side
+from trajopt_cli.findings import CLEARANCE, CLEARANCES, SELF_CLEARANCE, Finding, Report, closeness, good_side
 from trajopt_cli.job import Job
 from trajopt_cli.pipeline.planning import changes_of, judge, undriven
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
@@ -83,7 +83,7 @@ def check(job: Job) -> Checked:
 
 
 def _judged(report: Report, unchecked: tuple[str, ...]) -> Iterator[Light]:
-    hits = [one for one in report.findings if one.check in (CLEARANCE, SELF_CLEARANCE)]
+    hits = [one for one in report.findings if one.check in CLEARANCES]
     limits = [one for one in report.findings if one not in hits]
     for name, findings in (("limits", limits), ("collisions", hits)):
         failed = [one for one in findings if not one.passed]
