@@ -221,6 +221,15 @@ def test_files_that_are_not_there_are_told(tmp_path: Path, obstacles: str, key: 
         cell_of(tmp_path, obstacles)
 
 
+@pytest.mark.parametrize(
+    ("kind", "wanted"), [("urdf", "{file: a}"), ("list", "{file: a}"), ("mesh", "{file: a}"), ("folder", "{path: a}")]
+)
+def test_a_name_alone_is_told_how_to_be_written(tmp_path: Path, kind: str, wanted: str) -> None:
+    with pytest.raises(InputError, match=f"obstacles.hall.{kind}.*{wanted}") as error:
+        cell_of(tmp_path, f"hall: {{{kind}: a}}")
+    assert error.value.line == 4
+
+
 # ------------------------------------------------------------------------------------------------- glTF beside, STEP
 
 

@@ -461,7 +461,19 @@ class CapsuleSection(_Section):
     radius: Annotated[float, BeforeValidator(positive(LENGTH))]
 
 
-class FileSection(FrameSection):
+class _NamedSection(FrameSection):
+    """What has a file's or a folder's name: a name alone is told how to write it."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_name_alone(cls, value: Any) -> Any:
+        if isinstance(value, str):
+            key = "file" if "file" in cls.model_fields else "path"
+            raise complain(f"needs a section, '{{{key}: {value}}}', not '{value}' alone")
+        return value
+
+
+class FileSection(_NamedSection):
     """A file beside the cell file, and the frame it is seen from."""
 
     file: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
@@ -484,7 +496,7 @@ class BodyList(RootModel[dict[StrictStr, ListedBody]]):
     """A list of bodies, by name."""
 
 
-class FolderSection(FrameSection):
+class FolderSection(_NamedSection):
     """A folder of meshes beside the cell file, what their coordinates are worth in m, and their common frame."""
 
     path: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
