@@ -184,11 +184,17 @@ class _Scene:
         return out
 
     def free(self, q: Array) -> BoolArray:
-        """Whether (m,) no pair is too close."""
-        X = self.poses(q)
-        rows, pairs = self.near.closer(X, self.wanted)
-        out = np.ones(len(q), dtype=bool)
-        out[rows[self.distance(X, rows, pairs) < 0]] = False
+        """Whether (m,) no pair is too close. What may be the nearest one is looked at first, the others where it is
+        not."""
+        X, out = self.poses(q), np.ones(len(q), dtype=bool)
+        bound = self.near.bound(X)
+        first = np.argmin(bound - self.wanted, axis=1)
+        rows = np.flatnonzero(bound[np.arange(len(q)), first] < self.wanted[first])
+        out[rows] = self.distance(X, rows, first[rows]) >= 0
+        bound[rows, first[rows]] = np.inf
+        left = np.flatnonzero(out)
+        rows, pairs = self.near.closer(X[left], self.wanted, bound[left])
+        out[left[rows[self.distance(X[left], rows, pairs) < 0]]] = False
         return out
 
     def hits(self, q: Array) -> Iterator[Hit]:

@@ -121,16 +121,12 @@ def _deepest_of_least(
     nodes: int = 1,
 ) -> Infeasible:  # fmt: skip
     """What is least deep of all that axes q (labels x nodes x rail positions, n) touch, of the worst node of each."""
-    q = q.reshape(-1, nodes, len(d), axes.n)
-    best: Hit | None = None
-    for label, rail in np.ndindex(q.shape[0], q.shape[2]):
-        ways = q[label, :, rail]
-        if np.isnan(ways).any():
-            continue
-        hits = [hit for motion in during for hit in around.hits(ways, motion)[:1]]
-        hit = max(hits, key=lambda one: one.missing, default=None)
-        if hit is not None and (best is None or hit.missing < best.missing):
-            best = hit
+    ways = np.swapaxes(q.reshape(-1, nodes, len(d), axes.n), 1, 2).reshape(-1, nodes, axes.n)
+    ways = ways[~np.isnan(ways).any(axis=(1, 2))]
+    apart = [around.distances(ways.reshape(-1, axes.n), motion) for motion in during] if len(ways) else []
+    least = np.min(apart, axis=0).reshape(-1, nodes).min(axis=1) if apart else np.zeros(0)
+    hits = [hit for motion in during if len(ways) for hit in around.hits(ways[np.argmax(least)], motion)]
+    best: Hit | None = max(hits, key=lambda one: one.missing, default=None)
     if best is None:
         return Infeasible(index, problem.motion(index).source, f"{motion_name(problem.motion(index))} {_NOWHERE}")
     tried = ""
