@@ -114,7 +114,7 @@ class Controller:
             return self._unreachable(R, p)
         end = perf_counter()
         self.times = (model_at - begin, force_at - model_at, moved_at - force_at, end - moved_at, end - begin)
-        return Command(q, x, self._state.v, self.force)
+        return Command(q)
 
     def feel(self, measured: Measured) -> float | Stop:
         """Set force from what is measured at the present period's start; when (perf_counter) tau_c was known."""

@@ -90,7 +90,7 @@ class ImpedanceController:
         inner = -k_n * (q - self._rest) - 2 * self._law.null_damping * np.sqrt(k_n * np.diag(M)) * qd
         tau = J.T @ wanted + inner - J.T @ (L @ (JM @ inner)) + bias
         self.k += 1
-        return Command(measured.q, self.x, self.v, self.force, seven(tau))
+        return Command(measured.q, seven(tau))
 
     def _damped(self) -> tuple[Array, Array, Array, Array, Array]:
         """The joints' inertia M and bias torques, J M^-1, the tool's inertia L, and D (6, 6)."""

@@ -31,7 +31,7 @@ def turn_deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
 
 @dataclass(frozen=True)
 class Lag:
-    """The deviation's worst case: maximum [m] at time [s] in row, on piece (None where the equilibrium names none).
+    """The deviation's worst case: maximum [m] at time [s], on piece (None where the equilibrium names none).
 
     mean [m]: over all rows. turn_maximum [rad] at turn_time [s]:
     the same of the angle between both orientations.
@@ -39,7 +39,6 @@ class Lag:
 
     maximum: float
     time: float
-    row: int
     piece: Piece | None
     mean: float
     turn_maximum: float
@@ -52,7 +51,7 @@ def worst_lag(x: Array, x_e: Array, h: float, pieces: Sequence[Piece]) -> Lag:
     row, turn_row = int(np.argmax(d)), int(np.argmax(turn))
     # A shared row belongs to the piece that ends there; what is held after the end to the last one.
     piece = next((p for p in pieces if row <= p.last), pieces[-1] if pieces else None)
-    return Lag(float(d[row]), row * h, row, piece, float(np.mean(d)), float(turn[turn_row]), turn_row * h)
+    return Lag(float(d[row]), row * h, piece, float(np.mean(d)), float(turn[turn_row]), turn_row * h)
 
 
 def held(rows: ArrayLike, seconds: float, h: float) -> Array:

@@ -69,13 +69,10 @@ class Goal(NamedTuple):
 
 
 class Command(NamedTuple):
-    """One period's answer: joints q [rad] of the regulator's new pose x [m, rad] with rates v, and the believed F;
-    torque [Nm] where the motors are told that, q then being the joints as they are."""
+    """One period's answer: joints q [rad] of the regulator's new pose; torque [Nm] where the motors are told that, q
+    then being the joints as they are."""
 
     q: Seven
-    x: Six
-    v: Six
-    F: Six
     torque: Seven | None = None
 
 

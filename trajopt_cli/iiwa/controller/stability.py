@@ -29,7 +29,7 @@ class StabilityVerdict(IntEnum):
 
 @dataclass(frozen=True)
 class AxisStability:
-    """One axis. poles: of one period. h_max [s]: the verdict is lost from this period on, inf for the exact law.
+    """One axis. h_max [s]: the verdict is lost from this period on, inf for the exact law.
 
     damping_ratio: of the continuous law, below 1 it overshoots, inf at k = 0. slowest [s]: the longest time constant,
     after which e^-1 of a deviation is left (at k = 0: of a speed); inf where nothing dies out. sentence: what to know.
@@ -40,7 +40,6 @@ class AxisStability:
     k: float
     d: float
     m: float
-    poles: tuple[complex, complex]
     verdict: StabilityVerdict
     h_max: float
     damping_ratio: float
@@ -114,7 +113,7 @@ def _axis(axis: str, k: float, d: float, m: float, h: float, integration: Integr
         slowest = -h / log(size) if size > 0 else 0.0
     longest, ratio = largest_period(k, d, m, integration), d / (2 * sqrt(k * m)) if k > 0 else inf
     sentence = _sentence(axis, k, d, m, h, integration, verdict)
-    return AxisStability(axis, k, d, m, both, verdict, longest, ratio, slowest, sentence)
+    return AxisStability(axis, k, d, m, verdict, longest, ratio, slowest, sentence)
 
 
 def _sentence(
