@@ -21,7 +21,7 @@ from trajopt_cli.iiwa.task.world import Measured, Seven, Six
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import arm_angle, configuration
-from trajopt_cli.robot.srs_step import SrsStep, product, turned
+from trajopt_cli.robot.srs_step import SrsStep, product
 
 _AHEAD = 256  # periods whose torque errors and pushes are worked out at once
 _SOON = 1e-9  # s: a change or push this little after a period's start begins with it
@@ -180,17 +180,14 @@ class Controller:
         X_FT = self._X_FT if change.X_FT is None else change.X_FT
         world = X_WB @ inverse_pose(self.robot.X_WB)
         tool = inverse_pose(self._X_FT) @ X_FT
-        x_before, (R, p), (v, w) = self._state.x, self.X_WT, self._state.twist
-        (x, y, z), (a, b, c) = turned(R, _three(tool[:3, 3])), w  # the new TCP turns about the old one
-        v = (v[0] + b * z - c * y, v[1] + c * x - a * z, v[2] + a * y - b * x)
-        R_world = nine(world[:3, :3].ravel().tolist())
-        R_tool = nine(tool[:3, :3].ravel().tolist())
-        after = self._mapped(R, p, world, tool)
+        x_before, (R, p), (v, w) = self._state.x, self.X_WT, map(np.array, self._state.twist)
+        v = v + np.cross(w, np.reshape(R, (3, 3)) @ tool[:3, 3])  # the new TCP turns about the old one
+        turn, after = world[:3, :3], self._mapped(R, p, world, tool)
         if change.restart:
             R_start, near = after[0], (0.0, 0.0, 0.0)
         else:
-            R_start, near = product(product(R_world, self._state.R_start), R_tool), self._state.x[3:]
-        self._state.put(after, (turned(R_world, v), turned(R_world, w)), R_start, near)
+            R_start, near = nine((turn @ self.R_start @ tool[:3, :3]).ravel().tolist()), self._state.x[3:]
+        self._state.put(after, (_three(turn @ v), _three(turn @ w)), R_start, near)
         before = self._seen_from or (np.eye(4), np.eye(4))
         self._seen_from = world @ before[0], before[1] @ tool
         # whole turns between equilibrium and regulator pull as before

@@ -188,11 +188,7 @@ def check_posture(
 
 def check_follows(tool: Poses, wanted: Poses) -> Iterator[Finding]:
     """The tool at the joints of every row against the pose of that row."""
-    offs = (
-        ("tool position", np.linalg.norm(tool.p - wanted.p, axis=1), tool.off_p, "m"),
-        ("tool orientation", turns.angle_between(tool.q, wanted.q), tool.off_q, "rad"),
-    )
-    for check, off, doubt, unit in offs:
+    for check, off, unit, doubt in _apart("tool {}", tool, wanted.p, wanted.q):
         yield worst(check, "TCP", off, FOLLOW, unit, tool.t, doubt, words="is off its pose by")
 
 
@@ -201,9 +197,11 @@ def check_between(between: Poses, rows: Poses) -> Iterator[Finding]:
     p = (rows.p[:-1] + rows.p[1:]) / 2
     half = turns.logarithm(turns.product(turns.conjugate(rows.q[:-1]), rows.q[1:])) / 2
     q = turns.product(rows.q[:-1], turns.exponential(half))
-    offs = (
-        ("position between rows", np.linalg.norm(between.p - p, axis=1), "m"),
-        ("orientation between rows", turns.angle_between(between.q, q), "rad"),
-    )
-    for check, off, unit in offs:
+    for check, off, unit, _ in _apart("{} between rows", between, p, q):
         yield worst(check, "TCP", off, BETWEEN, unit, between.t, words="leaves the path between two rows by")
+
+
+def _apart(check: str, tool: Poses, p: Array, q: Array) -> Iterator[tuple[str, Array, str, Array]]:
+    """How far a tool is from positions p and rotations q, and what its digits leave in doubt."""
+    yield check.format("position"), np.linalg.norm(tool.p - p, axis=1), "m", tool.off_p
+    yield check.format("orientation"), turns.angle_between(tool.q, q), "rad", tool.off_q
