@@ -33,22 +33,18 @@ class Arguments(NamedTuple):
 
 def present(run: Context, args: Sequence[Argument]) -> list[Argument]:
     r"""The arguments that are really there: `\name?parameter` is only if the parameter is."""
-    kept = []
-    for arg in args:
-        if arg.forward:
-            assert isinstance(arg.value, Name)
-            _parameter(run, arg, arg.value)
-            if isinstance(run.find(arg.value.name), Absent):
-                continue
-        kept.append(arg)
-    return kept
+    return [arg for arg in args if not _left_out(run, arg)]
 
 
-def _parameter(run: Context, arg: Argument, node: Name) -> None:
-    routine = run.frame.routine
+def _left_out(run: Context, arg: Argument) -> bool:
+    if not arg.forward:
+        return False
+    routine, node = run.frame.routine, arg.value
+    assert isinstance(node, Name)
     if routine is None or node.name.lower() not in {parameter.name.lower() for parameter in routine.parameters}:
         where = f"{routine.kind} {routine.name}" if routine else "a routine"
         raise run.error(arg, f"\\{arg.name}?{node.name} passes on a parameter, and {node.name} is not one of {where}")
+    return isinstance(run.find(node.name), Absent)
 
 
 def named(
@@ -76,9 +72,9 @@ def named(
 
 
 def bind(
-    run: Context, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
+    run: Context, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = ()
 ) -> Arguments:
-    """Arguments by place and name. required, optional: as in the manual, for messages. more: that many may follow.
+    """Arguments by place and name. required, optional: as in the manual, for messages.
 
     Raises InputError for a missing or surplus argument and for an optional one that is not supported.
     """
@@ -93,11 +89,8 @@ def bind(
                 named(run, call.name, arg, len(places), required, optional)
             places.append(arg.value)
             continue
-        if arg.forward:
-            assert isinstance(arg.value, Name)
-            _parameter(run, arg, arg.value)
-            if isinstance(run.find(arg.value.name), Absent):
-                continue
+        if _left_out(run, arg):
+            continue
         known = _KNOWN.get(optional)
         if known is None:
             known = _KNOWN[optional] = frozenset(name.lower() for name in optional)
@@ -106,7 +99,7 @@ def bind(
         else:
             supported = ", ".join(f"\\{name}" for name in optional) or "none"
             raise run.error(arg, f"{call.name} \\{arg.name} is not supported; supported here: {supported}")
-    if not len(required) <= len(places) <= len(required) + more:
+    if len(places) != len(required):
         names = ", ".join(required) or "none"
         raise run.error(call, f"{call.name} takes {len(required)} argument(s) ({names}), found {len(places)}")
     if len(options) > 1:

@@ -58,9 +58,9 @@ def _on(
     _displace(run, ((bx - ax, by - ay, bz - az), IDENTITY[1]))
 
 
-@_TOPIC.instruction(Effect.RUN, "PDispSet DispFrame:frame")
-def _set(run: Context, node: ProcedureCall, frame: frames.Frame) -> None:
-    """PDispSet DispFrame."""
+@_TOPIC.instruction(Effect.RUN, "PDispSet DispFrame:frame", "PDispOff")
+def _set(run: Context, node: ProcedureCall, frame: frames.Frame = IDENTITY) -> None:
+    """PDispSet DispFrame; PDispOff."""
     _displace(run, frame)
 
 
@@ -68,11 +68,6 @@ def _set(run: Context, node: ProcedureCall, frame: frames.Frame) -> None:
 def _add(run: Context, node: ProcedureCall, frame: frames.Frame) -> None:
     """PDispAdd DispFrame: behind the displacement that is active, D := D DispFrame."""
     _displace(run, frames.compose(run.position.displacement or IDENTITY, frame))
-
-
-@_TOPIC.instruction(Effect.RUN, "PDispOff")
-def _off(run: Context, node: ProcedureCall) -> None:
-    _displace(run, IDENTITY)
 
 
 @_TOPIC.instruction(Effect.RUN, r"EOffsOn ProgPoint:robtarget \ExeP:robtarget")

@@ -32,9 +32,9 @@ def _break(run: Context, node: ProcedureCall) -> None:
     run.warn(WarningKind.ASSUMED, what, run.source(node))
 
 
-@_FLOW.instruction(Effect.RUN, "CallByVar Name:string Number:int")
-def _call_by_var(run: Context, node: ProcedureCall, name: str, number: int) -> None:
-    run.call_procedure(node, f"{name}{number}")
+_FLOW.instruction(Effect.RUN, "CallByVar Name:string Number:int")(
+    lambda run, node, name, number: run.call_procedure(node, f"{name}{number}")
+)
 
 
 @_FLOW.instruction(Effect.RUN, "BookErrNo ErrorName")

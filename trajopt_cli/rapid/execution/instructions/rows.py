@@ -368,10 +368,7 @@ _CELL.values("MaxRobSpeed", NUM)(lambda: VMAX)  # the TCP speed of vmax, mm/s
 _UNIT_ACTIVE = _assumed("IsMechUnitActive", BOOL, True)
 
 
-@_CELL.function("IsSyncMoveOn")
-def _synchronised(run: Context, node: Call) -> Value:
-    """Whether moves go together with other robots'."""
-    return Value(BOOL, run.settings.synchronised)
+_CELL.function("IsSyncMoveOn")(lambda run, node: Value(BOOL, run.settings.synchronised))  # with other robots
 
 
 @_CELL.function("IsMechUnitActive MechUnit:unit")

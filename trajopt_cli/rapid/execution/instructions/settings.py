@@ -19,7 +19,7 @@ from trajopt_cli.warnings import WarningKind
 _LEAST_PATH_LIMIT, _NUM = 0.1, 1e-8  # m/s2, and the rounding of a num
 _LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
 _NO_LIMIT = -1.0  # what a controller shows of an acceleration that is not limited
-_TOPIC = Topic(__doc__)
+_TOPIC = Topic(__doc__, load=load)
 
 
 def change(run: Context, settings: Settings) -> None:
@@ -180,6 +180,6 @@ def _world_limit(run: Context, node: ProcedureCall, on: float | None = None, off
     change(run, replace(run.settings, world_acceleration=on))
 
 
-@_TOPIC.instruction(Effect.RUN, "GripLoad Load")
-def _grip_load(run: Context, node: ProcedureCall, carried: Expression) -> None:
-    change(run, replace(run.settings, load=load(run, carried)))
+_TOPIC.instruction(Effect.RUN, "GripLoad Load:load")(
+    lambda run, node, carried: change(run, replace(run.settings, load=carried))
+)

@@ -38,23 +38,13 @@ def _check_seconds(name: str, seconds: float) -> None:
         raise Refused(f"\\{name} of {seconds:.6g} s must not be negative", name)
 
 
-@_OUTPUTS.instruction(Effect.RUN, "Set Signal:signal")
-def _set(run: Context, node: ProcedureCall, signal: str) -> None:
-    _change(run, node, signal, 1.0)
-
-
-@_OUTPUTS.instruction(Effect.RUN, "Reset Signal:signal")
-def _reset(run: Context, node: ProcedureCall, signal: str) -> None:
-    _change(run, node, signal, 0.0)
-
-
-@_OUTPUTS.instruction(Effect.RUN, "InvertDO Signal:signal")
-def _invert(run: Context, node: ProcedureCall, signal: str) -> None:
-    _change(run, node, signal, 1.0 - run.external.now(signal))
-
-
-@_OUTPUTS.instruction(Effect.RUN, "SetAO Signal:signal Value:num")
-def _set_analog(run: Context, node: ProcedureCall, signal: str, value: float) -> None:
+@_OUTPUTS.instruction(
+    Effect.RUN, "SetAO Signal:signal Value:num", *(f"{name} Signal:signal" for name in ("Set", "Reset", "InvertDO"))
+)
+def _set(run: Context, node: ProcedureCall, signal: str, value: float | None = None) -> None:
+    if value is None:
+        known = {"set": 1.0, "reset": 0.0}
+        value = known.get(node.name.lower(), 1.0 - run.external.now(signal))
     _change(run, node, signal, value)
 
 
@@ -87,17 +77,6 @@ def _pulse(run: Context, node: ProcedureCall, signal: str, high: bool = False, p
 # ------------------------------------------------------------------------------------------------------ other names
 
 
-@_OUTPUTS.instruction(Effect.RUN, "AliasIO FromSignal ToSignal")
-def _alias(run: Context, node: ProcedureCall, original: Expression, alias: Expression) -> None:
-    """From here on the alias stands for the signal."""
-    _rename(run, alias, _signal_name(run, original))
-
-
-@_OUTPUTS.instruction(Effect.RUN, "AliasIOReset Signal")
-def _alias_reset(run: Context, node: ProcedureCall, alias: Expression) -> None:
-    _rename(run, alias, None)
-
-
 def _signal_name(run: Context, node: Expression) -> str:
     """A signal given as such or by a text that is its name."""
     if isinstance(node, Name):
@@ -118,6 +97,13 @@ def _rename(run: Context, alias: Expression, signal: str | None) -> None:
     if place.type.name not in SIGNALS:
         raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
     place.value = Value(place.type, signal)
+
+
+# From here on an alias stands for the signal, or for none.
+_OUTPUTS.instruction(Effect.RUN, "AliasIO FromSignal ToSignal")(
+    lambda run, node, original, alias: _rename(run, alias, _signal_name(run, original))
+)
+_OUTPUTS.instruction(Effect.RUN, "AliasIOReset Signal")(lambda run, node, alias: _rename(run, alias, None))
 
 
 _READINGS = Topic("Functions that read signals. Inputs lack where the scenario says nothing, outputs begin at 0")

@@ -289,13 +289,8 @@ def _calc_joint_t(run: Context, node: Call, point: Expression, tool: Expression,
     return _joint_target(q, extax)
 
 
-@_TARGETS.function(r"CTool \TaskRef \TaskName")
+@_TARGETS.function(r"CTool \TaskRef \TaskName", r"CWObj \TaskRef \TaskName")
 def _c_tool(run: Context, node: Call, **_: Expression) -> Value:
-    """CTool(): the tool of the last move."""
-    return Value(TOOLDATA, run.position.setup.tool_data)
-
-
-@_TARGETS.function(r"CWObj \TaskRef \TaskName")
-def _c_wobj(run: Context, node: Call, **_: Expression) -> Value:
-    """CWObj(): the work object of the last move."""
-    return Value(WOBJDATA, run.position.setup.wobj_data)
+    """CTool(), CWObj(): the tool and the work object of the last move."""
+    setup = run.position.setup
+    return Value(TOOLDATA, setup.tool_data) if node.name.lower() == "ctool" else Value(WOBJDATA, setup.wobj_data)
