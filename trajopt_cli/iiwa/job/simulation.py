@@ -40,10 +40,10 @@ from trajopt_cli.iiwa.task.model import (
     Task,
     Zeroing,
 )
-from trajopt_cli.iiwa.task.world import LinkContact, Motor, TrackedWorld, seven
+from trajopt_cli.iiwa.task.world import LinkContact, Motor, World, seven
 from trajopt_cli.iiwa.world import mujoco_world
 from trajopt_cli.iiwa.world.contact import check_start
-from trajopt_cli.iiwa.world.worlds import Engine, make_world, torque_world
+from trajopt_cli.iiwa.world.worlds import Engine, make_world
 from trajopt_cli.runs import REPORT
 
 _LONGEST_SETTLING = 10.0  # s
@@ -397,7 +397,7 @@ def _loop(
     settle: float,
     place: str | None,
     wrench: Array | None,
-) -> tuple[LoopRun, TrackedWorld]:
+) -> tuple[LoopRun, World]:
     task, sequence, settings = opened.task, opened.equilibrium, Settings.of(opened.task, feed)
     body, q_0 = (opened.robot, task.X_FT, task.load, contact, sequence.h), seven(task.start_joints)
     controller: Controller | ImpedanceController
@@ -405,7 +405,7 @@ def _loop(
         if task.impedance is None:
             world, controller = make_world(engine, *body), Controller(opened.robot, settings, q_0)
         else:
-            world = torque_world(*body, task.pushes)
+            world = mujoco_world.TorqueWorld(*body, task.pushes)
             controller = ImpedanceController(opened.robot, settings, q_0, task.impedance)
     except ValueError as error:
         raise InputError(str(error), file=place) from error

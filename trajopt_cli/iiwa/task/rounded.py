@@ -9,7 +9,8 @@ The parameter is a time: what each leg of the chain takes at its caps of speed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -28,19 +29,16 @@ class Polyline:
     """Poses (n, 6) that are joined by straight legs; at (n,) [s]: when each is met at the caps of speed, from 0.
 
     R (n, 3, 3): the orientations where turns are about one axis each (slerp), None where the three angles are straight.
-    turns (n-1, 3) [rad]: of every leg, differences of angles or rotation vectors in the tool's own frame.
     """
 
     at: Array
     pose: Array
     R: Array | None = None
-    turns: Array = field(init=False)
 
-    def __post_init__(self) -> None:
-        if self.R is not None:
-            object.__setattr__(self, "turns", _turns(self.R))
-        else:
-            object.__setattr__(self, "turns", np.diff(self.pose[:, 3:], axis=0))
+    @cached_property
+    def turns(self) -> Array:
+        """Of every leg (n-1, 3) [rad]: differences of angles, or rotation vectors in the tool's own frame."""
+        return _turns(self.R) if self.R is not None else np.diff(self.pose[:, 3:], axis=0)
 
     def along(self, at: Array) -> tuple[Array, Array | None]:
         """Poses (m, 6) on the legs at times (m,), and orientations (m, 3, 3) where turns are about one axis."""

@@ -32,23 +32,6 @@ class Measured:
     depth: float
 
 
-class World(Protocol):
-    """An arm that follows joint commands every period h, with its surroundings."""
-
-    @property
-    def name(self) -> str:
-        """What simulates it, for people."""
-        ...
-
-    def reset(self, q: Seven) -> Measured:
-        """Stand still at q."""
-        ...
-
-    def step(self, q: Seven) -> Measured:
-        """Follow the command q for one period."""
-        ...
-
-
 @dataclass(frozen=True)
 class LinkContact:
     """A link of the arm in an obstacle between two times [s], first and last; depth [m] and force [N] at most.
@@ -74,8 +57,21 @@ class Motor:
     saturated: float | None
 
 
-class TrackedWorld(World, Protocol):
-    """A world that keeps account of what the controller does not see."""
+class World(Protocol):
+    """An arm that follows joint commands every period h, with its surroundings, of which it keeps account."""
+
+    @property
+    def name(self) -> str:
+        """What simulates it, for people."""
+        ...
+
+    def reset(self, q: Seven) -> Measured:
+        """Stand still at q."""
+        ...
+
+    def step(self, q: Seven) -> Measured:
+        """Follow the command q for one period."""
+        ...
 
     @property
     def link_contacts(self) -> tuple[LinkContact, ...]:
