@@ -17,15 +17,7 @@ from trajopt_cli.iiwa.controller.feed_path import Allowed, CannotDose, DosePath,
 from trajopt_cli.iiwa.controller.feed_schedule import FeedTask
 from trajopt_cli.iiwa.controller.feed_schedule import dose as dosed_as
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import (
-    AngleMeaning,
-    Compliance,
-    Integration,
-    Profile,
-    RotationLaw,
-    Route,
-    Waypoint,
-)
+from trajopt_cli.iiwa.task.model import AngleMeaning, Compliance, Integration, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.segments import interpolate
 
 V = 0.4  # m/s

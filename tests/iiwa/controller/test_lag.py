@@ -6,13 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from trajopt_cli.iiwa.controller.lag import (
-    deviation,
-    held,
-    settling,
-    turn_deviation,
-    worst_lag,
-)
+from trajopt_cli.iiwa.controller.lag import deviation, held, settling, turn_deviation, worst_lag
 from trajopt_cli.iiwa.controller.regulator import response
 from trajopt_cli.iiwa.task.equilibrium import Piece
 from trajopt_cli.iiwa.task.model import Compliance

@@ -16,15 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.task.angles import rotation
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task.model import (
-    AngleMeaning,
-    Passing,
-    PathPoints,
-    Profile,
-    RotationLaw,
-    Route,
-    Waypoint,
-)
+from trajopt_cli.iiwa.task.model import AngleMeaning, Passing, PathPoints, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.rounded import Polyline, rounded
 from trajopt_cli.iiwa.task.segments import interpolate, planned
 

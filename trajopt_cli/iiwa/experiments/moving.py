@@ -16,21 +16,14 @@ import numpy as np
 
 from trajopt_cli.iiwa.controller.lag import held
 from trajopt_cli.iiwa.controller.regulator import response
-from trajopt_cli.iiwa.experiments.setup import Bench, Experiment, H, compliance, program
+from trajopt_cli.iiwa.experiments.setup import Bench, Experiment, H, compliance
 from trajopt_cli.iiwa.job.folder import Opened
 from trajopt_cli.iiwa.job.simulation import Simulated, run_controller
 from trajopt_cli.iiwa.report.follow import Following, family_figure
 from trajopt_cli.iiwa.report.forces import contact_figure
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.loader import load_task
-from trajopt_cli.iiwa.task.model import (
-    AngleMeaning,
-    Feed,
-    Profile,
-    RotationLaw,
-    Route,
-    Waypoint,
-)
+from trajopt_cli.iiwa.task.model import AngleMeaning, Feed, Profile, RotationLaw, Route, Waypoint
 from trajopt_cli.iiwa.task.segments import interpolate
 from trajopt_cli.iiwa.world.worlds import Engine
 from trajopt_cli.robot.srs import load_srs
@@ -49,6 +42,9 @@ K, K_TURN, D, D_TURN = 1000.0, 30.0, 500.0, 20.0
 NORMAL = 2
 """The axis of the obstacle's surface: z."""
 
+_PACKAGE = Path(__file__).parents[2]
+# In a checkout the programs are beside the package, a wheel carries them inside it.
+_PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
 _ALONG = ((0, 0, 0), (1, 1, 1))
 # Every edge of the cube once, from corner to corner with three edges walked twice; the order is ours.
 _EDGES = (
@@ -57,7 +53,6 @@ _EDGES = (
 )  # fmt: skip
 _APART = 0.2  # s without contact that make two crossings of one
 _SETTLE = 1.0  # s after the last row of the cube and the collision
-_SYMBOLS = {"v": "speed v", "k": "stiffness k", "d": "damping d"}
 
 
 def diagonal(v: float) -> Equilibrium:
@@ -102,7 +97,7 @@ def damping(bench: Bench) -> Experiment:
 def collision(bench: Bench, path: Path | None = None) -> Experiment:
     """6.2.4: crossing in y with an obstacle in z, there and back: the task of a file, iiwa_wall.yaml unless given,
     against springs and, on MuJoCo's bench, there too."""
-    file = program("iiwa_wall.yaml") if path is None else path
+    file = path or _PROGRAMS / "iiwa_wall.yaml"
     task = load_task(file)
     opened = Opened(task, load_srs(task.robot, task.X_WB), interpolate(task.route))
     rows, figures = [], {}
@@ -176,7 +171,7 @@ def _cube(
         "largest_relative_difference": most,
     }
     path_drawn = "one space diagonal of the cube" if drawn == "diagonal" else "the edges of the cube"
-    figure = partial(family_figure, runs[drawn], f"{_SYMBOLS[varied]} [{unit}], {path_drawn}")
+    figure = partial(family_figure, runs[drawn], f"{title} {varied} [{unit}], {path_drawn}")
     return Experiment(section, title, notes, numbers, {f"{title}_deviation": figure})
 
 

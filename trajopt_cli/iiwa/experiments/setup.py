@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import radians
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -31,10 +30,6 @@ INERTIA = (25.0, 25.0, 25.0, 3.0, 3.0, 3.0)
 """M [kg, kg m2] of every experiment."""
 FORCE, MOMENT = 10.0, 2.0
 """Our steps [N, Nm]: the thesis shows its own in figures only."""
-
-_PACKAGE = Path(__file__).parents[2]
-# In a checkout the programs are beside the package, a wheel carries them inside it.
-_PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,11 +58,6 @@ class Experiment:
         heading = f"{self.section} {self.title}"
         drawn = [picture(name, heading, make) for name, make in self.figures.items()]
         return {name: content for files in drawn for name, content in files.items()}
-
-
-def program(name: str) -> Path:
-    """A shipped task file."""
-    return _PROGRAMS / name
 
 
 def compliance(k: float, k_turn: float, d: float, d_turn: float) -> Compliance:

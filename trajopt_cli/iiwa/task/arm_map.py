@@ -96,13 +96,7 @@ class Blocked:
 
 
 def cheapest(
-    fans: Iterator[Array],
-    dt: Array,
-    limits: JointLimits,
-    cell: float,
-    hold: Cost,
-    drive: Cost,
-    join: Any = np.add,
+    fans: Iterator[Array], dt: Array, limits: JointLimits, cell: float, hold: Cost, drive: Cost, join: Any = np.add
 ) -> IndexArray | Blocked:
     """Cells (K + 1,), counted on over whole turns, of the cheapest path from cell 0: the best there is on this grid.
 

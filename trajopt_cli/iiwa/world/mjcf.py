@@ -27,11 +27,7 @@ _Body = tuple[float, Array, Array]  # mass [kg], its centre [m], inertia about t
 
 
 def mjcf(
-    robot: SrsRobot,
-    X_FT: Array,
-    load: ToolLoad | None,
-    contact: Contact | None,
-    gains: Sequence[tuple[float, float]],
+    robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, gains: Sequence[tuple[float, float]]
 ) -> str:
     """The model: links with the inertias of pin's model of the robot, one motor per joint, the tip's ball, the boxes.
 
