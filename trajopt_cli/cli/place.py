@@ -101,14 +101,8 @@ def place(
     wrote(folder)
     where = "the program" if apply is None and site.name else str(job.cell_path)
     paste = [] if best is answer.present else [Verbatim(text) for text in site.to_paste(best.offset).splitlines()]
-    parts: list[TextTable | str] = [
-        table,
-        *lines,
-        *(["", f"to paste into {where}:"] if paste else []),
-        *paste,
-        "",
-        answer.in_words,
-    ]
+    pasted = ["", f"to paste into {where}:", *paste] if paste else []
+    parts: list[TextTable | str] = [table, *lines, *pasted, "", answer.in_words]
     print_answer(as_json, quiet, lambda: place_record(answer), answer.in_words, parts)
     if apply is not None:
         write_file(apply, site.changed_cell(best.offset, str(apply)).encode())

@@ -101,15 +101,13 @@ def egm(
 def _stream(source: Path) -> Stream:
     from trajopt_cli.cli.export import egm_stream
     from trajopt_cli.exporters.egm import read_stream
+    from trajopt_cli.runs.folder import read_bytes
 
     if source.is_dir():
         return egm_stream(source)[1]
     if source.exists() and not source.is_file():
         raise InputError("is not a regular file; give one of trajopt export egm", file=str(source))
-    try:
-        return read_stream(source.read_bytes(), str(source))
-    except OSError as error:
-        raise InputError(f"cannot read: {error.strerror}", file=str(source)) from error
+    return read_stream(read_bytes(source), str(source))
 
 
 def _table(constant: float, found: Iterable[Lag]) -> TextTable:

@@ -59,6 +59,8 @@ def optimized_page(
     at_first = [0, 1] if before else [1, 0]  # the plan that is shown comes last
     chosen = plans[target].plan
     settling = [] if told.settling is None else [told.settling.line]
+    known = [*told.uncertainty.intervals(target.first), *told.limits, *settling]
+    sure = doubts(known, told.unchecked, told.warnings, told.notes)
     data = cell_data(plant, program, shown, at_first, chosen)
     sections = [
         motion_section(),
@@ -74,18 +76,7 @@ def optimized_page(
             "An independent judge, with kinematics and geometry of its own, read the rows that were written. Of every "
             "check the case nearest to its limit.",
         ),
-        Section(
-            "trust",
-            "Assumptions",
-            doubts(
-                [*told.uncertainty.intervals(target.first), *told.limits, *settling],
-                told.unchecked,
-                told.warnings,
-                told.notes,
-            )
-            + limits(plant),
-            f"Estimated, unchecked and assumed. {GRADES}",
-        ),
+        Section("trust", "Assumptions", sure + limits(plant), f"Estimated, unchecked and assumed. {GRADES}"),
         Section("provenance", "Provenance", facts(made.made) + hashes(made.files)),
     ]
     top = _head(title, plant, told, target)

@@ -29,19 +29,11 @@ def limits(plant: Plant) -> str:
     accelerations = given.acceleration, given.most_acceleration
     for k, name in enumerate(given.names):
         scale, unit = (MM, "mm") if slides(name) else (DEG, "deg")
-        rows.append(
-            (
-                name.replace("_", " "),
-                figure(given.lower[k] / scale, 6),
-                figure(given.upper[k] / scale, 6),
-                unit,
-                figure(given.velocity[k] / scale, 5),
-                f"{unit}/s",
-                " to ".join(dict.fromkeys(figure(one[k] / scale, 5) for one in accelerations)),
-                f"{unit}/s²",
-                given.sources.get(f"{name}.acceleration", ""),
-            )
-        )
+        ends = [figure(one[k] / scale, 6) for one in (given.lower, given.upper)]
+        speed = figure(given.velocity[k] / scale, 5)
+        rates = " to ".join(dict.fromkeys(figure(one[k] / scale, 5) for one in accelerations))
+        source = given.sources.get(f"{name}.acceleration", "")
+        rows.append((name.replace("_", " "), *ends, unit, speed, f"{unit}/s", rates, f"{unit}/s²", source))
     heads = ("axis", ">from", ">to", "unit", ">speed", "unit", ">acceleration", "unit", "acceleration from")
     return table("Limits in force", heads, rows)
 

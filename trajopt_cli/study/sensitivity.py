@@ -113,12 +113,10 @@ def sensitivity(
     lever that saves something. jobs: processes, by default one for every core; the answer is the same for any number.
     patience: half of its time is for the plans; levers that there is none left for are told as not asked.
     """
-    if job.plant.limits.binding_jerk is not None:
-        text = "jerk_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
-        raise InputError(text, file=job.cell.file)
-    if job.plant.limits.binding_torque is not None:
-        text = "torque_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
-        raise InputError(text, file=job.cell.file)
+    for key, binding in (("jerk", job.plant.limits.binding_jerk), ("torque", job.plant.limits.binding_torque)):
+        if binding is not None:
+            text = "sensitivity does not know what they cost; leave them out to ask about the other limits"
+            raise InputError(f"{key}_limits: {text}", file=job.cell.file)
     workers, patience = jobs or cores(), patience or Patience()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:
