@@ -23,9 +23,7 @@ def analyse(
             "--axis", help="Draw its moves in the plane of position and speed; needs --plots.", show_default=False
         ),
     ] = None,
-    plots: Annotated[
-        Path | None, typer.Option("--plots", metavar="FOLDER", help="Where the picture goes.", show_default=False)
-    ] = None,
+    plots: Annotated[Path | None, opt.given("--plots", "FOLDER", "Where the picture goes.")] = None,
     as_json: opt.AsJson = False,
     quiet: opt.Quiet = False,
 ) -> None:

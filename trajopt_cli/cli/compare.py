@@ -39,9 +39,7 @@ def runs(
     ] = None,
     everything: Annotated[bool, typer.Option("--all", help="List every motion, in the program's order.")] = False,
     diff: Annotated[bool, typer.Option("--diff", help="Show the lines of the program that differ, too.")] = False,
-    report: Annotated[
-        Path | None, typer.Option("--report", metavar="FILE.html", help="Write the comparison as a page, too.")
-    ] = None,
+    report: Annotated[Path | None, opt.given("--report", "FILE.html", "Write the comparison as a page, too.")] = None,
     as_json: opt.AsJson = False,
     quiet: opt.Quiet = False,
 ) -> None:
@@ -87,10 +85,9 @@ def baseline(
     loops: opt.LoopsOfProgram = None,
     as_json: opt.AsJson = False,
     quiet: opt.Quiet = False,
-    csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
+    csv: Annotated[Path | None, opt.given("--csv", "FILE.csv", "Write the rows as CSV, too.")] = None,
     plots: Annotated[
-        Path | None,
-        typer.Option("--plots", metavar="FOLDER", help="Draw the rows, the saving by cause and the fastest plan, too."),
+        Path | None, opt.given("--plots", "FOLDER", "Draw the rows, the saving by cause and the fastest plan, too.")
     ] = None,
     target: Annotated[
         Literal["stream", "rapid"] | None,

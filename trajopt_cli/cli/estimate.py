@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import job_of
 
@@ -23,10 +21,10 @@ def estimate(
     assume_identity: opt.AssumeIdentity = None,
     log: Annotated[
         Path | None,
-        typer.Option(
+        opt.given(
             "--log",
-            metavar="FILE.csv",
-            help="A controller's log of time and joints, to compare motion by motion; or a folder of logs.",
+            "FILE.csv",
+            "A controller's log of time and joints, to compare motion by motion; or a folder of logs.",
         ),
     ] = None,
     units: opt.LogUnits = None,

@@ -39,8 +39,7 @@ Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
 _OF_JOINTS = ("command", "joints")  # what only a folder with joints gives
 
 RosNames = Annotated[
-    str | None,
-    typer.Option("--joints", metavar="NAME,...", help="The joints' names in ROS, in order; default: our own."),
+    str | None, opt.given("--joints", "NAME,...", "The joints' names in ROS, in order; default: our own.")
 ]
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Columns, LogUnits, Quiet
+from trajopt_cli.cli import options as opt
 
 
 def identify(
@@ -16,25 +16,19 @@ def identify(
         typer.Argument(metavar="LOG...", help="CSV with a time and every joint, rows 4 to 100 ms apart; or a folder."),
     ],
     robot: Annotated[
-        str | None,
-        typer.Option("--robot", metavar="NAME", help="Whose axes these are: a name of 'trajopt robot list'."),
+        str | None, opt.given("--robot", "NAME", "Whose axes these are: a name of 'trajopt robot list'.")
     ] = None,
     cell: Annotated[
-        Path | None,
-        typer.Option("--cell", metavar="FILE.yaml", help="The cell file, for its robot and the limits in force."),
+        Path | None, opt.given("--cell", "FILE.yaml", "The cell file, for its robot and the limits in force.")
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--output",
-            metavar="FILE.yaml",
-            help="Where to write the limits: section for the cell file; default: nowhere.",
-        ),
+        opt.given("--output", "FILE.yaml", "Where to write the limits: section for the cell file; default: nowhere."),
     ] = None,
-    units: LogUnits = None,
-    columns: Columns = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    units: opt.LogUnits = None,
+    columns: opt.Columns = None,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Fit speed, acceleration and jerk of every axis to LOGs of its motions, with 90 % intervals.
 

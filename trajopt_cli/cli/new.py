@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Quiet, robots
+from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
 
@@ -26,19 +26,18 @@ def new(
     rail: Annotated[bool, typer.Option("--rail", help="The robot stands on a rail.")] = False,
     robot: Annotated[
         str | None,
-        typer.Option(
+        opt.given(
             "--robot",
-            metavar="R",
-            help="A name of 'trajopt robot list', or a robot's YAML file; irb140, or what the backup says.",
-            autocompletion=robots,
+            "R",
+            "A name of 'trajopt robot list', or a robot's YAML file; irb140, or what the backup says.",
+            autocompletion=opt.robots,
         ),
     ] = None,
     backup: Annotated[
-        Path | None,
-        typer.Option("--from", metavar="BACKUP", help="Of a controller: NAME.yaml alone, by its SYSPAR/MOC.cfg."),
+        Path | None, opt.given("--from", "BACKUP", "Of a controller: NAME.yaml alone, by its SYSPAR/MOC.cfg.")
     ] = None,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Write a commented RAPID program and its cell file, to begin with; of an iiwa a task file. Nothing is overwritten.
 

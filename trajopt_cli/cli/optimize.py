@@ -26,11 +26,8 @@ def optimize(
     output: Annotated[Path | None, opt.results_at("results/PROGRAM")] = None,
     export: Annotated[
         Path | None,
-        typer.Option(
-            "--export",
-            metavar="FILE.mod",
-            help="Write the program with the rapid plan in it, too; a folder for several modules.",
-            show_default=False,
+        opt.given(
+            "--export", "FILE.mod", "Write the program with the rapid plan in it, too; a folder for several modules."
         ),
     ] = None,
     plots: Annotated[
@@ -40,11 +37,10 @@ def optimize(
     time_limit: opt.TimeLimit = None,
     cycle_time: Annotated[
         float | None,
-        typer.Option(
+        opt.given(
             "--cycle-time",
-            metavar="S",
-            help="The gentlest motion that takes S seconds, instead of the fastest: least acceleration effort.",
-            show_default=False,
+            "S",
+            "The gentlest motion that takes S seconds, instead of the fastest: least acceleration effort.",
         ),
     ] = None,
     gentle: Annotated[

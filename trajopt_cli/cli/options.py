@@ -13,30 +13,28 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from trajopt_cli.problem.stop_condition import Patience
 
+
+def given(flag: str, metavar: str, about: str, **more: Any) -> Any:
+    """An option that takes a value, by its flag, what stands for the value, and its help; no default is shown."""
+    return typer.Option(flag, metavar=metavar, help=about, **more)
+
+
 ProgramPaths = Annotated[
     list[Path],
     typer.Argument(metavar="PROGRAM...", help="RAPID module, several, a program list (.pgf), or their folder."),
 ]
 CellPath = Annotated[
     Path | None,
-    typer.Option(
-        "--cell",
-        metavar="FILE.yaml",
-        help="Cell file; default: PROGRAM.yaml beside the program, or cell.yaml in its folder.",
-    ),
+    given("--cell", "FILE.yaml", "Cell file; default: PROGRAM.yaml beside the program, or cell.yaml in its folder."),
 ]
-Entry = Annotated[
-    str | None,
-    typer.Option("--entry", metavar="PROC", help="The procedure to start with; default: main.", show_default=False),
-]
+Entry = Annotated[str | None, given("--entry", "PROC", "The procedure to start with; default: main.")]
 AssumeIdentity = Annotated[
     list[str] | None,
-    typer.Option(
+    given(
         "--assume-identity",
-        metavar="NAME",
-        help="Take this tool, work object or mechanical unit as the identity where the program does not declare it; "
+        "NAME",
+        "Take this tool, work object or mechanical unit as the identity where the program does not declare it; "
         "may be repeated.",
-        show_default=False,
     ),
 ]
 ChosenTarget = Annotated[
@@ -54,22 +52,15 @@ TargetOption = Annotated[
 ]
 Jobs = Annotated[
     int | None,
-    typer.Option(
-        "--jobs",
-        min=1,
-        metavar="N",
-        help="Worker processes; default: one per core. The answer does not depend on it.",
-        show_default=False,
-    ),
+    given("--jobs", "N", "Worker processes; default: one per core. The answer does not depend on it.", min=1),
 ]
 TimeLimit = Annotated[
     float | None,
-    typer.Option(
+    given(
         "--time-limit",
-        metavar="S",
-        help="Be done S seconds after the start, judging and writing included; 0 takes the first legal answer. Two "
+        "S",
+        "Be done S seconds after the start, judging and writing included; 0 takes the first legal answer. Two "
         "such runs may differ. Ctrl-C stops improving, too; a second one gives up.",
-        show_default=False,
     ),
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
@@ -80,13 +71,13 @@ Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="The grid of each
 
 def results_at(default: str, what: str = "Results folder") -> Any:
     """The option --output of a command that writes a folder. default: where that is if nobody says it."""
-    return typer.Option("--output", metavar="FOLDER", help=f"{what}; default: {default}.")
+    return given("--output", "FOLDER", f"{what}; default: {default}.")
 
 
 def file_of_results(kind: str, name: str) -> Any:
     """The option --output of a command that writes one file. kind: of file, in words; name: in RESULTS, by default."""
     endings = f"FILE{Path(name).suffix}"
-    return typer.Option("--output", metavar=endings, help=f"The {kind}; default: {name} in RESULTS.")
+    return given("--output", endings, f"The {kind}; default: {name} in RESULTS.")
 
 
 def patience_of(time_limit: float | None) -> Patience:
@@ -122,20 +113,18 @@ LoopsOfProgram = Annotated[
 ]
 LogUnits = Annotated[
     str | None,
-    typer.Option(
+    given(
         "--units",
-        metavar="UNIT,...",
-        help="Units of a log's columns whose heads name none: s or ms, deg or rad, mm or m, as in deg,mm.",
-        show_default=False,
+        "UNIT,...",
+        "Units of a log's columns whose heads name none: s or ms, deg or rad, mm or m, as in deg,mm.",
     ),
 ]
 Columns = Annotated[
     str | None,
-    typer.Option(
+    given(
         "--columns",
-        metavar="NAME=HEAD,...",
-        help="Which of a log's columns is what where the heads do not tell: time=Stamp,joint_1=#3. A robot's name "
+        "NAME=HEAD,...",
+        "Which of a log's columns is what where the heads do not tell: time=Stamp,joint_1=#3. A robot's name "
         "alone takes the columns that its heads begin or end with: ROB_2.",
-        show_default=False,
     ),
 ]

@@ -22,8 +22,7 @@ def order(
     entry: opt.Entry = None,
     assume_identity: opt.AssumeIdentity = None,
     group: Annotated[
-        str | None,
-        typer.Option("--group", metavar="NAME", help="Which group of the cell file's order, where it has several."),
+        str | None, opt.given("--group", "NAME", "Which group of the cell file's order, where it has several.")
     ] = None,
     target: opt.TargetOption = "rapid",
     apply: Annotated[

@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import job_of, wrote
 from trajopt_cli.cli.study import Scheduler, tasks_on
@@ -18,19 +16,14 @@ if TYPE_CHECKING:
 def place(
     program: opt.ProgramPaths,
     what: Annotated[
-        str,
-        typer.Option(
-            "--what",
-            metavar="base|rail|station:NAME",
-            help="What stands elsewhere; NAME is a work object's (wobjdata).",
-        ),
+        str, opt.given("--what", "base|rail|station:NAME", "What stands elsewhere; NAME is a work object's (wobjdata).")
     ],
     range_: Annotated[
         list[str],
-        typer.Option(
+        opt.given(
             "--range",
-            metavar="KEY=LOW..HIGH",
-            help="How far from where it stands now: x, y, z of the world [m] or yaw [rad], as in x=-300mm..300mm, "
+            "KEY=LOW..HIGH",
+            "How far from where it stands now: x, y, z of the world [m] or yaw [rad], as in x=-300mm..300mm, "
             "yaw=-30deg..30deg; of a rail also along, across, height. One to four of them.",
         ),
     ],
@@ -39,18 +32,10 @@ def place(
     assume_identity: opt.AssumeIdentity = None,
     target: opt.TargetOption = "stream",
     points: Annotated[
-        int | None,
-        typer.Option(
-            "--points",
-            min=4,
-            metavar="N",
-            help="Places of the coarse search; default: 30 per range.",
-            show_default=False,
-        ),
+        int | None, opt.given("--points", "N", "Places of the coarse search; default: 30 per range.", min=4)
     ] = None,
     apply: Annotated[
-        Path | None,
-        typer.Option("--apply", metavar="FILE.yaml", help="Write a copy of the cell file with the best place in it."),
+        Path | None, opt.given("--apply", "FILE.yaml", "Write a copy of the cell file with the best place in it.")
     ] = None,
     output: Annotated[Path | None, opt.results_at("results/PROGRAM_place")] = None,
     as_json: opt.AsJson = False,

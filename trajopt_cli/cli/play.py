@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Quiet
+from trajopt_cli.cli import options as opt
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
@@ -34,23 +34,18 @@ def egm(
         Path, typer.Argument(metavar="FILE|RESULTS", help="File of trajopt export egm, or folder of trajopt optimize.")
     ],
     to: Annotated[
-        str, typer.Option("--to", metavar="HOST:PORT", help="Loopback address that a simulated controller sends to.")
+        str, opt.given("--to", "HOST:PORT", "Loopback address that a simulated controller sends to.")
     ] = "127.0.0.1:6510",
-    log: Annotated[
-        Path | None, typer.Option("--log", metavar="FILE.csv", help="Write what came back, and what was set.")
-    ] = None,
+    log: Annotated[Path | None, opt.given("--log", "FILE.csv", "Write what came back, and what was set.")] = None,
     constant: Annotated[
-        float,
-        typer.Option("--follower-time-constant", metavar="S", help="Of the first-order follower that predicts lag."),
+        float, opt.given("--follower-time-constant", "S", "Of the first-order follower that predicts lag.")
     ] = 0.05,
     echo: Annotated[
         bool, typer.Option("--echo", help="Be the controller, too: such a follower, as fast as answers come.")
     ] = False,
-    silence: Annotated[
-        float, typer.Option("--silence", metavar="S", help="How long to wait for a message of the controller.")
-    ] = 30.0,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    silence: Annotated[float, opt.given("--silence", "S", "How long to wait for a message of the controller.")] = 30.0,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Answer every EgmRobot message with the set point due on the controller's clock, and say how far every axis lags.
 

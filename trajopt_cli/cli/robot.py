@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Quiet, robots
+from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
 
@@ -17,20 +17,11 @@ app = typer.Typer(help="The robots that ship, and your own.", rich_markup_mode=N
 @app.command("add", short_help="MODEL.urdf in, a robot's two files out.")
 def add(
     model: Annotated[Path, typer.Argument(metavar="MODEL.urdf", help="The robot's URDF, as its maker or ROS has it.")],
-    name: Annotated[str, typer.Option("--name", metavar="NAME", help="What to call it: NAME.urdf and NAME.yaml.")],
+    name: Annotated[str, opt.given("--name", "NAME", "What to call it: NAME.urdf and NAME.yaml.")],
     tip: Annotated[
-        str | None,
-        typer.Option(
-            "--tip",
-            metavar="LINK",
-            help="The flange's link; default: tool0, flange, or the last one.",
-            show_default=False,
-        ),
+        str | None, opt.given("--tip", "LINK", "The flange's link; default: tool0, flange, or the last one.")
     ] = None,
-    base: Annotated[
-        str | None,
-        typer.Option("--base", metavar="LINK", help="The chain's first link; default: the root.", show_default=False),
-    ] = None,
+    base: Annotated[str | None, opt.given("--base", "LINK", "The chain's first link; default: the root.")] = None,
     confdata: Annotated[
         Literal["abb_six_axis", "none"] | None,
         typer.Option(
@@ -40,12 +31,12 @@ def add(
         ),
     ] = None,
     rail: Annotated[bool, typer.Option("--rail", help="Write NAME_rail too: the same on a linear track.")] = False,
-    output: Annotated[Path, typer.Option("--output", metavar="FOLDER", help="Where the two files go.")] = Path("."),
+    output: Annotated[Path, opt.given("--output", "FOLDER", "Where the two files go.")] = Path("."),
     force: Annotated[
         bool, typer.Option("--force", help="Replace files of that name; the old ones stay as .bak.")
     ] = False,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Make a robot of the URDF of nearly any six-axis arm, alone or on a sliding axis, or of a seven-axis arm with
     spherical shoulder and wrist, as a KUKA LBR iiwa.
@@ -87,7 +78,7 @@ def add(
 
 
 @app.command("list", short_help="Names, titles, reach, payload.")
-def list_robots(as_json: AsJson = False, quiet: Quiet = False) -> None:
+def list_robots(as_json: opt.AsJson = False, quiet: opt.Quiet = False) -> None:
     """Names and titles of the robots that ship, how far they reach, and what they carry.
 
     \b
@@ -115,11 +106,11 @@ def show(
     name: Annotated[
         str,
         typer.Argument(
-            metavar="NAME", help="A name of 'trajopt robot list', or a robot's YAML file.", autocompletion=robots
+            metavar="NAME", help="A name of 'trajopt robot list', or a robot's YAML file.", autocompletion=opt.robots
         ),
     ],
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Dimensions, ranges, speeds, torques, and every acceleration profile with its grades and sources.
 

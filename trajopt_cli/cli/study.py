@@ -39,8 +39,7 @@ app = typer.Typer(cls=_RunUnlessNamed, help="Vary a cell and plan every point.",
 Output = Annotated[Path | None, opt.results_at("results/STUDY")]
 StudyFile = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help="What varies, and what is asked.")]
 Scheduler = Annotated[
-    str | None,
-    typer.Option("--scheduler", metavar="tcp://HOST:PORT", help="A Dask cluster's scheduler; default: this computer."),
+    str | None, opt.given("--scheduler", "tcp://HOST:PORT", "A Dask cluster's scheduler; default: this computer.")
 ]
 
 
@@ -139,14 +138,10 @@ def run(
 def show(
     folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Results folder of trajopt study.")],
     by: Annotated[
-        str | None,
-        typer.Option("--by", metavar="COLUMN", help="The answer that counts; default: the first of them, as rapid_s."),
+        str | None, opt.given("--by", "COLUMN", "The answer that counts; default: the first of them, as rapid_s.")
     ] = None,
     against: Annotated[
-        str | None,
-        typer.Option(
-            "--against", metavar="COLUMN", help="The Pareto front of both; default: price, where it is known."
-        ),
+        str | None, opt.given("--against", "COLUMN", "The Pareto front of both; default: price, where it is known.")
     ] = None,
     as_json: opt.AsJson = False,
     quiet: opt.Quiet = False,
@@ -228,21 +223,18 @@ def plan(
 @app.command("optimize", short_help="Search for the best point of what a study varies.")
 def optimize(
     study: StudyFile,
-    by: Annotated[str, typer.Option("--by", metavar="COLUMN", help="The answer to make best.")] = "rapid_s",
+    by: Annotated[str, opt.given("--by", "COLUMN", "The answer to make best.")] = "rapid_s",
     constraint: Annotated[
         list[str] | None,
-        typer.Option(
+        opt.given(
             "--constraint",
-            metavar="TEXT",
-            help="What the best point keeps, as 'price <= 20000' or 'limits.rail.velocity <= 2', SI; may be repeated.",
-            show_default=False,
+            "TEXT",
+            "What the best point keeps, as 'price <= 20000' or 'limits.rail.velocity <= 2', SI; may be repeated.",
         ),
     ] = None,
-    points: Annotated[int, typer.Option("--points", min=1, metavar="N", help="Points that are tried.")] = 100,
-    seed: Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Of the search's random numbers.")] = 0,
-    at_once: Annotated[
-        int, typer.Option("--at-once", min=1, metavar="N", help="Points tried before the search learns from them.")
-    ] = 8,
+    points: Annotated[int, opt.given("--points", "N", "Points that are tried.", min=1)] = 100,
+    seed: Annotated[int, opt.given("--seed", "N", "Of the search's random numbers.", min=0)] = 0,
+    at_once: Annotated[int, opt.given("--at-once", "N", "Points tried before the search learns from them.", min=1)] = 8,
     scheduler: Scheduler = None,
     jobs: opt.Jobs = None,
     output: Annotated[Path | None, opt.results_at("results/STUDY_best")] = None,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Quiet
+from trajopt_cli.cli import options as opt
 from trajopt_cli.cli.process import job_of, reading
 from trajopt_cli.errors import InputError
 from trajopt_cli.file_kinds import refuse_other
@@ -23,20 +23,16 @@ def verify(
         list[Path] | None,
         typer.Option(metavar="PROGRAM", help="The program a CSV file executes; repeat it for several modules."),
     ] = None,
-    cell: CellPath = None,
-    entry: Entry = None,
-    assume_identity: AssumeIdentity = None,
-    task: Annotated[
-        Path | None, typer.Option("--task", metavar="FILE.yaml", help="The iiwa task a CSV file executes.")
-    ] = None,
-    arm: Annotated[
-        str | None, typer.Option("--robot", metavar="NAME", help="The iiwa whose limits a CSV file shall keep.")
-    ] = None,
+    cell: opt.CellPath = None,
+    entry: opt.Entry = None,
+    assume_identity: opt.AssumeIdentity = None,
+    task: Annotated[Path | None, opt.given("--task", "FILE.yaml", "The iiwa task a CSV file executes.")] = None,
+    arm: Annotated[str | None, opt.given("--robot", "NAME", "The iiwa whose limits a CSV file shall keep.")] = None,
     everything: Annotated[
         bool, typer.Option("--all", help="List every case, not only the worst of each check.")
     ] = False,
-    as_json: AsJson = False,
-    quiet: Quiet = False,
+    as_json: opt.AsJson = False,
+    quiet: opt.Quiet = False,
 ) -> None:
     """Check trajectories against program or task, and limits. Exit code 0: legal, 1: not, or too coarse to tell.
 

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from trajopt_cli.cli import options as opt
+
 
 def view(
     results: Annotated[
@@ -16,7 +18,7 @@ def view(
         ),
     ],
     output: Annotated[
-        Path | None, typer.Option("--output", metavar="FILE.html", help="Of a cell: the page; default: CELL.html here.")
+        Path | None, opt.given("--output", "FILE.html", "Of a cell: the page; default: CELL.html here.")
     ] = None,
     only_print: Annotated[bool, typer.Option("--print", help="Print the page's place and open nothing.")] = False,
     serve: Annotated[
