@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
@@ -14,12 +15,15 @@ from trajopt_cli.exporters.files import export
 from trajopt_cli.exporters.rapid import export_rapid, intents_of
 from trajopt_cli.exporters.rapid_check import mismatches, read_again
 from trajopt_cli.findings import Report
-from trajopt_cli.graph_search.by_rails import check_reach
+from trajopt_cli.geometry import Array
+from trajopt_cli.graph_search.by_rails import check_reach, search
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveL, Program, TextFile
+from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times
 from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.plan import optimize
+from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plannable import check_plannable
@@ -115,6 +119,33 @@ def test_the_judge_tells_an_axis_that_leaves_its_share(axis: int) -> None:
     report = judged(own, plant, replace(rows, q=q, qd=None), Target.RAPID)
     told = [one for one in report.findings if one.check == "rail along line" and not one.passed]
     assert [one.subject for one in told] == [plant.limits.names[axis]]
+
+
+def test_no_shift_of_several_axes_at_once_is_left_that_saves_time() -> None:
+    """Where each axis alone gains nothing, two together do: 9 ms of 2.3 s here."""
+    body = f"""ConfJ \\Off; ConfL \\Off;
+MoveJ [[500,-100,400],{DOWN},[0,0,9E9,9E9,9E9,0]], v1000, fine, tool0;
+MoveL [[1400,500,400],{DOWN},[900,400,9E9,9E9,9E9,900]], v2000, fine, tool0;
+MoveL [[500,-100,300],{DOWN},[0,0,9E9,9E9,9E9,0]], v2000, fine, tool0;"""
+    plant = gantry("ab")
+    problem, axes = build_problem(program(plant, body), plant, target=Target.RAPID), Axes.of(plant)
+    assert isinstance(problem, Problem)
+    chain = search(axes, problem)
+    assert chain is not None
+    found = refine_rail(axes, problem, chain)
+
+    def time(q: Array) -> float:
+        pairs = [Pairs(k, q[[k]], q[[k + 1]], found.labels[k + 1].cfx) for k in range(len(problem.legs))]
+        return float(np.sum(leg_times(axes, problem, pairs, Times())))
+
+    assert time(found.q) == pytest.approx(found.cost, abs=1e-6)
+    for k, shift, step in product(range(1, 4), product((-1, 0, 1), repeat=2), (0.01, 0.03)):
+        q, point = found.q.copy(), problem.waypoints[k]
+        d = np.clip(q[k, :2] + step * np.array(shift), *point.ranges(problem.layout))
+        arm = axes.branch(point.X_WF[None], d[None], np.array([found.labels[k].cfx]))[0]
+        q[k] = np.r_[d, arm + 2 * np.pi * np.round((q[k, 2:] - arm) / (2 * np.pi))]
+        if np.isfinite(q[k]).all() and axes.within(q[k]):
+            assert time(q) > found.cost - 1e-4
 
 
 def test_targets_of_a_plan_say_all_axes_and_what_follows() -> None:

@@ -31,8 +31,9 @@ _SHARES = (0.5, 0.0, 1.0, 0.25, 0.75)  # of each stroke: where rails are held to
 Refine = Callable[[Axes, Problem, Route], Route]
 
 
-def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine) -> Route:
-    """A chain that is refined with each rail sought in turn, the others held where the chain has them."""
+def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine, most: float = np.inf) -> Route:
+    """A chain that is refined with each rail sought in turn, the others held where the chain has them. most: what it
+    takes [s] at most after any turn; what takes longer is left."""
     if axes.layout.r < 2:
         return refine(axes, problem, chain)
     best, since = chain, 0
@@ -42,7 +43,7 @@ def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine) -> Rout
         since = 0 if turn == 0 or found.cost < best.cost - _LEAST else since + 1
         if found.cost < best.cost or turn == 0:
             best = found
-        if since >= axes.layout.r - 1:
+        if since >= axes.layout.r - 1 or best.cost > most:
             break
     return best
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import groupby, pairwise
+from itertools import groupby, pairwise, product
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.route import Route
 
 _REFINE_ROUNDS = 40  # at most.
+_TOGETHER_FIRST, _TOGETHER_LAST = 0.08, 0.004  # m, steps of several rails at once.
 _REFINE_LOOK = 3  # of them after which it shows whether a chain may become the best one.
 _LEAST_POLISH = 1e-05  # s that a shift must save.
 # steps beside a rail position that are tried. Measured on twenty random programs: only the nearest ones at steps below
@@ -54,11 +55,13 @@ def refine_rail(
     last: float = 0.0, most: float = np.inf,
 ) -> Route:  # fmt: skip
     """The chain with the rail positions that the least time is found at, beside those it has; of several rails one
-    after the other while the others stand. known: as in leg_times. around: what is not touched at them, nor by straight
-    joint moves between them. last: the least step [m], where that of the settings is too fine. most: what it takes [s]
-    at most after a few rounds; what takes longer is left."""
+    after the other while the others stand, then, where nothing is around, all at once. known: as in leg_times. around:
+    what is not touched at them, nor by straight joint moves between them. last: the least step [m], where that of the
+    settings is too fine. most: what it takes [s] at most after a few rounds; what takes longer is left."""
     known = Times() if known is None else known
-    return by_rails(axes, problem, chain, partial(_refine_rail, known=known, around=around, last=last, most=most))
+    refine = partial(_refine_rail, known=known, around=around, last=last, most=most)
+    found = by_rails(axes, problem, chain, refine, most)
+    return _refine_together(axes, problem, found, known) if np.isinf(most) and around is None else found
 
 
 def _refine_rail(
@@ -101,6 +104,54 @@ def _refine_rail(
         shorter = np.where(there & (step[marks] > least), np.maximum(step[marks] / 2, least), step[marks])
         changed, step[marks] = ~stays | (shorter != step[marks]), shorter
     return _on_spline(best, places, marks)
+
+
+def _refine_together(axes: Axes, problem: Problem, chain: Route, known: Times) -> Route:
+    """The chain with all of several rails shifted at once, to neighbours on a lattice that gets finer; as it is where
+    points are tied or carried along."""
+    r, points = axes.layout.r, problem.waypoints
+    if r < 2 or problem.ties or any(short(problem, k) for k in range(len(problem.legs))):
+        return chain
+    shifts, step = np.array([*product((0.0, 1.0, -1.0), repeat=r)]), _TOGETHER_FIRST
+    near_by = np.abs(shifts[:, None] - shifts[None]).max(axis=2) <= 1
+    while step > _TOGETHER_LAST:
+        near, which = list[Array](), list[IndexArray]()
+        for k, point in enumerate(points):
+            low, high = point.ranges(problem.layout)
+            if point.q is not None or np.all(low >= high):
+                near.append(chain.q[[k]])
+                which.append(np.zeros(1, dtype=np.intp))
+                continue
+            d = np.clip(chain.q[k][axes.layout.rail] + step * shifts, low, high)
+            arm = axes.branch(np.repeat(point.X_WF[None], len(d), axis=0), d, np.full(len(d), chain.labels[k].cfx))
+            arm += 2 * np.pi * np.round((chain.q[k][axes.layout.arm] - arm) / (2 * np.pi))
+            q = axes.layout.merge(d, arm)
+            ok = axes.within(q)
+            ok[0], q[0] = True, chain.q[k]
+            near.append(q[ok])
+            which.append(np.flatnonzero(ok))
+        asked, rows = list[Pairs](), list[tuple[IndexArray, IndexArray]]()
+        for k, (a, b) in enumerate(pairwise(near)):
+            leg = problem.legs[k]
+            ok = near_by[np.ix_(which[k], which[k + 1])]
+            if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
+                apart = np.abs(a[:, None, axes.layout.rail] - b[None, :, axes.layout.rail]).max(axis=2)
+                ok = apart <= _SAME
+            if (led := problem.leads(k, a, b)) is not None:
+                ok = ok & led
+            rows.append(np.nonzero(ok))
+            asked.append(Pairs(k, a[rows[-1][0]], b[rows[-1][1]], _branch(chain, k)))
+        edges = [np.full((len(a), len(b)), np.inf) for a, b in pairwise(near)]
+        for edge, at, times in zip(edges, rows, leg_times(axes, problem, asked, known), strict=True):
+            edge[at] = times
+        cost, path = best_chain(near, edges, (), near, axes.settings.tie_candidates)
+        if cost > chain.cost * (1 - axes.settings.refine_gain):
+            step /= 2
+        if cost < chain.cost:
+            q = np.array([near[k][i] for k, i in enumerate(path)])
+            spent = np.array([edge[i, j] for edge, (i, j) in zip(edges, pairwise(path), strict=True)])
+            chain = replace(chain, q=q, times=spent, cost=float(spent.sum()))
+    return chain
 
 
 def _on_spline(chain: Route, places: _Places, marks: IndexArray) -> Route:
