@@ -86,6 +86,20 @@ def test_what_is_no_free_turn_is_refused_in_its_line(free: str, key: str) -> Non
     assert caught.value.message.startswith(key)
 
 
+def test_an_unknown_name_is_held_against_procedures_instructions_and_tools_alone() -> None:
+    text = TEXT.replace("PROC main()", "CONST speeddata vGrilling:=[1,1,1,1];\nPROC main()")
+    for entry, near in (("vGrill", "Drill"), ("xyzzy", None)):
+        with pytest.raises(InputError) as caught:
+            run(f"{{axis: z, in: [{entry}]}}", text)
+        said = caught.value.message.partition(";")[2]
+        assert "vGrilling" not in said
+        if near is not None:
+            assert f"'{near}'" in said
+        else:
+            assert all(name in said for name in ("Drill", "MoveJ", "tDrill"))
+    assert "wHeld" not in said
+
+
 @pytest.mark.parametrize("entry", ["9", "tPost"])
 def test_what_frees_nothing_is_told(entry: str) -> None:
     (told,) = run(f"{{axis: z, in: [Drill, {entry}]}}").warnings

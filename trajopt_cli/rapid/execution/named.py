@@ -80,9 +80,11 @@ def placed(place: Source) -> Iterator[None]:
         raise InputError(error.message, file=place.file, line=place.line, kind=ErrorKind.CELL) from None
 
 
-def check_name(modules: Modules, name: str, message: str, place: Source) -> None:
+def check_name(
+    modules: Modules, name: str, message: str, place: Source, fitting: Collection[str] | None = None
+) -> None:
     """Raise InputError with the message and the nearest name where name stands nowhere in the program. place: of it in
-    the cell file."""
+    the cell file. fitting: the names that would do, None for all."""
     known = {
         node.name.lower(): node.name
         for module, _ in modules
@@ -90,6 +92,7 @@ def check_name(modules: Modules, name: str, message: str, place: Source) -> None
         if isinstance(node, Name | Routine | DataDeclaration)
     }
     if name.lower() not in known:
+        known = known if fitting is None else {one.lower(): one for one in sorted(fitting)}
         close = get_close_matches(name.lower(), sorted(known), n=1)
         message += f"; did you mean '{known[close[0]]}'?" if close else f"; {_few([*known.values()])}"
         raise InputError(message, file=place.file, line=place.line, kind=ErrorKind.CELL)
@@ -208,7 +211,8 @@ def _moves(run: Context, modules: Modules, entry: FreeTool) -> Iterator[tuple[st
     if not entry.names and not entry.lines:
         yield from ((_EVERYWHERE, motion) for motion, _ in moves)
         return
-    procedures = {name.lower() for _, name in routines_of(modules)}
+    routines = {name for _, name in routines_of(modules)}
+    procedures = {name.lower() for name in routines}
     for name in entry.names:
         words = [{instruction_name(motion).lower(), motion.tool.name.lower()} for motion, _ in moves]
         if name.lower() in procedures:
@@ -218,7 +222,8 @@ def _moves(run: Context, modules: Modules, entry: FreeTool) -> Iterator[tuple[st
             yield from ((name, motion) for (motion, _), own in zip(moves, words, strict=True) if name.lower() in own)
         else:
             message = f"free: '{name}' is no procedure, no instruction and no tool that moves here"
-            check_name(modules, name, message, entry.place)
+            of_moves = {word for motion, _ in moves for word in (instruction_name(motion), motion.tool.name)}
+            check_name(modules, name, message, entry.place, routines | of_moves)
     for line in entry.lines:
         with placed(entry.place):
             around = Around([one.spans for one in named(run, modules, "free", (), [line])])
