@@ -80,6 +80,26 @@ def tilted_axis_of_a_free_tool() -> Judged:
 
 
 @spoiled("line rotation", "TCP", 12)
+def axis_tilted_by_half_a_degree_halfway_of_an_uneven_turn() -> Judged:
+    case = turned_case(0.1, 0.4)
+    case = case.swap(p1=bent(case.pieces[1], 0.05))
+    case = case.swap(p1=nudged(case.plant, case.pieces[1], [0, 0, 0, 0.6, 0.8, 0], np.radians(0.5)))
+    return case, case.rows(), None
+
+
+@spoiled("line rotation", "TCP", 12)
+def beyond_the_sector_between_two_rows() -> Judged:
+    """At the edge of the sector on every row; the speeds of two rows say that joint 6 is beyond it between them."""
+    case = turned_case(0.5, 0.5)
+    rows = case.rows()
+    i = int(np.searchsorted(rows.t, case.starts[1] + case.pieces[1].T / 2))
+    assert rows.qd is not None
+    qd, step = rows.qd.copy(), float(rows.t[i + 1] - rows.t[i])
+    qd[i : i + 2, 6] += np.array([1.0, -1.0]) * 4 * OVER * tol.LINE_ROTATION / step
+    return case, replace(rows, qd=qd), None
+
+
+@spoiled("line rotation", "TCP", 12)
 def beyond_the_sector_on_the_line() -> Judged:
     line = turned_case(0.5, 0.5).pieces[1]
     case = turned_case(0.5, 0.5, bent(line, OVER * tol.LINE_ROTATION))

@@ -93,6 +93,68 @@ def node_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: f
     return np.hstack([*wanted, (q[arm] - middle) / (half * room[arm])])
 
 
+def test_rows_of_a_tool_that_turns_beyond_its_line(axes: Axes, formulation: Formulation) -> None:
+    """The tool goes along its line and turns about an axis of its own besides: pose, twist and its rate by hand."""
+    rng, k, u = np.random.default_rng(12), axes.n, np.array([0.36, 0.48, 0.8])
+    node = formulation.with_turns.node(LineSymbols(True), "l")
+    kind = ToolKind((*ToolCap,), along=False, turning=True)
+    tool = formulation.with_turns.limit_node(ToolLimit(axes), kind, LineSymbols(True), "l")
+    for X_0, X_1, d, cfx in lines(axes, rng, True):
+        s, v, a, w, b, T = rng.uniform(0.2, 0.8), *rng.normal(size=4), rng.uniform(0.3, 2)
+        f, df, ddf = rng.normal(size=3) * [0.3, 1.0, 1.0]
+        X = Line(X_0, X_1).pose(np.array([s]))
+        X[0, :3, :3] = X[0, :3, :3] @ rotation_about(u, f)
+        q = axes.layout.join(d, axes.inverse(X @ inverse_pose(X_FT), np.array([d]))[0, cfx])
+        if not np.isfinite(q).all():
+            continue
+        twist, u_W = Line(X_0, X_1).twist(np.array([s]))[0], np.r_[0, 0, 0, X[0, :3, :3] @ u]
+        carried = np.r_[0, 0, 0, np.cross(twist[3:], u_W[3:])] * v * df
+        qd = inverse_velocity(axes.robot, q, twist * v + u_W * df, w, X_FT)
+        qdd = inverse_acceleration(axes.robot, q, qd, twist * a + u_W * ddf + carried, b, X_FT)
+        z = {"s": s, "v": v, "a_l": a, "T": T, "d": np.r_[rails(axes, d), f], "w": np.r_[rails(axes, w), df],
+             "b_l": np.r_[rails(axes, b), ddf]}  # fmt: skip
+        near = q[axes.layout.arm] + rng.normal(size=axes.layout.joints) * 0.1
+        p = {**parameters(axes, X_0, X_1, cfx, near), "axis": X_FT[:3, :3] @ u, "tcp": X_FT[:3, 3]}
+        V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, k)
+        rows = node.value(z, {**p, **at_node(V, A, room)})
+        np.testing.assert_allclose(rows, node_rows(axes, cfx, q, qd, [qdd], T, V, A, room), rtol=1e-7, atol=1e-7)
+        most, angle = rng.uniform(0.5, 2), float(np.linalg.norm(twist[3:]))
+        caps = {"caps": np.array([1.0, 1.0, angle / most]), "fastest": most}
+        turns = tool.value(z, {**p, **caps})
+        assert {round(x, 9) for x in turns} >= {round((angle * v + sign * df) / (most * T), 9) for sign in (1, -1)}
+        assert np.linalg.norm((twist * v + u_W * df)[3:]) / (most * T) <= np.abs(turns).max() + 1e-9
+
+
+@pytest.mark.parametrize("smooth", [False, True])
+def test_what_the_sector_allows_at_nodes_it_allows_between(axes: Axes, smooth: bool) -> None:
+    """Any piece whose inner control points are at the sector's edge, as it lies there, stays inside; evaluated by its
+    own polynomial. A parabola that begins and ends at the edge, outwards, is refused."""
+    formulation = Formulation(axes, Maps())
+    formulation.smooth = smooth
+    rng, relation, h = np.random.default_rng(3), formulation.sector(), 0.2
+    low, high, slope = -0.4, 0.3, 0.25
+    room = np.array([(high - low) / 2, (high + low) / 2, -slope])
+    u = np.linspace(0, 1, 101)
+    powers = np.array([(1 - u) ** 3, 3 * (1 - u) ** 2 * u, 3 * (1 - u) * u**2, u**3])
+    refused = 0
+    for _ in range(300):
+        points = rng.uniform(low - 0.1, high + 0.1, 4)  # Bezier's, beyond the middle's way
+        points[[0, 3]] = np.clip(points[[0, 3]], low, high)
+        share = np.sort(rng.uniform(0, 1, 4))
+        if not smooth:  # parabolas, raised to cubics
+            points, share = (x[[0, 1, 3]] @ np.array([[1, 1 / 3, 0, 0], [0, 2 / 3, 2 / 3, 0], [0, 0, 1 / 3, 1]])
+                             for x in (points, share))  # fmt: skip
+        f, s = points - slope * share, share
+        z = {"f_0": f[0], "f_1": f[3], "w_0": 3 * (f[1] - f[0]) / h, "w_1": 3 * (f[3] - f[2]) / h,
+             "s_0": s[0], "s_1": s[3], "v_0": 3 * (s[1] - s[0]) / h, "v_1": 3 * (s[3] - s[2]) / h, "h": h}  # fmt: skip
+        rows = relation.value(z, {"room": room})
+        kept = bool(np.all((rows >= relation.block.shape.lower) & (rows <= relation.block.shape.upper)))
+        inside = powers.T @ f + slope * (powers.T @ s)
+        assert not kept or (low - 1e-9 <= inside.min() and inside.max() <= high + 1e-9)
+        refused += not kept
+    assert 30 < refused < 270
+
+
 @pytest.mark.parametrize("sides", ["l", "lr"])
 @pytest.mark.parametrize("turning", [False, True], ids=["straight", "turning"])
 def test_path_rows_are_the_motion_over_its_limits(

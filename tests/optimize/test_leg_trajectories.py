@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from small_cells import MOUNTS, mounted, plant_without_rail
 
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
@@ -70,19 +71,35 @@ def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwe
     return PathLeg(0.6, Line(X_0, X_1), X_FT, cfx, first, UNEVEN, s, v, a, *rail)
 
 
-@pytest.mark.parametrize("way", ["line", "dwell", "arc"])
+TURN_AXIS = np.array([0.48, 0.6, 0.64])
+
+
+@pytest.mark.parametrize("way", ["line", "dwell", "arc", "turned line", "turned arc"])
 @pytest.mark.parametrize("cfx", [0, 1])
 def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, way: str) -> None:
     leg = path_leg(axes, cfx, (0.45, 0.55), dwell=way == "dwell")
-    if way == "arc":
+    if way.endswith("arc"):
         X_0, X_1 = leg.segment.pose(np.array([0.0, 1.0]))
         leg = replace(leg, segment=Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + [0.02, 0.01, 0.0], X_1))
+    if way.startswith("turned"):
+        leg = leg.turning(TURN_AXIS)
+        f = exact(UNEVEN, 0.2, 0.5, 0.3, -0.2, np.random.default_rng(7))
+        leg = replace(leg, **{name: np.column_stack([getattr(leg, name)[:, :-1], x])
+                              for name, x in zip("dwb", f, strict=True)})  # fmt: skip
     u = np.linspace(0.05, 0.95, 9)
     t = (leg.breaks()[:-1, None] + np.diff(leg.breaks())[:, None] * u).ravel()
     h = 1e-5
     at, before, after = (leg.sample(axes, t + x) for x in (0.0, -h, h))
     s, _, _ = integrate(leg.grid, leg.s, leg.v, t / leg.T)
-    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, leg.segment.pose(s), rtol=0, atol=1e-12)
+    expected = leg.segment.pose(s)
+    if leg.axis is not None:
+        turn = integrate(leg.grid, leg.d[:, -1], leg.w[:, -1], t / leg.T)[0]
+        expected[:, :3, :3] @= Rotation.from_rotvec(turn[:, None] * TURN_AXIS).as_matrix()
+    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, expected, rtol=0, atol=1e-12)
+    if way == "turned line":
+        assert at.tool is not None
+        spin = (axes.jacobian(at.q, X_FT) @ at.qd[..., None])[..., 0]
+        np.testing.assert_allclose(at.tool[:, 0], spin, rtol=0, atol=1e-10)
     scale = np.abs(at.qdd).max()
     np.testing.assert_allclose(at.qd, (after.q - before.q) / (2 * h), rtol=0, atol=1e-7 * scale)
     np.testing.assert_allclose(at.qdd, (after.qd - before.qd) / (2 * h), rtol=0, atol=1e-6 * scale)
@@ -101,9 +118,9 @@ def test_refining_keeps_a_path_to_the_last_digit(axes: Axes) -> None:
 
 def test_nodes_of_a_path_are_its_samples(axes: Axes) -> None:
     leg = path_leg(axes, 0, (0.45, 0.55))
-    np.testing.assert_allclose(
-        leg.node_arm(axes), leg.sample(axes, leg.breaks()).q[:, axes.layout.arm], rtol=0, atol=1e-9
-    )
+    for one in (leg, replace(leg.turning(TURN_AXIS), d=np.column_stack([leg.d, np.linspace(0, 0.4, leg.N + 1)]))):
+        arm = one.sample(axes, one.breaks()).q[:, axes.layout.arm]
+        np.testing.assert_allclose(one.node_arm(axes), arm, rtol=0, atol=1e-9)
 
 
 def test_a_reference_a_turn_away_turns_the_whole_path(axes: Axes) -> None:

@@ -18,6 +18,7 @@ from trajopt_cli.plan import check_feasible, lower_bound_of, optimize
 from trajopt_cli.plan.tool_turns import ladder, sampled, stays_at_wrist
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.editable import everything
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.tool_turns import turn_groups, turned
@@ -35,7 +36,8 @@ PERS tooldata tHead:=[TRUE,[[110,0,60],[0.7071068,0,0.7071068,0]],[1,[0,0,50],[1
 # Two places on a circle about axis 1; the taught spins differ by 170 degrees.
 POINTS = f"""CONST robtarget p_a:=[[500,-200,350],[0,0,1,0],{REST}];
 CONST robtarget p_b:=[[500,200,350],[0,0.9961947,0.0871557,0],{REST}];
-CONST robtarget p_c:=[[500,200,350],[0,0.5,0.8660254,0],{REST}];"""
+CONST robtarget p_c:=[[500,200,350],[0,0.5,0.8660254,0],{REST}];
+CONST robtarget p_t:=[[450,100,400],[0.1305262,0,0.9914449,0],{REST}];"""
 HOME = r"MoveAbsJ j_home\NoEOffs,v5000,fine,tRound;"
 MOVES = f"MoveJ p_a,v5000,fine,tRound;\nMoveJ p_b,v5000,fine,tRound;\nMoveJ p_a,v5000,fine,tRound;\n{HOME}"
 DRILL = """MoveJ RelTool(p_a,0,0,-40),v1000,fine,tHead;
@@ -108,6 +110,16 @@ def test_nothing_turns_unless_it_is_free() -> None:
         plan = optimize(program, slow_wrist(), Target.RAPID, freedom, bounded=False)
         assert not isinstance(plan, Plan) or not plan.turns
     assert planned(DRILL, Target.RAPID, False).turns == {}
+
+
+def test_the_gentlest_motion_says_that_it_turns_no_tool() -> None:
+    plant, goal = slow_wrist(), LeastEffort(2 * planned(MOVES, Target.RAPID, False).duration)
+    for turn in (True, False):
+        freedom = replace(EVERYTHING, turn=turn)
+        plan = optimize(program_of(MOVES), plant, Target.RAPID, freedom, bounded=False, objective=goal)
+        assert isinstance(plan, Plan)
+        assert not plan.turns
+        assert any("as taught" in note for note in plan.notes) == turn
 
 
 def test_a_bound_holds_for_other_turns() -> None:

@@ -12,7 +12,15 @@ from small_cells import plant_without_rail, problem_of, rapid
 from trajopt_cli.motion import FreeTurn, PoseMove, Program
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.editable import everything
-from trajopt_cli.problem.tool_turns import TurnGroups, keeps_axis, turn_groups, turned, turned_motion
+from trajopt_cli.problem.problem import TurnRoom
+from trajopt_cli.problem.tool_turns import (
+    TurnGroups,
+    keeps_axis,
+    turn_groups,
+    turned,
+    turned_motion,
+    with_room_to_turn,
+)
 from trajopt_cli.scenario import FreeTool, Scenario
 from trajopt_cli.warnings import Source
 
@@ -94,3 +102,39 @@ def test_turning_back_is_as_taught() -> None:
     assert pytest.approx(motion.X_WT, abs=1e-12) == back.X_WT
     assert back.turn == 0.0
     assert turned_motion(motion, 0.8).X_WT[:3, 2:] == pytest.approx(motion.X_WT[:3, 2:])  # type: ignore[union-attr]
+
+
+def test_a_stream_has_room_for_turns_of_their_own_at_both_ends_of_a_tilting_line() -> None:
+    """What is left of the sector beyond the turns at hand, evenly from end to end; none beside joints, on a line that
+    only turns the tool, and where another tool comes."""
+    home = "MoveAbsJ j_home,v100,fine,tool0;"
+    body = f"""MoveJ p_2,v100,fine,tool0; MoveL p_t,v100,fine,tool0; WaitTime 0.2; MoveL p_1,v100,fine,tool0;
+{home} MoveL p_1,v100,fine,tool0; MoveL RelTool(p_1,0,0,0\\Rz:=40),v100,fine,tool0; MoveJ p_2,v100,fine,tool0;
+MoveL p_1,v100,fine,tOther;""".replace("\\\\", "\\")
+    other = "PERS tooldata tOther:=[TRUE,[[0,10,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];"
+    scenario = Scenario(free=(FreeTool(FREE, Source("cell.yaml", 3, 1)),))
+    program = turned(rapid(body, scenario, DATA + other), {0: 1.0, 1: 1.5})
+    problem = problem_of(program, plant_without_rail())
+    found = with_room_to_turn(problem, everything(program, plant_without_rail()))
+    rooms = [None if one.turn is None else (one.turn.low, one.turn.high) for one in found.waypoints]
+    assert rooms == [None, (-4, 2), (-4.5, 1.5), (-4.5, 1.5), (-3, 3), None, None, None, None, (-3, 3)]
+    rooms = [None if one.turn is None else (one.turn.low, one.turn.high, one.turn.slope) for one in found.legs]
+    tilting, back = (-4, 2, 0.5), (-4.5, 1.5, -1.5)
+    assert rooms == [None, tilting, (-4.5, 1.5, 0), back, None, (-3, 3, 0), None, None, (-3, 3, 0)]
+    part = found.legs[1].turn.between(0.2, 0.6)  # type: ignore[union-attr]
+    assert (part.low, part.high, part.slope) == pytest.approx((-4.1, 1.9, 0.2))
+
+
+def test_room_to_turn_knows_what_turns_from_a_pose() -> None:
+    """A turn about a tool's own axis, by scipy; told from the pose that it leads to."""
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        X_FT, X_WF, turned_by = np.eye(4), np.eye(4), rng.uniform(-3, 3)
+        X_FT[:3, :3], X_WF[:3, :3] = Rotation.random(2, random_state=rng).as_matrix()
+        X_FT[:3, 3], X_WF[:3, 3] = rng.normal(size=(2, 3))
+        room = TurnRoom(np.array([0.0, 0.6, 0.8]), X_FT, -3.0, 3.0)
+        X = room.turned(X_WF, turned_by)
+        relative = np.linalg.inv(X_WF @ X_FT) @ X @ X_FT
+        expected = Rotation.from_rotvec(turned_by * room.axis).as_matrix()
+        np.testing.assert_allclose(relative, np.block([[expected, np.zeros((3, 1))], [0, 0, 0, 1]]), atol=1e-12)
+        assert room.angle(X_WF, X) == pytest.approx(turned_by, abs=1e-9)

@@ -98,7 +98,7 @@ class Clearances:
             if m is None or not isinstance(motion, PathLeg | JointNodes):
                 continue
             q = (
-                self._axes.layout.merge(motion.d, motion.node_arm(self._axes))
+                self._axes.layout.merge(motion.rail, motion.node_arm(self._axes))
                 if isinstance(motion, PathLeg)
                 else motion.q
             )
@@ -114,7 +114,7 @@ class Clearances:
     def _given(self, k: int) -> bool:
         """Whether nothing is left to choose at waypoint k but velocities."""
         point = self._problem.waypoints[k]
-        return not point.free
+        return not point.free and point.turn is None
 
     def touches(self, k: int, motion: LegMotion) -> bool:
         """Whether leg k comes nearer to anything than wanted, if it moves so."""

@@ -24,7 +24,8 @@ def read(program: Transcription, x: Array) -> Iterate:
     axes, problem, iterate = program.axes, program.problem, program.iterate
     q, qd = (np.array([x[i] for i in indices]) for indices in (program.waypoint_q, program.waypoint_qd))
     rates = {k: float(x[i]) for k, i in program.waypoint_rate.items()}
-    q, qd = _polished(axes, problem, iterate, q, qd, rates)
+    turns = {k: x[i] for k, i in program.waypoint_turn.items()}
+    q, qd = _polished(axes, problem, iterate, q, qd, rates, turns)
     qdd = None
     if program.waypoint_qdd:
         qdd = _accelerations(axes, problem, q, qd, np.array([x[i] for i in program.waypoint_qdd]))
@@ -35,11 +36,15 @@ def read(program: Transcription, x: Array) -> Iterate:
             legs.append(None)
         elif var is None and glides(leg):
             assert isinstance(motion, PathLeg)
-            legs.append(_glide(axes, motion, q[k : k + 2]))
+            legs.append(_glide(axes, motion, q[k : k + 2], turns.get(k, np.zeros(3))))
         elif var is None:  # a dwell in which nothing moves, or no time for it
             legs.append(replace(hold(motion.T, q[k]), qd_0=qd[k]))
         elif isinstance(motion, PathLeg):
-            own = _path(axes, motion, var, x, q[k : k + 2], qd[k : k + 2], qdd if qdd is None else qdd[k : k + 2])
+            every = (q, qd) if qdd is None else (q, qd, qdd)
+            both = [one[k : k + 2, axes.layout.rail] for one in every]
+            if motion.axis is not None:
+                both = [np.column_stack([one, [turns[i][n] for i in (k, k + 1)]]) for n, one in enumerate(both)]
+            own = _path(motion, var, x, q[k, axes.layout.arm], both)
             for node, i in ((0, k), (-1, k + 1)):
                 if i in rates and leg.kind is LegKind.LINE:
                     own.v[node] = rates[i] * own.T / program.rate_share(leg, node, i)
@@ -93,49 +98,55 @@ def _exact(grid: Array, ends: tuple[Array, Array, Array], jerk: Array) -> tuple[
 
 
 def _polished(
-    axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array, rates: Mapping[int, float]
-) -> tuple[Array, Array]:
-    """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual. rates: at which those
-    that are passed along a path are."""
+    axes: Axes, problem: Problem, iterate: Iterate, q: Array, qd: Array, rates: Mapping[int, float],
+    turns: Mapping[int, Array],
+) -> tuple[Array, Array]:  # fmt: skip
+    """Waypoint states with the arm exactly where rail and turn put it; the solver leaves a residual. rates: at which
+    those that are passed along a path are. turns: of tools beyond the waypoints' poses, with their rates."""
     rail, arm = axes.layout.rail, axes.layout.arm
     for k, stop in enumerate(problem.waypoints):
         passage = stop.passage
         if stop.q is not None or (passage is not None and passage.way is None):
             continue
-        joints = axes.inverse(stop.X_WF[None], q[k : k + 1, rail])[0, iterate.cfx[k]]
+        turn, spin, _ = turns.get(k, np.zeros(3))
+        X_WF = stop.X_WF if stop.turn is None else stop.turn.turned(stop.X_WF, turn)
+        joints = axes.inverse(X_WF[None], q[k : k + 1, rail])[0, iterate.cfx[k]]
         q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
         qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
         if passage is not None and passage.way is not None:
             tool = rates[k] * passage.way.twist(np.zeros(1))[0]
+            if stop.turn is not None:
+                tool[3:] += spin * (X_WF[:3, :3] @ stop.turn.axis_F)
             qd[k, arm] += np.linalg.solve(axes.jacobian(q[k], passage.X_FT)[:, arm], tool)
     return q, qd
 
 
-def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q: Array, qd: Array, qdd: Array | None) -> PathLeg:
+def _path(motion: PathLeg, var: LegVariables, x: Array, reference: Array, ends: list[Array]) -> PathLeg:
+    """ends: positions (2, m) of the rail, and of the tool's turn if it has one, at the waypoints, their velocities and,
+    where jerk is limited, their accelerations."""
     T = float(x[var.T])
     lengths = np.repeat(x[var.h], motion.N // 3)
     grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
     s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
+    still = np.zeros((2, 1))
     if not len(var.d):  # in proportion to the path parameter
-        assert qdd is not None
-        still = np.zeros((2, 1))
         s, v, a = _exact(grid, (np.array([[0.0], [1.0]]), still, still), x[var.j][:, None])
-        span = (q[1] - q[0])[axes.layout.rail]
-        d, w, b = q[0, axes.layout.rail] + s * span, v * span, a * span
+        span = ends[0][1] - ends[0][0]
+        d, w, b = ends[0][0] + s * span, v * span, a * span
         return replace(motion, T=T, grid=grid, s=s[:, 0], v=v[:, 0], a=a[:, 0], d=d, w=w, b=b)
     d, w, b = x[var.d], x[var.w], x[var.b]
-    w[0], w[-1] = qd[:, axes.layout.rail] * T  # short legs make much of what the solver leaves
-    reference, rail = q[0, axes.layout.arm], axes.layout.rail
-    if qdd is not None:
-        d, w, b = _exact(grid, (q[:, rail], qd[:, rail] * T, qdd[:, rail] * T**2), x[var.y])
+    w[0], w[-1] = ends[1] * T  # short legs make much of what the solver leaves
+    if len(ends) > 2:
+        d, w, b = _exact(grid, (ends[0], ends[1] * T, ends[2] * T**2), x[var.y])
         if len(var.j):
-            still = np.zeros((2, 1))
             s, v, a = (one[:, 0] for one in _exact(grid, (np.array([[0.0], [1.0]]), still, still), x[var.j][:, None]))
     return replace(motion, T=T, grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
 
 
-def _glide(axes: Axes, motion: PathLeg, q: Array) -> PathLeg:
+def _glide(axes: Axes, motion: PathLeg, q: Array, turn: Array) -> PathLeg:
     d_0, d_1 = q[:, axes.layout.rail]
+    if motion.axis is not None:
+        d_0, d_1 = np.append(d_0, turn[0]), np.append(d_1, turn[0])
     d = d_0 + motion.grid[:, None] * (d_1 - d_0)
     w = np.tile(d_1 - d_0, (motion.N + 1, 1))
     return replace(motion, d=d, w=w, b=np.zeros_like(motion.b), reference=q[0, axes.layout.arm])

@@ -10,12 +10,14 @@
 
 Time is scaled within each leg: tau in [0, 1], real time t = T tau, so x' = T xd and x'' = T^2 xdd. Share and rail are
 (s, v, a) and (d, w, b) with their derivatives by tau. Positions on paths come from the closed-form inverse kinematics,
-so the tool never leaves its line whatever the iterate. Rows that compare with a limit are ratios.
+so the tool never leaves its line whatever the iterate. A turn of the tool about its axis is one more d, after rails.
+Rows that compare with a limit are ratios.
 """
 
 from __future__ import annotations
 
 from collections.abc import Hashable
+from functools import cached_property
 from types import SimpleNamespace
 
 import casadi as ca
@@ -25,7 +27,7 @@ from trajopt_cli.nlp.block_cache import Library
 from trajopt_cli.nlp.block_cache import library as users_library
 from trajopt_cli.nlp.constraint import Relation, Rows, Shapes
 from trajopt_cli.path.line import LineSymbols
-from trajopt_cli.path.symbols import Symbols
+from trajopt_cli.path.symbols import Flange, Symbols, rotated
 from trajopt_cli.robot.symbolic import Reached
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.limits import limits_of
@@ -51,15 +53,18 @@ def beside(**shapes: tuple[int, ...]) -> dict[str, dict[str, tuple[int, ...]]]:
 
 
 class Formulation:
-    """The relations of one plant's problem. Each is compiled once, on first use, and holds at many nodes."""
+    """The relations of one plant's problem. Each is compiled once, on first use, and holds at many nodes.
 
-    def __init__(self, axes: Axes, library: Library | None = None):
+    turning: those of a tool that may be turned about its axis: d has one more element then, behind the rails.
+    """
+
+    def __init__(self, axes: Axes, library: Library | None = None, turning: bool = False):
         self.axes, layout = axes, axes.layout
         self._library = library or users_library()
         self.lower, self.upper = axes.lower[layout.arm], axes.upper[layout.arm]
         self.rail_axis = ca.DM(axes.rail_axis)
         self.rail, self.arm = layout.rail, layout.arm
-        self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r,)
+        self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r + turning,)
         # what every relation is made from, besides its own key
         self.couplings = axes.couplings
         ranges = self.lower, self.upper, *((axes.couplings,) if axes.couplings else ())
@@ -70,6 +75,14 @@ class Formulation:
         self.smooth = axes.jerk is not None
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (_REST.size,), "branch": (3,), "near": self._joints}
+        if turning:  # its axis and its centre point, in the flange's frame
+            self._on_path = {**self._on_path, "axis": (3,), "tcp": (3,)}
+        self._turning = turning
+
+    @cached_property
+    def with_turns(self) -> Formulation:
+        """The relations of a tool that may be turned about its axis."""
+        return Formulation(self.axes, self._library, turning=True)
 
     def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
         names = (*key, *z)
@@ -104,15 +117,39 @@ class Formulation:
             ("zones",), z, {"n": ()}, lambda z, p: [(p.n * (z.h[0] + z.h[1] + z.h[2]) - 1.0, 0.0, 0.0)]
         )
 
+    def sector(self) -> Relation:
+        """A turn f stays in its sector all through an interval of length h, as the parabola's inner control point does;
+        two of the cubic where jerk is limited. room: half of the sector, its middle at the start, and by how much that
+        goes with the share s of the way."""
+        z: Shapes = {f"{name}_{end}": () for end in (0, 1) for name in ("f", "w", "s", "v")}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            h = z.h / (3 if self.smooth else 2)
+            before = z.f_0 + h * z.w_0, z.s_0 + h * z.v_0
+            behind = z.f_1 - h * z.w_1, z.s_1 - h * z.v_1  # of a parabola the same
+            inner = (before, behind) if self.smooth else (before,)
+            return [((f - p.room[1] - p.room[2] * s) / p.room[0], -1.0, 1.0) for f, s in inner]
+
+        return self._relation(("sector",), {**z, "h": ()}, {"room": (3,)}, rows)
+
     # ---- path: where the arm is, and what it may do there
 
     def _resting(self, p: SimpleNamespace, d: ca.SX) -> Reached:
-        """Joints and walls where the flange rests in the path's first pose and the rail stands at d."""
-        flange = _REST.flange(p.path, 0.0)
-        return self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
+        """Joints and walls where the flange rests in the path's first pose, rail and turn at d."""
+        return self._inverse(_REST.flange(p.path, 0.0), d, p)
 
-    def _inverse(self, position: ca.SX, rotation: ca.SX, p: SimpleNamespace) -> Reached:
+    def _inverse(self, flange: Flange, d: ca.SX, p: SimpleNamespace) -> Reached:
+        """Joints and walls with the flange on its way, rail and turn at d."""
+        position, rotation = flange
+        if self._turning:
+            rotation = flange.rotation @ rotated(p.axis, d[-1])
+            position = position + (flange.rotation - rotation) @ p.tcp
+        position = position - self.rail_axis @ self._of_rails(d)
         return self.axes.robot.expressions.inverse(position, rotation, p.branch, p.near)
+
+    def _of_rails(self, d: ca.SX) -> ca.SX:
+        """What of d (r,), or (r + 1,) with a turn, belongs to the rails."""
+        return d[:-1, 0] if self._turning else d
 
     def _walls(self, at: Reached) -> list[tuple[ca.SX, float, float]]:
         """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
@@ -193,21 +230,22 @@ class Formulation:
                     setattr(z, name.replace("a", "b"), getattr(z, name) * p.span)
 
         def placed(x: ca.SX) -> Reached:
-            flange = place.flange(p.path, x[0])
-            return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+            return self._inverse(place.flange(p.path, x[0]), x[1:, 0], p)
 
         acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
         ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
         at, qd, qdds, qddds = _carried(placed, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, jerks)
-        share = Share(z.v, acc, place.tangent_rate(p.path, z.s), place.curve(p.path, z.s))
+        turn = z.w[-1] if self._turning else None
+        share = Share(z.v, acc, place.tangent_rate(p.path, z.s), place.curve(p.path, z.s), turn)
         node = self._joined(z, at, qd, rail_acc, qdds, [j[1:, 0] for j in jerks], qddds, share, ends)
         return node, self._walls(at)
 
     def _joined(self, z, at, qd, rail_acc, qdds, rail_jerks, qddds, share, ends):  # type: ignore[no-untyped-def]
         """A node's motion of rail and arm."""
+        rail_acc, rail_jerks = ([self._of_rails(x) for x in each] for each in (rail_acc, rail_jerks))
         second = [self._in_order(*both) for both in zip(rail_acc, qdds, strict=True)]
         third = [self._in_order(*both) for both in zip(rail_jerks, qddds, strict=True)]
-        q, qd = self._in_order(z.d, at.q), self._in_order(z.w, qd)
+        q, qd = (self._in_order(self._of_rails(d), arm) for d, arm in ((z.d, at.q), (z.w, qd)))
         return NodeMotion(q, qd, second, third, z.T, self.arm, share, ends)
 
     def _in_order(self, rail: ca.SX, arm: ca.SX) -> ca.SX:
@@ -242,10 +280,10 @@ class Formulation:
         path = place if isinstance(place, Symbols) else _REST
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            flange = path.flange(p.path, z.s if on_path else 0.0)
             d = ca.vec(z.d)
-            at = self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
-            return [(p.gradient[:, self.arm] @ at.q + p.gradient[:, self.rail] @ d - p.least, 0.0, INF)]
+            at = self._inverse(path.flange(p.path, z.s if on_path else 0.0), d, p)
+            change = p.gradient[:, self.arm] @ at.q + p.gradient[:, self.rail] @ self._of_rails(d)
+            return [(change - p.least, 0.0, INF)]
 
         p = {**self._on_path, "path": (path.size,), **self._tangents}
         z: Shapes = {"s": (), "d": self._rails} if on_path else {"d": self._rails}
@@ -374,8 +412,7 @@ class Formulation:
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             def placed(x: ca.SX) -> Reached:
-                flange = _PASSED.flange(p.path, x[0])
-                return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+                return self._inverse(_PASSED.flange(p.path, x[0]), x[1:, 0], p)
 
             at, qd, _, _ = _carried(placed, ca.vertcat(0.0, z.d), ca.vertcat(z.u, z.w), [], [])
             return [(z.q - at.q, 0.0, 0.0), (z.qd - qd, 0.0, 0.0), *self._walls(at)]

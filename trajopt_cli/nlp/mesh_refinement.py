@@ -17,7 +17,7 @@ from trajopt_cli.nlp.constraint_tightening import back_off
 from trajopt_cli.nlp.extract_solution import read
 from trajopt_cli.nlp.formulation import Formulation
 from trajopt_cli.nlp.interior_point import NlpResult
-from trajopt_cli.nlp.transcription import Transcription
+from trajopt_cli.nlp.transcription import Transcription, coordinates
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import Patience, Stopped
@@ -90,8 +90,9 @@ def first_iterate(
             legs.append(hold(leg.duration or 0.0, q[k]))
         else:
             s, v, a = parabola(np.linspace(0, 1, settings.first_grid + 1))
-            span = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
-            d, w, b = q[k, axes.layout.rail] + span * s[:, None], span * v[:, None], span * a[:, None]
+            start, end = (coordinates(axes, leg, problem.waypoints[i], q[i], qd[i]) for i in (k, k + 1))
+            d, w, b = (np.outer(x, end - start) for x in (s, v, a))
+            d += start
             legs.append(_path(axes, problem, k, T, q[k], cfx[k] if cfx[k] >= 0 else cfx[k + 1], (s, v, a, d, w, b)))
     return Iterate(q, qd, cfx, tuple(legs))
 
@@ -101,6 +102,8 @@ def on_grid(axes: Axes, problem: Problem, iterate: Iterate, grids: Grids = LONG)
     legs: list[LegMotion | None] = []
     for k, (leg, motion) in enumerate(zip(problem.legs, iterate.legs, strict=True)):
         N = grids.on(leg)
+        if isinstance(motion, PathLeg) and leg.turn is not None:
+            motion = motion.turning(leg.turn.axis)
         q, at_hand = iterate.q[k], isinstance(motion, PathLeg) and N == motion.N and _in_zones(motion)
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
@@ -114,7 +117,9 @@ def on_grid(axes: Axes, problem: Problem, iterate: Iterate, grids: Grids = LONG)
         else:
             grid = np.linspace(0, 1, N + 1)
             s, v, a = parabola(grid)
-            d = np.tile(q[axes.layout.rail], (N + 1, 1))  # where nothing moves
+            d = np.tile(
+                coordinates(axes, leg, problem.waypoints[k], q, iterate.qd[k]), (N + 1, 1)
+            )  # where nothing moves
             nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
             if isinstance(motion, PathLeg):
                 grid = _zoned(axes, motion, N)
@@ -158,7 +163,8 @@ def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
     """A grid of N intervals for a path in three zones of even ones: run-up and run-out are where its rates change."""
     times = _looks(motion)
     rates = motion.progress(motion.T * times, right=True)[1]
-    change = _behind(rates / np.r_[max(motion.v.max(), _LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
+    fastest = [max(motion.v.max(), _LEAST_RATE) / motion.T, *axes.velocity[axes.layout.rail]]
+    change = _behind(rates / [*fastest, *([] if motion.axis is None else [axes.velocity[axes.layout.arm].max()])])
     begin, end = np.interp([_RAMPS, 1 - _RAMPS], change, times)
     least = axes.settings.least_zone
     edges = [0.0, np.clip(begin, least, 0.5 - least), np.clip(end, 0.5 + least, 1 - least), 1.0]
@@ -200,7 +206,8 @@ def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, 
     """A line, an arc or a wait of T seconds on an even grid. nodes: s, v, a, d, w, b."""
     leg = problem.legs[k]
     grid = np.linspace(0, 1, len(nodes[0]))
-    return PathLeg(T, problem.segment(k), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
+    out = PathLeg(T, problem.segment(k), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
+    return out if leg.turn is None else replace(out, axis=leg.turn.axis)
 
 
 def slowed(problem: Problem, iterate: Iterate, times: float) -> Iterate:

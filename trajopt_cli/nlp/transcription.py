@@ -21,7 +21,7 @@ from trajopt_cli.nlp.nlp_assembly import BlockNlp
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
-from trajopt_cli.problem.problem import Leg, LegKind, Passage, Problem
+from trajopt_cli.problem.problem import Leg, LegKind, Passage, Problem, TurnRoom, Waypoint
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts
@@ -45,7 +45,9 @@ _SHARE_RATE = 50.0  # of the first derivative of a share and of the rail.
 _SHARE_CURVE = 500.0  # of the second one; of a share more where the tool's caps ask for it, up to
 _SHARPEST = 1e6
 _SHARE_JERK = 5e4  # of the third one, where jerk is limited.
-_TYPICAL_JERK = 100.0  # of a share: in its place in the damping of jerks.
+_TYPICAL_JERK = 100.0  # of a share, or a turn: in its place in the damping of jerks.
+MOST_TURN = 3.0  # rad that a tool is turned from the motion it begins with at most: a pose then tells how far.
+_WHOLE = 1e-6  # rad that a sector lacks to be none
 _JOINT_RATE, _JOINT_CURVE, _JOINT_JERK = 100.0, 1000.0, 1e5  # of the three derivatives of a joint on a grid.
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
@@ -55,8 +57,9 @@ NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
 @dataclass
 class LegVariables:
     """Indices of a leg's variables, NONE where the leg has no such: its time T, lengths h of a path's zones, share
-    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), and the axes of a joint move on a grid as (N+1, n). Where
-    jerk is limited the accelerations are N+1, and jerks j, y, qj are the N."""
+    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), with one more column where the tool may be turned, and the
+    axes of a joint move on a grid as (N+1, n). Where jerk is limited the accelerations are N+1, and jerks j, y, qj are
+    the N."""
 
     T: int
     h: IndexArray = field(default_factory=NONE.copy)
@@ -115,6 +118,27 @@ def path_rate(axes: Axes, passage: Passage, q: Array, qd: Array) -> float:
     return max(float(way @ (axes.jacobian(q, passage.X_FT) @ qd) / (way @ way)), 0.0)
 
 
+def waypoint_turn(axes: Axes, stop: Waypoint, q: Array, qd: Array) -> tuple[float, float]:
+    """By how much the tool is turned from a waypoint's pose at axes q (n,) with velocities qd [rad], and how fast."""
+    if (room := stop.turn) is None:
+        return 0.0, 0.0
+    X_WF, tool = axes.forward(q), axes.jacobian(q, room.X_FT) @ qd
+    if (passage := stop.passage) is not None and passage.way is not None:
+        tool = tool - path_rate(axes, passage, q, qd) * passage.way.twist(np.zeros(1))[0]
+    return room.angle(stop.X_WF, X_WF), float(tool[3:] @ (X_WF[:3, :3] @ room.axis_F))
+
+
+def coordinates(axes: Axes, leg: Leg, stop: Waypoint, q: Array, qd: Array) -> Array:
+    """Where at an end of a leg the rail is, and the tool's turn if it has one."""
+    rail = q[axes.layout.rail]
+    return rail if leg.turn is None else np.append(rail, waypoint_turn(axes, stop, q, qd)[0])
+
+
+def _axis_parameters(room: TurnRoom | None) -> dict[str, Array]:
+    """Parameters of a tool that may be turned."""
+    return {} if room is None else {"axis": room.axis_F, "tcp": room.X_FT[:3, 3]}
+
+
 class Transcription:
     """The program for one iterate's structure: its branches, grids, which joint moves are on a grid, and which legs
     have bodies near them."""
@@ -130,6 +154,8 @@ class Transcription:
         self.waypoint_qd: list[IndexArray] = []
         self.waypoint_qdd: list[IndexArray] = []
         self.waypoint_rate: dict[int, int] = {}  # of those that are passed along a path
+        # of those beside a tool that may be turned: the turn, its rate and its acceleration
+        self.waypoint_turn: dict[int, IndexArray] = {}
         self._smooth = formulation.smooth
         for k in range(len(problem.waypoints)):
             self._waypoint(k)
@@ -143,12 +169,30 @@ class Transcription:
             self._elapse(asked.seconds)
         self._ties()
 
+    def _relations(self, turn: TurnRoom | None) -> Formulation:
+        return self.formulation if turn is None else self.formulation.with_turns
+
     def _hold(self, relation: Relation, z: Parts, p: Parts | None = None) -> None:
         relation.holds(self.nlp, z, p or {})
 
     # ---- boundary
+    def _turn(self, k: int) -> IndexArray:
+        """Variables of the tool's turn beyond waypoint k's pose, its rate and its acceleration: as it likes within its
+        room, as it is where axes are given; none where nothing beside it turns the tool."""
+        stop, beside = self.problem.waypoints[k], self.problem.legs[max(k - 1, 0) : k + 1]
+        if stop.turn is None and all(leg.turn is None for leg in beside):
+            return NONE
+        low = high = guess = np.append(waypoint_turn(self.axes, stop, self.iterate.q[k], self.iterate.qd[k]), 0.0)
+        if stop.turn is not None and stop.q is None:
+            fast = 0.0 if stop.passage is None else _FASTEST
+            low = np.array([max(stop.turn.low, -MOST_TURN), -fast, 0.0])
+            high = np.array([min(stop.turn.high, MOST_TURN), fast, 0.0])
+        self.waypoint_turn[k] = self.nlp.variables(np.clip(guess, low, high), low, high)
+        return self.waypoint_turn[k]
+
     def _waypoint(self, k: int) -> None:
         nlp, axes, stop = self.nlp, self.axes, self.problem.waypoints[k]
+        turn = self._turn(k)
         rail, arm = axes.layout.rail, axes.layout.arm
         q, qd = self.iterate.q[k], self.iterate.qd[k]
         qdd = np.zeros(axes.n) if self.iterate.qdd is None else self.iterate.qdd[k]
@@ -192,21 +236,26 @@ class Transcription:
         way, X_FT = Line(stop.X_WF, stop.X_WF), np.eye(4)
         if passage is not None and passage.way is not None:
             way, X_FT = passage.way, passage.X_FT
+        formulation = self._relations(stop.turn)
         p = {
             "path": way.parameters(inverse_pose(axes.X_WB0), X_FT),
             "branch": axes.robot.expressions.branch(self.iterate.cfx[k]),
             "near": q[arm],
+            **_axis_parameters(stop.turn),
         }
+        if stop.turn is not None:
+            d, w = np.append(d, turn[0]), np.append(w, turn[1])
         if rest:
-            self._hold(self.formulation.resting_waypoint(), {"d": d, "q": joints}, p)
+            self._hold(formulation.resting_waypoint(), {"d": d, "q": joints}, p)
         elif passage is not None:
             z: dict[str, ArrayLike] = {"u": self.waypoint_rate[k], "d": d, "w": w, "q": joints, "qd": joints_v}
-            self._hold(self.formulation.passed_waypoint(), z, p)
+            self._hold(formulation.passed_waypoint(), z, p)
         else:
             z = {"d": d, "w": w, "q": joints, "qd": joints_v}
             if self._smooth:
-                z |= {"b": self.waypoint_qdd[k][rail], "qdd": self.waypoint_qdd[k][arm]}
-            self._hold(self.formulation.waypoint(), z, p)
+                b = self.waypoint_qdd[k][rail]
+                z |= {"b": b if stop.turn is None else np.append(b, turn[2]), "qdd": self.waypoint_qdd[k][arm]}
+            self._hold(formulation.waypoint(), z, p)
         if axes.couplings:
             self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": share})
 
@@ -257,6 +306,10 @@ class Transcription:
                 for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
                     self._hold(self.formulation.equal(), {"x": x, "y": y})
                 held = [held[i] if one == held[k] else one for one in held]
+        for k, leg in enumerate(self.problem.legs):
+            ends = [self.problem.waypoints[i] for i in (k, k + 1)]
+            if leg.kind is LegKind.DWELL and leg.turn is not None and any(one.q is None for one in ends):
+                self._hold(self.formulation.equal(), {"x": self.waypoint_turn[k][0], "y": self.waypoint_turn[k + 1][0]})
         for k, motion in enumerate(self.iterate.legs):
             moved = [i for i in (k, k + 1) if self.problem.waypoints[i].q is None and not self.problem.rests(i)]
             if at_once(motion) and moved:
@@ -341,13 +394,14 @@ class Transcription:
             self.nlp.minimise(int(one))
         return e
 
-    def _path_parameters(self, motion: PathLeg) -> dict[str, Array]:
+    def _path_parameters(self, leg: Leg, motion: PathLeg) -> dict[str, Array]:
         """Parameters of the pose at all nodes of a path."""
         count = motion.N + 1
         return {
             "path": np.tile(motion.segment.parameters(inverse_pose(self.axes.X_WB0), motion.X_FT), (count, 1)),
             "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (count, 1)),
             "near": motion.node_arm(self.axes),
+            **{name: np.tile(x, (count, 1)) for name, x in _axis_parameters(leg.turn).items()},
         }
 
     def _states(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
@@ -359,15 +413,23 @@ class Transcription:
         z = self._states(x, v, a, j) | {"h": np.repeat(h, (len(x) - 1) // 3)}
         self._hold(self.formulation.zoned_integration(), z)
 
-    def _linked(self, leg: Leg, axes: slice, v: IndexArray, a: IndexArray, T: int) -> None:
-        """Velocities v (N+1, m) of some axes begin and end as the waypoints' do; accelerations (N+1, m), too, where
-        jerk is limited."""
-        for node, k in ((0, leg.start), (-1, leg.start + 1)):
-            z = {"xd": self.waypoint_qd[k][axes], "v": v[node], "T": T}
-            self._hold(self.formulation.velocity_link(), z)
-            if self._smooth:
-                z = {"xdd": self.waypoint_qdd[k][axes], "a": a[node], "T": T}
-                self._hold(self.formulation.acceleration_link(), z)
+    def _ends(self, leg: Leg, axes: slice, turning: bool = False) -> list[list[IndexArray]]:
+        """Positions, velocities and, where jerk is limited, accelerations of some axes at both ends of a leg; turning:
+        behind them those of a tool's turn."""
+        out = []
+        for k in (leg.start, leg.start + 1):
+            every = [self.waypoint_q[k], self.waypoint_qd[k], *([self.waypoint_qdd[k]] if self._smooth else [])]
+            turn = self.waypoint_turn[k] if turning else np.zeros((3, 0), dtype=np.intp)
+            out.append([np.append(x[axes], i) for x, i in zip(every, turn, strict=False)])
+        return out
+
+    def _linked(self, ends: Sequence[Sequence[IndexArray]], v: IndexArray, a: IndexArray, T: int) -> None:
+        """Velocities v (N+1, m) begin and end as the waypoints' do; accelerations (N+1, m), too, where jerk is
+        limited."""
+        for node, (_, xd, *xdd) in zip((0, -1), ends, strict=True):
+            self._hold(self.formulation.velocity_link(), {"xd": xd, "v": v[node], "T": T})
+            for one in xdd:
+                self._hold(self.formulation.acceleration_link(), {"xdd": one, "a": a[node], "T": T})
 
     def _zones(self, motion: PathLeg) -> IndexArray:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
@@ -417,37 +479,48 @@ class Transcription:
         return float(size[0][part] / size[1][part])
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
-        """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
-        settings = self.axes.settings
-        nlp, N, layout = self.nlp, motion.N, self.axes.layout
+        """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is; and of a
+        tool's turn, within its room on a line or an arc, held in a rest."""
+        settings, layout, line, turning = self.axes.settings, self.axes.layout, leg.kind is LegKind.LINE, bool(leg.turn)
+        nlp, N, r = self.nlp, motion.N, layout.r
         M = N + 1 if self._smooth else N
-        if not leg.rail_moves:
-            out.d = np.tile(self.waypoint_q[leg.start][layout.rail], (N + 1, 1))
-            out.w = nlp.variables(np.zeros((N + 1) * layout.r), 0.0, 0.0).reshape(N + 1, layout.r)
-            out.b = nlp.variables(np.zeros(M * layout.r), 0.0, 0.0).reshape(M, layout.r)
-            out.y = nlp.variables(np.zeros(N * layout.r), 0.0, 0.0).reshape(N, layout.r) if self._smooth else NONE
+        ends = self._ends(leg, layout.rail, turning)
+        own = np.array([leg.rail_moves] * r + [line] * turning, dtype=bool)
+        m = int(own.sum())
+        out.d = np.tile(ends[0][0], (N + 1, 1))
+        out.w, out.b, out.y = (np.empty((rows, len(own)), dtype=np.intp) for rows in (N + 1, M, N * self._smooth))
+        for x in (out.w, out.b, out.y):
+            x[:, ~own] = nlp.variables(np.zeros(x[:, ~own].size), 0.0, 0.0).reshape(len(x), len(own) - m)
+        if not m:
             return
-        ends = [self.waypoint_q[k][None, layout.rail] for k in (leg.start, leg.start + 1)]
-        low, high = self._rail_range(margins.position[1:-1, layout.rail])
-        inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
-        out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
-        fast, sharp = (bound[layout.rail] for bound in self._most(leg, motion, _SHARE_RATE, _SHARE_CURVE))
-        out.w = nlp.variables(motion.w, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, layout.r)
-        most = np.tile(sharp, (M, 1))
-        guess = motion.b
+        bounds = self._most(leg, motion, _SHARE_RATE, _SHARE_CURVE)
+        fast, sharp = (np.append(x[layout.rail], [x[layout.arm].max()] * turning)[own] for x in bounds)
+        ranges = zip(self._rail_range(margins.position[1:-1, layout.rail]), (-MOST_TURN, MOST_TURN), strict=True)
+        low, high = (np.hstack([x, np.full((N - 1, int(turning)), most)])[:, own] for x, most in ranges)
+        inner = nlp.variables(np.clip(motion.d[1:-1, own], low, high), low.ravel(), high.ravel())
+        out.d[1:-1, own] = inner.reshape(N - 1, m)
+        out.d[-1] = ends[1][0]
+        out.w[:, own] = nlp.variables(motion.w[:, own], -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, m)
+        most, guess = np.tile(sharp, (M, 1)), motion.b[:, own]
         if self._smooth:
             guess = np.vstack([guess[:1], (guess[1:] + guess[:-1]) / 2, guess[-1:]])
             steps = np.diff(motion.grid)[:, None]
-            out.y = nlp.variables(np.diff(guess, axis=0) / steps, -_SHARE_JERK, _SHARE_JERK).reshape(N, layout.r)
+            out.y[:, own] = nlp.variables(np.diff(guess, axis=0) / steps, -_SHARE_JERK, _SHARE_JERK).reshape(N, m)
         elif leg.kind is LegKind.DWELL and leg.duration is not None:
             most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
-        out.b = nlp.variables(np.clip(guess, -most, most), -most.ravel(), most.ravel()).reshape(M, layout.r)
-        for j in range(layout.r):
-            self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j], out.y[:, j] if self._smooth else NONE)
-        self._damp(out.b, settings.damping if leg.kind is LegKind.LINE else _DAMPING_DWELL)
+        out.b[:, own] = nlp.variables(np.clip(guess, -most, most), -most.ravel(), most.ravel()).reshape(M, m)
+        for k in np.flatnonzero(own):
+            self._integrate_zones(out.h, out.d[:, k], out.w[:, k], out.b[:, k], out.y[:, k] if self._smooth else NONE)
+        self._damp(out.b[:, own], settings.damping if line else _DAMPING_DWELL)
         if self.axes.jerk is not None:
-            self._damp_jerk(out.y, self.axes.jerk[layout.rail] * motion.T**3, motion.T)
-        self._linked(leg, layout.rail, out.w, out.b, out.T)
+            scale = np.append(self.axes.jerk[layout.rail] * motion.T**3, [_TYPICAL_JERK] * turning)
+            self._damp_jerk(out.y[:, own], scale[own], motion.T)
+        self._linked([[x[own] for x in end] for end in ends], out.w[:, own], out.b[:, own], out.T)
+        if line and leg.turn is not None and leg.turn.high - leg.turn.low < 2 * np.pi - _WHOLE:
+            columns = {"f": out.d[:, -1], "w": out.w[:, -1], "s": out.s, "v": out.v}
+            z = {f"{name}_{i}": x[i : N + i] for i in (0, 1) for name, x in columns.items()}
+            room = np.array([leg.turn.high - leg.turn.low, leg.turn.high + leg.turn.low, -2 * leg.turn.slope]) / 2
+            self._hold(self.formulation.sector(), {**z, "h": np.repeat(out.h, N // 3)}, {"room": room})
 
     def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         out.h = self._zones(motion)
@@ -463,8 +536,8 @@ class Transcription:
         if not tied:
             self._rail_on_path(leg, motion, margins, out)
         place: Place = motion.segment.symbols if line else DWELL
-        p = self._path_parameters(motion)
-        q = self.axes.layout.merge(motion.d, p["near"])
+        p = self._path_parameters(leg, motion)
+        q = self.axes.layout.merge(motion.rail, p["near"])
         half = np.diff(motion.grid) / 2
         e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
@@ -487,9 +560,8 @@ class Transcription:
             self._limits(leg, margins, nodes, place, q, z, here, more, tied)
         if not fixed and (tangents := self.tangents.get(leg.start)) is not None:
             z = {"d": out.d, "s": out.s} if line else {"d": out.d}
-            here = {name: p[name] for name in ("path", "branch", "near")}
-            here |= {"gradient": tangents.gradient, "least": tangents.least}
-            self._hold(self.formulation.clear_path(place), z, here)
+            here = {**p, "gradient": tangents.gradient, "least": tangents.least}
+            self._hold(self._relations(leg.turn).clear_path(place), z, here)
 
     def _limits(
         self, leg: Leg, margins: Margins, nodes: Nodes, place: Place, q: Array, z: dict[str, ArrayLike],
@@ -497,15 +569,15 @@ class Transcription:
     ) -> None:  # fmt: skip
         """All limits at some nodes of a leg, whose axes at hand are q (N+1, n), with variables z and parameters p of
         their pose; more: of the effort."""
-        shared, weighed = {**p, **more}, "e" in z
+        shared, weighed, formulation = {**p, **more}, "e" in z, self._relations(leg.turn)
         plain = {name: x for name, x in z.items() if name != "e"}
         for limit in limits_of(self.axes):
             values = limit.node_values(leg, margins.by_name[limit.name][nodes.at], place != JOINTS, q[nodes.at])
             if not limit.apart:
                 shared |= values
             elif (kind := limit.node_kind(leg)) is not None:
-                self._hold(self.formulation.limit_node(limit, kind, place, nodes.sides, tied), plain, {**p, **values})
-        self._hold(self.formulation.node(place, nodes.sides, weighed, tied), z, shared)
+                self._hold(formulation.limit_node(limit, kind, place, nodes.sides, tied), plain, {**p, **values})
+        self._hold(formulation.node(place, nodes.sides, weighed, tied), z, shared)
 
     def _driving(self, nodes: Nodes, **variables: IndexArray) -> dict[str, IndexArray]:
         """What drives at some nodes: accelerations on their sides; where jerk is limited their own, and jerks on their
@@ -557,7 +629,7 @@ class Transcription:
             x = np.broadcast_to(self.waypoint_q[k0][rail], held.shape)
             self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
         self._integrate(motion.grid, self._states(out.q, out.qv, out.qa, out.qj))
-        self._linked(leg, slice(None), out.qv, out.qa, out.T)
+        self._linked(self._ends(leg, slice(None)), out.qv, out.qa, out.T)
         if self._weighed:
             h, unit, a = np.diff(motion.grid), self._unit, motion.a
             if self._smooth:

@@ -173,7 +173,7 @@ def with_fixed_runs(problem: Problem, chain: Route) -> Problem:
     for first, last in problem.runs:
         for k in range(first, last + 1) if last > first + 1 else ():
             there = waypoints[k].standing(problem.layout, chain.q[k])
-            waypoints[k] = replace(there, rest=not problem.passes(k))
+            waypoints[k] = replace(there, rest=not problem.passes(k), turn=None)
     return replace(problem, waypoints=tuple(waypoints))
 
 
@@ -420,10 +420,12 @@ def _capped(draft: Iterate) -> frozenset[int]:
 
 
 def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
-    """Whether the nonlinear program could find something gentler, as something moves; or faster: a rail is free, or a
-    joint move takes longer than its axes and the tool's chord ask for."""
+    """Whether the nonlinear program could find something gentler, as something moves; or faster: a rail is free, a tool
+    may be turned, or a joint move takes longer than its axes and the tool's chord ask for."""
     if any(piece.passes(k) for k in range(len(piece.waypoints))):
         return False
+    if any(leg.turn is not None for leg in piece.legs):
+        return True
     if any(point.passage is not None for point in piece.waypoints):
         return piece.plant.robot.has_rail or any(leg.kind is LegKind.JOINT for leg in piece.legs)
     if piece.coordinated and any(leg.kind is LegKind.JOINT for leg in piece.legs):
@@ -433,7 +435,7 @@ def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:
     if axes.jerk is not None and any(leg.kind is LegKind.LINE for leg in piece.legs):
         return True
     moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
-    free = any(point.free for point in piece.waypoints)
+    free = any(point.free or (point.q is None and point.turn is not None) for point in piece.waypoints)
     return (
         moves
         or free

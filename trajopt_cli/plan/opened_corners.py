@@ -136,7 +136,7 @@ def opened(axes: Axes, problem: Problem, base: Iterate) -> tuple[OpenedProblem, 
 
 def _fixed(problem: Problem, base: Iterate, k: int, point: Waypoint) -> Waypoint:
     """A waypoint of a run that stays as it is."""
-    return replace(point.standing(problem.layout, base.q[k]), rest=not problem.passes(k))
+    return replace(point.standing(problem.layout, base.q[k]), rest=not problem.passes(k), turn=None)
 
 
 def _can_open(problem: Problem, run: tuple[int, int]) -> bool:
@@ -230,9 +230,12 @@ class _Run:
                     todo.append((self._own(k, begins, end), (k,), self._on(k, end, k + 1), (begins, end)))
                 begins = 0.0 if corner is None else corner.fraction_after
                 if corner is not None:
-                    todo.append((_either(leg, after, corner), (k, k + 1), self._on(k + 1, begins, k + 1), (0.0, 1.0)))
+                    bend = _either(leg, after, corner, problem.waypoints[k + 1].turn is not None)
+                    todo.append((bend, (k, k + 1), self._on(k + 1, begins, k + 1), (0.0, 1.0)))
         now = 0.0
-        for leg, owners, cut, part in todo:
+        for i, (leg, owners, cut, part) in enumerate(todo):
+            if cut is not None and any(one[0].kind is LegKind.LINE and one[0].turn is None for one in todo[i : i + 2]):
+                cut = replace(cut, point=replace(cut.point, turn=None))
             then = self._starts[self._last] if cut is None else self._time(cut)
             motion = self._motion(leg, part, now, then)
             sample = motion.sample(self._axes, np.array([motion.T]), right=False)
@@ -245,12 +248,12 @@ class _Run:
         leg = self._problem.legs[k]
         if leg.segment is None or (a, b) == (0.0, 1.0):
             return leg
-        return replace(leg, segment=leg.segment.between(a, b))
+        return replace(leg, segment=leg.segment.between(a, b), turn=leg.turn and leg.turn.between(a, b))
 
     def _in_sphere(self, k: int, radius: float) -> _Cut:
         """Between joint moves k and k + 1."""
         point, X_FT = self._problem.waypoints[k + 1], self._problem.legs[k].X_FT
-        return _Cut(k, 1.0, replace(point, q=None, fly_by=None, passage=Passage(X_FT, radius=radius)), -1)
+        return _Cut(k, 1.0, replace(point, q=None, fly_by=None, passage=Passage(X_FT, radius=radius), turn=None), -1)
 
     def _on(self, k: int, s: float, corner: int) -> _Cut:
         """At s of the line or arc of leg k, at an edge of the zone of a waypoint."""
@@ -265,7 +268,7 @@ class _Run:
             point = point.standing(self._problem.layout, self._at(self._time_on(k, s)))
         cfx = next(piece.cfx for _, own, piece in self._parts if own == k and isinstance(piece, PathLeg))
         own = replace(point, X_WF=X_WT @ inverse_pose(leg.X_FT), q=None, fly_by=None,
-                      passage=Passage(leg.X_FT, way, _WAY))  # fmt: skip
+                      passage=Passage(leg.X_FT, way, _WAY), turn=leg.turn and leg.turn.between(s, 1.0))  # fmt: skip
         return _Cut(k, s, own, cfx)
 
     # ---- the motion at hand
@@ -339,8 +342,14 @@ def _on_line(piece: PathLeg) -> tuple[float, float]:
     return 2 * corner.fraction_before, 1 - corner.fraction_before
 
 
-def _either(before: Leg, after: Leg, corner: Corner) -> Leg:
-    """The corner between two legs: what either of them allows, as one goes over into the other."""
+def _either(before: Leg, after: Leg, corner: Corner, turning: bool) -> Leg:
+    """The corner between two legs: what either of them allows, as one goes over into the other; if turning, of turns of
+    the tool what both do all through it."""
+    turn = None
+    if turning and before.turn is not None and after.turn is not None:
+        ends = [before.turn.between(s, 1.0) for s in (1 - corner.fraction_before, 1.0)]
+        ends += [after.turn.between(s, 1.0) for s in (0.0, corner.fraction_after)]
+        turn = replace(ends[0], low=max(one.low for one in ends), high=min(one.high for one in ends), slope=0.0)
     return replace(
         before,
         segment=corner,
@@ -350,6 +359,7 @@ def _either(before: Leg, after: Leg, corner: Corner) -> Leg:
         v_rail=max(before.v_rail, after.v_rail),
         acceleration=max(before.acceleration, after.acceleration),
         rail_moves=before.rail_moves and after.rail_moves,
+        turn=turn,
     )
 
 

@@ -16,9 +16,9 @@ from trajopt_cli.collision.collision_scene import collision_scene_of
 from trajopt_cli.collision.merge_via_points import detours_left
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.graph_search.by_rails import check_reach, search
-from trajopt_cli.motion import Hold, Program, Wait, motion_name
+from trajopt_cli.motion import Hold, PoseMove, Program, Wait, motion_name
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration, timed
 from trajopt_cli.path_timing.positioner_timing import turning
 from trajopt_cli.plan.fallback_plan import fallback_motion
@@ -39,26 +39,28 @@ from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
 from trajopt_cli.plan.tool_turns import chain_time, ladder, reachable, refined_turns, stays_at_wrist
 from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
-from trajopt_cli.problem.detours import Detour, folded, quoted
+from trajopt_cli.problem.detours import Detour, Numbering, folded, quoted
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Strain, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, build_problem
+from trajopt_cli.problem.problem import LegKind, Problem, TurnRoom, build_problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.problem.stop_condition import Patience, Stopped
-from trajopt_cli.problem.tool_turns import turn_groups, turned
+from trajopt_cli.problem.tool_turns import turn_groups, turned, with_room_to_turn
 from trajopt_cli.trajectories.active_limits import binding_limits
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.effort import efforts, rail_way
 from trajopt_cli.trajectories.iterate import Iterate
 from trajopt_cli.trajectories.leg_trajectories import JointProfiles, LegMotion, PathLeg
-from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.trajectory import Trajectory, hermite
 
 _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
 )
 _REACHES = "the tool is turned about its axis (free) at {count} targets that cannot be reached as taught"
+_TURNS = 1e-6  # rad: a tool that is turned by less is as it was
+_NOT_EASED = "tools stay as taught (free): the gentlest motion in a given time turns none"
 _SAVES = 5e-4  # of a cycle time: less is no reason to turn a tool
 _CUT_BOUND = "the bound was not proved to its end for want of time: it holds, but a better one may"
 _LEAST_SPARE = 4e-6  # m: files' digits and the judge's looks ask for a reserve of a micrometre or two
@@ -126,26 +128,28 @@ def optimize(
     question = PlanRequest(program, plant, target, freedom, changes)
     if base := _turned_to_reach(question):
         memory = PlanCache(repair=memory.repair)  # what is known of the program says nothing of a turned one
-    found = _planned_as_given(turned(program, base), memory, bounded, *with_limits)
+    found = _planned_as_given(program, memory, bounded, *with_limits, base, False)
     if isinstance(found, Infeasible) and found.spare > _LEAST_SPARE:  # half of it is reserve enough
         closer = replace(plant, settings=replace(plant.settings, clearance_margin=found.spare / 2))
         own = PlanCache(repair=memory.repair)
         return optimize(program, closer, target, freedom, tell, bounded, changes, own, patience, max_workers, objective)
     if isinstance(found, Plan) and base:
-        found = replace(found, turns=base, notes=(_REACHES.format(count=len(base)), *found.notes))
+        found = replace(found, notes=(_REACHES.format(count=len(base)), *found.notes))
     known = memory.answers.get((target, freedom))
     if isinstance(found, Plan) and isinstance(known, InitialPlan) and not isinstance(objective, LeastEffort):
         taught = found
         with suppress(NoCleanPlan, Stopped):
             for turns, own in _turned(question, known, base, patience, tell):
-                other = _planned_as_given(turned(program, turns), own, False, *with_limits)
+                other = _planned_as_given(program, own, False, *with_limits, turns, True)
                 if isinstance(other, Plan) and other.duration < min(found.duration, taught.duration * (1 - _SAVES)):
                     memory.repair.update(own.repair)
-                    found = _with_turns(program, other, turns, taught)
+                    found = _with_turns(program, other, taught)
+    elif isinstance(found, Plan) and isinstance(objective, LeastEffort) and not base and _may_turn(question):
+        found = replace(found, notes=(*found.notes, _NOT_EASED))
     jerk, fastest = plant.limits.binding_jerk is not None, not isinstance(objective, LeastEffort)
     if jerk and fastest and isinstance(found, Plan) and not found.turns and corners_of(program, plant).passed:
         with suppress(NoCleanPlan, Stopped):  # short ways that end in large zones may take longer than stops
-            other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits)
+            other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits, {}, False)
             if isinstance(other, Plan) and other.duration < found.duration:
                 bound = found.lower_bound
                 memory.repair.update(own.repair)
@@ -153,9 +157,14 @@ def optimize(
     return found
 
 
+def _may_turn(question: PlanRequest) -> bool:
+    """Whether any tool may be turned about its axis."""
+    return question.freedom.turn and any(getattr(one, "free", None) for one in question.program.motions)
+
+
 def _turned_to_reach(question: PlanRequest) -> dict[int, float]:
     """Turns [rad] of targets, by motion, that cannot be reached as taught; none where all can, or none would help."""
-    if not question.freedom.turn or not any(getattr(one, "free", None) for one in question.program.motions):
+    if not _may_turn(question):
         return {}
     axes = Axes.of(question.plant)
     for problem in question.unchecked():
@@ -175,18 +184,19 @@ def _turned(
     question: PlanRequest, known: InitialPlan, base: dict[int, float], patience: Patience, tell: Report
 ) -> Iterator[tuple[dict[int, float], PlanCache]]:
     """Turns [rad] of targets, by motion, with which a faster chain is found than that of a plan with those of base,
-    each with a legal motion through it or, where the search finds a faster one still, without."""
-    if not question.freedom.turn or not any(getattr(one, "free", None) for one in question.program.motions):
+    each with a legal motion through it or, where the search finds a faster one still, without. For a stream, which may
+    turn the tool as it goes, those of base where there is none."""
+    if not _may_turn(question):
         return
     axes, name = Axes.of(question.plant), (question.target, question.freedom)
     problem = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == known.dropped)
     groups = turn_groups(problem, question.changes or everything(question.program, question.plant))
     chain = search(axes, _turned_problem(question, base, problem)) if known.detours else known.chain
-    if not groups.groups or chain is None:
-        return
     tell(Progress("tool turns"))
     best, least = known.duration, None
     for _ in range(2 if axes.layout.has_rail else 1):  # the rail may stand elsewhere for turned tools
+        if not groups.groups or chain is None or patience.over:
+            break
         angles, chain = ladder(axes, groups, chain)
         if chain is None or patience.over:
             break
@@ -199,6 +209,8 @@ def _turned(
             if duration(draft) < best and clear(axes, asked, draft):
                 best, least = duration(draft), (turns, InitialPlan(asked, chain, draft))
     if least is None:
+        if not known.problem.coordinated:
+            yield base, PlanCache({name: known})
         return
     turns, legal = least
     yield turns, PlanCache({name: legal})
@@ -217,28 +229,31 @@ def _turned_problem(question: PlanRequest, turns: Mapping[int, float], problem: 
     return out
 
 
-def _with_turns(program: Program, plan: Plan, turns: Mapping[int, float], taught: Plan) -> Plan:
-    """A plan with its turns and a note on them. taught: the plan without, whose bound holds for this one, too."""
-    places = {program.motions[i].source for i in turns}
-    degrees = np.degrees([*turns.values()])
+def _with_turns(program: Program, plan: Plan, taught: Plan) -> Plan:
+    """A plan with a note on its turns. taught: the plan without, whose bound holds for this one, too."""
+    places = {program.motions[i].source for i in plan.turns}
     if taught.turns:
-        return replace(plan, lower_bound=taught.lower_bound, turns=turns, notes=(taught.notes[0], *plan.notes))
-    note = (
-        f"the tool is turned about its axis at {len(places)} target{'s' if len(places) > 1 else ''}, by "
-        f"{degrees.min():.0f} to {degrees.max():.0f} deg from as taught (free); that saves "
-        f"{taught.duration - plan.duration:.3f} s"
-    )
+        return replace(plan, lower_bound=taught.lower_bound, notes=(taught.notes[0], *plan.notes))
+    where = "between its targets"
+    if plan.turns:
+        degrees = np.degrees([*plan.turns.values()])
+        where = f"at {len(places)} target{'s' if len(places) > 1 else ''}, by "
+        where += f"{degrees.min():.0f} to {degrees.max():.0f} deg"
+    note = f"the tool is turned about its axis {where} from as taught (free); that saves "
+    note += f"{taught.duration - plan.duration:.3f} s"
     bound = taught.lower_bound if taught.lower_bound is None else min(taught.lower_bound, plan.duration)
-    return replace(plan, lower_bound=bound, bound_cut=taught.bound_cut, turns=turns, notes=(note, *plan.notes))
+    return replace(plan, lower_bound=bound, bound_cut=taught.bound_cut, notes=(note, *plan.notes))
 
 
 def _planned_as_given(
     program: Program, memory: PlanCache, bounded: bool, plant: Plant, target: Target, freedom: Freedom,
     changes: Changes | None, patience: Patience, tell: Report, max_workers: Callable[[], int], objective: Objective,
+    turns: Mapping[int, float], room: bool,
 ) -> Plan | Infeasible:  # fmt: skip
-    """As optimize, of one program; where jerk is limited a program without its corners may be driven in less time."""
+    """As optimize, of one program with targets turned by angles [rad], by motion; where jerk is limited a program
+    without its corners may be driven in less time. room: a stream turns free tools beyond that."""
     seconds: dict[str, float] = {}
-    axes = Axes.of(plant)
+    axes, program = Axes.of(plant), turned(program, turns)
     question = PlanRequest(program, plant, target, freedom, changes)
     legal = find_initial_plan(axes, question, memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
@@ -249,6 +264,9 @@ def _planned_as_given(
     if problem.coordinated and (target, freedom) in memory.stopped:
         notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
     tell(Progress("timing", incumbent=legal.duration))
+    if room and not problem.coordinated:
+        numbering, allowed = Numbering(len(program.motions), legal.detours), changes or everything(program, plant)
+        legal = replace(legal, problem=with_room_to_turn(problem, numbering.changes(allowed)))
     if not problem.coordinated:
         problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
     elif axes.jerk is not None:
@@ -297,8 +315,10 @@ def _planned_as_given(
         ways = _detour_notes(program, legal.detours, driven)
         plan = _plan(axes, problem, mended.draft, target, mended.rows, (*ways, *mended.notes))
         known, cut = memory.estimates.get((target, freedom)), (target, freedom) in memory.stopped
-        plan = replace(plan, seconds=seconds, eased=eased, estimate=known, stopped=cut)
-        return _with_detours(folded(plan, program, legal.detours), driven)
+        plan = replace(plan, seconds=seconds, eased=eased, estimate=known, stopped=cut, turns=turns)
+        plan = _with_detours(folded(plan, program, legal.detours), driven)
+        beyond = room and target is Target.STREAM
+        return replace(plan, turns=_turns_at_ends(plant, program, plan)) if beyond else plan
 
     if target is Target.STREAM:  # how fast the RAPID controller drives is not for a plan to say
         first = None if eased is not None or mended.draft is legal.draft else (legal.problem, legal.draft)
@@ -306,6 +326,19 @@ def _planned_as_given(
         memory.repair[target, freedom] = partial(repaired, axes, *found, first, patience, planned)
     plan = planned(problem, replace(mended, notes=notes))
     return replace(plan, lower_bound=bound, bound_cut=_CUT_BOUND in notes)
+
+
+def _turns_at_ends(plant: Plant, program: Program, plan: Plan) -> dict[int, float]:
+    """By how much [rad] tools are turned from as taught where motions of a program end or, in corners, are nearest."""
+    moves = [(one, motion) for one in plan.motions if isinstance(motion := program.motions[one.index], PoseMove)]
+    q = hermite(plan.trajectory, np.array([one.t_1 for one, _ in moves]))[0]
+    out = dict[int, float]()
+    for (one, motion), X_WF in zip(moves, plant.robot.forward(q), strict=True):
+        if motion.free is not None and not one.dropped:
+            room = TurnRoom(np.array(motion.free.axis), motion.tool.X_FT, motion.free.low, motion.free.high)
+            turn = motion.turn + room.angle(motion.X_WT @ inverse_pose(motion.tool.X_FT), X_WF)
+            out |= {one.index: turn} if abs(turn) > _TURNS else {}
+    return out
 
 
 def _plan(

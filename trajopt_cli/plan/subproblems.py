@@ -129,7 +129,7 @@ def _pinned(problem: Problem, k: int) -> bool:
     stop = problem.waypoints[k]
     if problem.passes(k):
         return False
-    return stop.q is not None or (not stop.free and problem.rests(k))
+    return stop.q is not None or (not stop.free and stop.turn is None and problem.rests(k))
 
 
 def red_black(problem: Problem) -> tuple[list[Span], list[Span]]:

@@ -18,7 +18,7 @@ from typing import Any, Self
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose, moved_by
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose, moved_by, rotation_about
 from trajopt_cli.motion import (
     ConfData,
     FlyBy,
@@ -104,6 +104,46 @@ class Passage:
 
 
 @dataclass(frozen=True, eq=False)
+class TurnRoom:
+    """How far a tool X_FT may be turned about an axis (3,) of its own, a unit vector, from how a pose or a way has it:
+    from low to high [rad] at the start of a leg, both less by slope at its end, evenly between."""
+
+    axis: Array
+    X_FT: Array
+    low: float
+    high: float
+    slope: float = 0.0
+
+    def between(self, s_0: float, s_1: float) -> TurnRoom:
+        """On the part of a leg from s_0 to s_1."""
+        return replace(
+            self, low=self.low - s_0 * self.slope, high=self.high - s_0 * self.slope, slope=(s_1 - s_0) * self.slope
+        )
+
+    @property
+    def axis_F(self) -> Array:
+        """The axis (3,) in the flange's frame."""
+        return np.asarray(self.X_FT[:3, :3] @ self.axis)
+
+    def turned(self, X_WF: Array, angle: float) -> Array:
+        """A flange pose (4, 4) with the tool turned by an angle [rad]."""
+        turn = np.eye(4)
+        turn[:3, :3] = rotation_about(self.axis, angle)
+        return np.asarray(X_WF @ self.X_FT @ turn @ inverse_pose(self.X_FT))
+
+    def angle(self, X_WF: Array, X_WF_turned: Array) -> float:
+        """By how much [rad] a flange pose (4, 4) turns the tool from another, -pi to pi."""
+        u, R = self.axis_F, X_WF[:3, :3].T @ X_WF_turned[:3, :3]
+        sine = u @ [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]
+        return float(np.arctan2(sine, np.trace(R) - u @ R @ u))
+
+    @cached_property
+    def key(self) -> bytes:
+        """Equal where as much is allowed."""
+        return b"|".join([_digits(self.axis), _digits(self.X_FT), repr((self.low, self.high, self.slope)).encode()])
+
+
+@dataclass(frozen=True, eq=False)
 class Waypoint:
     """Where a motion ends. motion: its index, -1 for the start.
 
@@ -112,7 +152,8 @@ class Waypoint:
     order, one of no room where they are held. rest: every axis must stand still here. conf:
     the program's confdata, demanded at the written rail value; None where any configuration will do. nearest: a joint
     move ends here in the configuration nearest to where it begins. fly_by: how large its corner is, None where the TCP
-    stops. passage: how it is passed where a run was opened, else None.
+    stops. passage: how it is passed where a run was opened, else None. turn: how far the tool may be turned from X_WF,
+    None where it may not.
     """
 
     motion: int
@@ -127,6 +168,7 @@ class Waypoint:
     passage: Passage | None = None
     others: tuple[tuple[float, float], ...] = ()
     also: tuple[float, ...] = ()
+    turn: TurnRoom | None = None
 
     @property
     def free(self) -> bool:
@@ -170,7 +212,7 @@ class Waypoint:
         """What is asked at it: equal where the same is, wherever it stands in a program."""
         asked = self.rail, self.written, self.rest, self.conf, self.fly_by, self.nearest, self.others, self.also
         parts = [_digits(self.X_WF), repr(asked).encode(), b"" if self.q is None else _digits(self.q)]
-        parts += [] if self.passage is None else [self.passage.key]
+        parts += [one.key for one in (self.passage, self.turn) if one is not None]
         return b"|".join(parts)
 
 
@@ -185,7 +227,8 @@ class Leg:
     waits run beside it or other robots move together with it; waits_for: which of them.
     load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
     work object under a line or an arc, in step with it; chord and speeds are then those over the work object. along:
-    the tool's speeding up and slowing down along its path at most [m/s2], None where a_tcp alone limits both.
+    the tool's speeding up and slowing down along its path at most [m/s2], None where a_tcp alone limits both. turn: how
+    far the tool may be turned from the segment, as it likes on a line or an arc, by as much all through a rest.
     """
 
     motion: int
@@ -205,6 +248,7 @@ class Leg:
     units: tuple[UnitMove, ...] = ()
     waits_for: str = ""
     along: tuple[float, float] | None = None
+    turn: TurnRoom | None = None
 
     @cached_property
     def key(self) -> bytes:
@@ -215,6 +259,7 @@ class Leg:
             parts.append(repr(self.load.numbers).encode())
         if self.segment is not None:
             parts += [repr(self.units).encode(), _digits(self.segment.numbers)]
+        parts += [] if self.turn is None else [self.turn.key]
         return b"|".join(parts)
 
     @property

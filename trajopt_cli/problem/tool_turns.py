@@ -4,13 +4,15 @@ A target X_WT that is turned by a is X_WT R(u, a), u the tool's axis: the tool c
 turned targets MoveL interpolates orientation by slerp (RAPID reference manual, MoveL). With R0 R(u, a) and R1 R(u, a)
 that is slerp(R0, R1) R(u, a): equal turns leave the axis on its taught way, whatever that is. With other turns it stays
 there only where R0 and R1 have one axis; then the tool turns evenly by b - a more, if that is less than half a turn in
-all. An arc is the same for equal turns, but where the orientation at its circle point counts.
+all. An arc is the same for equal turns, but where the orientation at its circle point counts. A stream, which makes its
+own way, may turn the tool by any angle beyond that, and the axis stays: R(s) R(u, f).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,7 +20,7 @@ from trajopt_cli.geometry import Array, inverse_pose, rotation_about
 from trajopt_cli.motion import CirPathMode, FreeTurn, Motion, MoveC, PathMove, PoseMove, Program, Wait
 from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.editable import Changes
-from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, TurnRoom, Waypoint
 
 _SAME_AXIS = 1e-8  # between unit vectors
 _POINT = 1e-9  # m: a line shorter than this only turns the tool
@@ -104,8 +106,9 @@ class TurnGroups:
         return replace(leg, segment=segment_of(motion, before.X_WF @ leg.X_FT))
 
 
-def turn_groups(problem: Problem, changes: Changes) -> TurnGroups:
-    """Which waypoints of a problem as taught may be turned, those together that must be turned alike."""
+def turn_groups(problem: Problem, changes: Changes, evenly: bool = True) -> TurnGroups:
+    """Which waypoints of a problem as taught may be turned, those together that must be turned alike. evenly: on lines
+    the tool turns as MoveL does."""
     count, motions = len(problem.waypoints), problem.program.motions
     parent, fixed, apart = list(range(count)), [True] * count, set[int]()
 
@@ -117,7 +120,8 @@ def turn_groups(problem: Problem, changes: Changes) -> TurnGroups:
     def tie(a: int, b: int) -> None:
         parent[root(b)] = root(a)
 
-    tools, frees = _of_waypoints(problem)
+    moves = _moves(problem)
+    frees = [None if move is None else move.free for move in moves]
     for k, point in enumerate(problem.waypoints):
         motion = motions[point.motion] if point.motion >= 0 else None
         may = motion is None or isinstance(motion, Wait) or point.motion in changes.values
@@ -134,6 +138,16 @@ def turn_groups(problem: Problem, changes: Changes) -> TurnGroups:
             arc = isinstance(motion, MoveC) and motion.settings.circle is CirPathMode.CIR_POINT_ORI
             if motion.free is None or leg.chord < _POINT or arc or motion.searches or motion.identity is not None:
                 fixed[k] = fixed[k + 1] = True
+                continue
+            if not evenly:
+                before, free = moves[k], frees[k]
+                other = free is None or free.axis != motion.free.axis
+                other = other or before is None or not np.array_equal(before.tool.X_FT, leg.X_FT)
+                fixed[k] |= other
+                if motion.units or leg.motion not in changes.values or (other and before is not None and before.turn):
+                    fixed[k] = fixed[k + 1] = True
+                else:
+                    apart.add(k)
                 continue
             R = [(problem.waypoints[i].X_WF @ leg.X_FT)[:3, :3] for i in (k, k + 1)]
             one_axis = np.abs((R[0] - R[1]) @ motion.free.axis).max() <= _SAME_AXIS
@@ -152,26 +166,45 @@ def turn_groups(problem: Problem, changes: Changes) -> TurnGroups:
         free = FreeTurn(own[0].axis, max(one.low for one in own), min(one.high for one in own))
         for k in alike_ones:
             of[k] = len(groups)
-        groups.append(TurnGroup(tuple(alike_ones), tuple(tools[k] for k in alike_ones), free))
+        groups.append(
+            TurnGroup(
+                tuple(alike_ones), tuple(move.tool.X_FT for k in alike_ones if (move := moves[k]) is not None), free
+            )
+        )
     return TurnGroups(problem, tuple(groups), tuple(of), frozenset(apart))
 
 
-def _of_waypoints(problem: Problem) -> tuple[list[Array], list[FreeTurn | None]]:
-    """The tool X_FT (4, 4) at every waypoint, and how it may be turned there; in a wait those of the move before it."""
-    tools, frees = list[Array](), list[FreeTurn | None]()
-    entrance = problem.program.entrance if problem.steady else None
+def with_room_to_turn(problem: Problem, changes: Changes) -> Problem:
+    """The problem whose stops, lines and arcs may turn their tools, inside the sectors, beyond how the program has
+    them: what a stream may do. Stops that are tied to others, but a cycle's ends, stay as the program has them."""
+    groups = turn_groups(problem, changes, evenly=False)
+    points, legs = list(problem.waypoints), list(problem.legs)
+    now = [0.0 if move is None else move.turn for move in _moves(problem)]
+
+    def room(free: FreeTurn, X_FT: Array, k: int, slope: float = 0.0) -> TurnRoom:
+        return TurnRoom(np.array(free.axis), X_FT, free.low - now[k], free.high - now[k], slope)
+
+    for group in groups.groups:
+        in_a_row = group.waypoints[problem.steady and group.waypoints[0] == 0 :]
+        if all(b == a + 1 and legs[a].kind is LegKind.DWELL for a, b in pairwise(in_a_row)):
+            for k, X_FT in zip(group.waypoints, group.X_FT, strict=True):
+                points[k] = replace(points[k], turn=room(group.free, X_FT, k))
+    for k, leg in enumerate(legs):
+        motion = problem.motion(leg.motion)
+        if leg.kind is LegKind.DWELL:
+            legs[k] = replace(leg, turn=points[k].turn)
+        elif k in groups.apart and isinstance(motion, PoseMove) and motion.free is not None:
+            legs[k] = replace(leg, turn=room(motion.free, leg.X_FT, k, motion.turn - now[k]))
+    return replace(problem, waypoints=tuple(points), legs=tuple(legs))
+
+
+def _moves(problem: Problem) -> list[PoseMove | None]:
+    """The move to a pose that leads to every waypoint, in a wait the one before it; None for others."""
+    out, entrance = list[PoseMove | None](), problem.program.entrance if problem.steady else None
     for point in problem.waypoints:
         motion = problem.program.motions[point.motion] if point.motion >= 0 else entrance
-        if isinstance(motion, PoseMove):
-            tools.append(motion.tool.X_FT)
-            frees.append(motion.free)
-        elif isinstance(motion, Wait):
-            tools.append(tools[-1])
-            frees.append(frees[-1])
-        else:
-            tools.append(np.eye(4))
-            frees.append(None)
-    return tools, frees
+        out.append(motion if isinstance(motion, PoseMove) else out[-1] if isinstance(motion, Wait) else None)
+    return out
 
 
 def keeps_axis(taught: Leg, other: Leg, free: FreeTurn) -> bool:

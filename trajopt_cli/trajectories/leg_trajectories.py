@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose, rotation_about
 from trajopt_cli.native.loops import loops
 from trajopt_cli.path.segment import Segment, along_all, over_work
 from trajopt_cli.trajectories.axes import Axes
@@ -79,7 +79,11 @@ class Sample:
 
 @dataclass(frozen=True, eq=False)
 class PathLeg:
-    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1, r), b: (N, r); scaled time."""
+    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1, r), b: (N, r); scaled time.
+
+    axis (3,): of the tool's own, about which it is turned beyond its segment meanwhile: the turn [rad] is one more
+    column of d, w and b, behind the rails'. None where the segment says it all.
+    """
 
     T: float
     segment: Segment  # of the tool, in the world; a line of no length for a dwell
@@ -93,11 +97,24 @@ class PathLeg:
     d: Array
     w: Array
     b: Array
+    axis: Array | None = None
 
     @property
     def N(self) -> int:
         """Intervals."""
         return len(self.a)
+
+    @property
+    def rail(self) -> Array:
+        """The rails (N+1, r)."""
+        return self.d if self.axis is None else self.d[:, :-1]
+
+    def turning(self, axis: Array) -> PathLeg:
+        """The same motion as one of a tool that may be turned about its axis (3,) meanwhile."""
+        if self.axis is not None:
+            return self
+        d, w, b = (np.column_stack([x, np.zeros(len(x))]) for x in (self.d, self.w, self.b))
+        return replace(self, d=d, w=w, b=b, axis=axis)
 
     def refined(self) -> PathLeg:
         """The same motion on twice as many intervals."""
@@ -120,7 +137,9 @@ class PathLeg:
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, joints) at the nodes."""
         X_WT = self.segment.pose(self.s)
-        arm = axes.branch(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d), self.cfx)
+        if self.axis is not None:
+            X_WT[:, :3, :3] = X_WT[:, :3, :3] @ rotation_about(self.axis, self.d[:, -1])
+        arm = axes.branch(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.rail), self.cfx)
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
@@ -128,14 +147,15 @@ class PathLeg:
         return _on_ways(axes, [self], [t], right)
 
     def progress(self, t: Array, right: bool) -> Array:
-        """At times t (m,): share of the way and rail, their rates and second derivatives (3, m, 1 + r)."""
+        """At times t (m,): share of the way, rail and turn, if any, their rates and second derivatives (3, m, 1 + r) or
+        (3, m, 2 + r)."""
         x, v = np.column_stack([self.s, self.d]), np.column_stack([self.v, self.w])
         found = integrate(self.grid, x, v, np.clip(t / self.T, 0.0, 1.0), right)
         return np.stack(found) / np.array([1.0, self.T, self.T**2])[:, None, None]
 
 
 def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right: bool) -> Sample:
-    """Many such motions with one tool, each at times (m,) of its own, one after the other."""
+    """Many such motions with one tool and axis, each at times (m,) of its own, one after the other."""
     counts = [len(t) for t in times]
     starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
     references = np.array([leg.reference for leg in legs])
@@ -144,43 +164,54 @@ def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right:
     segments = [leg.segment for leg in legs]
     return on_ways(
         axes, legs[0].X_FT, segments, counts, cfx, np.concatenate(times), progress,
-        lambda arm: unwound(arm, starts, references),
+        lambda arm: unwound(arm, starts, references), legs[0].axis,
     )  # fmt: skip
 
 
 def on_ways(
     axes: Axes, X_FT: Array, segments: Sequence[Segment], counts: Sequence[int], cfx: IndexArray, t: Array,
-    progress: Array, turned: Callable[[Array], Array],
+    progress: Array, turned: Callable[[Array], Array], axis: Array | None = None,
 ) -> Sample:  # fmt: skip
     """Along segments of a tool at counts of places each, one after the other, on branches cfx (m,). progress (3, m,
     1 + r): share of the segment and rail, their rates and second derivatives by time. turned: puts joints (m, joints)
-    in whatever turn into the one meant."""
+    in whatever turn into the one meant. axis (3,): of the tool, about which it is turned by a last column of progress
+    beyond the segments."""
     edges, X_TF = np.cumsum(counts)[:-1], inverse_pose(X_FT)
     at, rates, changes = progress
     s, d, sv, dv, sa, da = at[:, 0], at[:, 1:], rates[:, 0], rates[:, 1:], changes[:, 0], changes[:, 1:]
+    r = axes.layout.r
 
-    def placed(s: Array, d: Array) -> tuple[Array, Array, Array]:
-        """Arm joints (m, joints) in whatever turn, twist and its rate by s (m, 6)."""
+    def placed(s: Array, d: Array) -> tuple[Array, Array, Array, Array | None]:
+        """Arm joints (m, joints) in whatever turn, twist and its rate by s (m, 6), the tool's axis in the world."""
         X, twist, bend = along_all(segments, np.split(s, edges))
-        return axes.branch(X @ X_TF, axes.layout.value(d), cfx), twist, bend
+        if axis is not None:
+            X[:, :3, :3] = X[:, :3, :3] @ rotation_about(axis, d[:, r])
+        u = None if axis is None else X[:, :3, :3] @ axis
+        return axes.branch(X @ X_TF, axes.layout.value(d[:, :r]), cfx), twist, bend, u
 
-    arm, twist, bend = placed(s, d)
+    arm, twist, bend, u = placed(s, d)
     numb = axes.robot.walls(arm)[1] < _NUMB
     back, along = np.where(numb, s - np.clip(s, _BESIDE, 1 - _BESIDE), 0.0)[:, None], np.zeros_like(d)
     if numb.any():  # a wrist that the line leaves: joints and rates are those beside it, followed back
         along = _ratio(dv, da, sv, sa)
         s, d = s - back[:, 0], d - back * along
-        arm, twist, bend = placed(s, d)
-    q = axes.layout.merge(d, turned(arm))
+        arm, twist, bend, u = placed(s, d)
+    q = axes.layout.merge(d[:, :r], turned(arm))
     moves = axes.differential(q, X_FT)
 
     def by_time(twist: Array, bend: Array) -> Array:
-        return np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
+        out = np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
+        if u is not None:
+            out[:, 1, 3:] += da[:, r:] * u + dv[:, r:] * np.cross(out[:, 0, 3:], u)
+            out[:, 0, 3:] += dv[:, r:] * u
+        return out
 
     tool = by_time(twist, bend)
-    qd, qdd = moves.follow(tool[:, 0], tool[:, 1], dv, da)
+    qd, qdd = moves.follow(tool[:, 0], tool[:, 1], dv[:, :r], da[:, :r])
     if numb.any():
-        q = q + np.where(numb[:, None], back * moves.follow(twist, bend, along, np.zeros_like(along))[0], 0.0)
+        way = twist if u is None else twist + np.hstack([np.zeros_like(u), along[:, r:] * u])
+        along = along[:, :r]
+        q = q + np.where(numb[:, None], back * moves.follow(way, bend, along, np.zeros_like(along))[0], 0.0)
     return Sample(t, q, qd, qdd, by_time(*over_work(segments, np.split(s, edges), twist, bend)))
 
 
@@ -391,11 +422,12 @@ def samples(
 def _together(
     ways: Sequence[tuple[PathLeg, IndexArray, Array]], batch: int
 ) -> Iterator[list[tuple[PathLeg, IndexArray, Array]]]:
-    """Motions to be sampled at once: of one tool, and few enough for the memory."""
+    """Motions to be sampled at once: of one tool and axis, and few enough for the memory."""
     behind = np.cumsum([len(t) for _, _, t in ways])
 
-    def key(i: int) -> tuple[bytes, int]:
-        return ways[i][0].X_FT.tobytes(), int(behind[i]) // batch
+    def key(i: int) -> tuple[bytes, bytes, int]:
+        axis = ways[i][0].axis
+        return ways[i][0].X_FT.tobytes(), b"" if axis is None else axis.tobytes(), int(behind[i]) // batch
 
     for _, group in groupby(range(len(ways)), key=key):
         yield [ways[i] for i in group]

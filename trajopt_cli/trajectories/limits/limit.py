@@ -135,12 +135,13 @@ class NodeMotion:
 class Share:
     """First derivative v and second ones a, by side, of the share of a line or an arc. inward: part of the tool's
     acceleration towards the centre of an arc by v^2 and the length of its way, 0 on a line. curve: how the tool goes by
-    the share in a corner, None elsewhere."""
+    the share in a corner, None elsewhere. turn: rate of the tool's turn beyond its way, None where it has none."""
 
     v: ca.SX
     a: Sequence[ca.SX]
     inward: ca.SX | float
     curve: Curve | None = None
+    turn: ca.SX | None = None
 
 
 class Limit(ABC):

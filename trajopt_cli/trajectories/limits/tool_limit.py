@@ -33,12 +33,13 @@ class ToolCap(IntEnum):
 
 
 class ToolKind(NamedTuple):
-    """Which caps a leg has, whether speeding up and slowing down along the path are limited by themselves, and whether
-    it is a corner."""
+    """Which caps a leg has, whether speeding up and slowing down along the path are limited by themselves, whether it
+    is a corner, and whether the tool may turn beyond its way."""
 
     caps: tuple[ToolCap, ...]
     along: bool
     corner: bool = False
+    turning: bool = False
 
 
 class ToolLimit(Limit):
@@ -101,14 +102,17 @@ class ToolLimit(Limit):
             return None
         caps = tuple(cap for cap, x in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True) if np.isfinite(x))
         corner = leg.segment is not None and leg.segment.is_corner
-        return ToolKind(caps, leg.along is not None, corner) if caps else None
+        turning = leg.turn is not None and ToolCap.REORIENTATION in caps
+        return ToolKind(caps, leg.along is not None, corner, turning) if caps else None
 
     def node_shapes(self, kind: Hashable, on_path: bool) -> Mapping[str, tuple[int, ...]]:
         """Caps, of the share of a path or in metres; ramps: speeding up and slowing down along the path, of a path as
-        half their range and how far its middle is off; tcp (3,): the tool centre point in the flange's frame."""
+        half their range and how far its middle is off; tcp (3,): the tool centre point in the flange's frame; fastest:
+        rate of the tool's turn beyond its way."""
         assert isinstance(kind, ToolKind)
         ramps = {"ramps": (2,)} if kind.along else {}
-        return {"caps": (3,), **ramps, **({} if on_path else {"tcp": (3,)})}
+        turn: dict[str, tuple[int, ...]] = {"fastest": ()} if kind.turning else {}
+        return {"caps": (3,), **ramps, **turn, **({} if on_path else {"tcp": (3,)})}
 
     def node_values(self, leg: Leg, margin: Array, on_path: bool, q: Array) -> Mapping[str, Array]:
         """See Limit."""
@@ -119,6 +123,8 @@ class ToolLimit(Limit):
             corner = leg.segment is not None and leg.segment.is_corner
             ways = [1.0, 1.0, 1.0] if corner else [leg.chord, leg.chord, leg.fastest_turn]
             out["caps"] = np.array(ways) / caps / margin
+            if leg.turn is not None and np.isfinite(leg.v_ori):
+                out["fastest"] = leg.v_ori * margin[:, ToolCap.REORIENTATION]
         else:
             out["caps"] = np.where(np.isfinite(caps), caps, 1.0) * margin
         if leg.along is not None and on_path:
@@ -182,11 +188,15 @@ def _path_rows(kind: ToolKind, node: NodeMotion, p: Any) -> list[Row]:
 
         return [
             ((p.caps[0] * v / T) ** 2 * ca.sumsqr(curve.tangent), -INF, 1.0),
-            ((p.caps[2] * v / T) ** 2 * ca.sumsqr(curve.turn), -INF, 1.0),
+            *([((p.caps[2] / T) ** 2 * ca.sumsqr(v * curve.turn + p.axis * node.share.turn), -INF, 1.0)] if kind.turning
+              else [((p.caps[2] * v / T) ** 2 * ca.sumsqr(curve.turn), -INF, 1.0)]),
             *(((p.caps[1] / T**2) ** 2 * ca.sumsqr(curve.tangent * a + curve.bend * v**2), -INF, 1.0)
               for a in node.share.a),
         ]  # fmt: skip
     out: list[Row] = [(p.caps[0] * v / T, -1.0, 1.0), (p.caps[2] * v / T, -1.0, 1.0)]
+    if kind.turning:  # about one axis; about two both turns together are less than their sum
+        turn = node.share.turn / (p.fastest * T)
+        out += [(p.caps[2] * v / T + turn, -INF, 1.0), (p.caps[2] * v / T - turn, -INF, 1.0)]
     for a in node.share.a:
         if isinstance(inward, float):
             out.append((p.caps[1] * a / (T * T), -1.0, 1.0))
