@@ -65,3 +65,33 @@ def test_a_turn_made_in_a_corner_bends_the_way_of_the_axis_by_no_more_than_is_gr
     off = np.abs(swings[:, 1]).max()  # the taught axis tilts about x alone
     made = np.ptp(turn_of(R, SECTOR))
     assert 1e-5 < off <= 2 * made * b / 2
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "bend", "most"), [(0.1, 0.1, 0.2, 0.3), (-0.3, -0.1, 0.0, 0.3), (0.0, 0.4, 0.0, 0.4)]
+)
+def test_it_tells_how_far_the_tool_turns_and_what_the_sector_allows(
+    first: float, last: float, bend: float, most: float
+) -> None:
+    """Joint 6 turns the tool about the axis that is free: by what it is given at the ends and between."""
+    case = turned_case(first, last)
+    case = case.swap(p1=bent(case.pieces[1], bend)) if bend else case
+    report = verify(case.program, case.plant, case.rows())
+    assert report.legal, report.worst.message
+    told = [one for one in report.findings if one.check == "tool turn"]
+    assert [one.source.line for one in told if one.source is not None] == [11, 12]
+    assert told[0].value == pytest.approx(abs(first), abs=1e-6)
+    assert told[1].value == pytest.approx(most, abs=1e-4)
+    assert [one.limit for one in told] == [SECTOR.high, SECTOR.high]
+
+
+def test_a_turn_beyond_the_sector_is_told_and_refused() -> None:
+    case = turned_case(0.5, 0.5, bent(turned_case(0.5, 0.5).pieces[1], 0.01))
+    (told,) = [
+        one
+        for one in verify(case.program, case.plant, case.rows()).findings
+        if one.check == "tool turn" and not one.passed
+    ]
+    assert told.source is not None
+    assert (told.source.line, told.limit) == (12, SECTOR.high)
+    assert told.value == pytest.approx(0.51, abs=1e-4)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
-from trajopt_cli.judge.free_turns import off_taught, swing_of, turn_of, turned_by
+from trajopt_cli.judge.free_turns import beyond_sector, off_taught, swing_of, turn_of, turned_by
 from trajopt_cli.judge.geometry import Arc, Line, Path, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
@@ -39,6 +39,7 @@ def check_shapes(
     for run in runs_of(timeline, frames):
         out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
+            out.extend(_turn(run, leg))
             match visit.point.move:
                 case PathMove() if run.paths[leg] is not None:
                     out.extend(_path_findings(run, leg))
@@ -95,6 +96,25 @@ def _path_findings(run: StopInterval, leg: int) -> Iterator[Finding]:
             i = int(np.argmax(least))
             yield finding(f"{path.kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
                           time=float(t[i]), source=point.source, note=f" {words} to {point.move.target}")  # fmt: skip
+
+
+def _turn(run: StopInterval, leg: int) -> Iterator[Finding]:
+    """How far a free tool is turned from as taught, where that is nearest to the end of its sector: on a line or an arc
+    outside the zones of orientation, at the end of a joint move that stops there."""
+    path, places, visit = run.paths[leg], run.places, run.visits[leg + 1]
+    free = visit.point.free if path is None and visit.point.fly_by is None else run.free(leg)
+    here = np.arange(len(places.t))[run.on(leg)]
+    here = here[run.beyond(leg, "turning")] if path is not None else here[-1:]
+    if free is None or not len(here):
+        return
+    taught = run.X_WT[[leg + 1], :3, :3] if path is None else path.at(np.clip(run.fractions[here], 0.0, 1.0))[1]
+    turn = turn_of(np.swapaxes(taught, 1, 2) @ places.R[here], free)
+    room, beyond = np.minimum(turn - free.low, free.high - turn), beyond_sector(turn, free) - places.doubt_angle[here]
+    i = int(np.argmax(np.where(beyond > 0, beyond, -np.abs(room))))
+    limit = free.high if turn[i] >= 0 else -free.low
+    yield finding("tool turn", "TCP", abs(float(turn[i])), limit, "rad", bool(beyond[i] <= LINE_ROTATION),
+                  time=float(places.t[here[i]]), source=visit.point.source,
+                  note=f" about its axis from as taught, on the way to {visit.point.name}")  # fmt: skip
 
 
 def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
