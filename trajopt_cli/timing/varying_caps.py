@@ -83,12 +83,12 @@ class _Bins:
         ends = np.column_stack([self._first, self._last]).ravel()
         least = np.minimum.reduceat(padded, ends)[::2]
         # an interval may last longer than a period: what comes within reach of its end is found in its last one
-        out = _least_within(least, reach)
+        out = least_within(least, reach)
         to = np.append(self._of[1:], self._count - 1)
         return np.asarray(np.minimum(out[self._of], out[to]))
 
 
-def _least_within(values: Array, reach: int) -> Array:
+def least_within(values: Array, reach: int) -> Array:
     """The least of the values up to reach places away on either side."""
     n, width = len(values), 2 * reach + 1
     least, have = np.concatenate([np.full(reach, np.inf), values, np.full(reach, np.inf)]), 1
@@ -105,8 +105,8 @@ def _without_peaks(law: TimeLaw, h: float, width: int) -> TimeLaw:
     rates[[0, -1]] = 0.0
     reach = ceil(width / 2)
     edge = np.zeros(reach)
-    low = _least_within(np.concatenate([edge, rates, edge]), reach)
-    cut = -_least_within(-low, reach)[reach:-reach]
+    low = least_within(np.concatenate([edge, rates, edge]), reach)
+    cut = -least_within(-low, reach)[reach:-reach]
     return TimeLaw(places, np.minimum(cut, rates))
 
 

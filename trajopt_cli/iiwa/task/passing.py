@@ -18,7 +18,7 @@ from trajopt_cli.iiwa.task.joint_checks import ArmOnPath, Untimed
 from trajopt_cli.iiwa.task.legs import MOST_ROWS
 from trajopt_cli.iiwa.task.model import CAPS, Passing
 from trajopt_cli.iiwa.task.rounded import Polyline, Rounded, deviations, rounded
-from trajopt_cli.timing.varying_caps import Rows, least_time, rest_to_rest
+from trajopt_cli.timing.varying_caps import Rows, least_time, least_within, rest_to_rest
 
 _BINDING = (*CAPS, "joint speed", "joint acceleration")
 ALLOWED = 1e-6
@@ -275,12 +275,7 @@ def _slower(grid: Array, at: Array, worst: Array, mean: int) -> Array:
     """By what (n,) rates are to be lowered where rows break a cap, as far around as the mean looks."""
     factor = np.maximum(worst, 1.0)
     factor = np.where(factor > 1, 1.002 * factor, 1.0)
-    reach = 2 * mean + 2
-    wide, have = np.concatenate([np.ones(reach), factor, np.ones(reach)]), 1
-    while have < 2 * reach + 1:
-        step = min(have, 2 * reach + 1 - have)
-        wide = np.maximum(wide[:-step], wide[step:])
-        have += step
+    wide = -least_within(-factor, 2 * mean + 2)
     row = np.clip(np.searchsorted(at, grid[:-1], side="right") - 1, 0, len(at) - 1)
     return np.asarray(wide[row])
 
