@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.task.arm_map import FREE, ArmTask, Blocked, arm_map, cheapest, margins, stages
+from trajopt_cli.iiwa.task.arm_map import FREE, ArmTask, NoPlan, arm_map, cheapest, margins, stages
 from trajopt_cli.iiwa.task.arm_plan import ArmAngleObjective, ArmPlan, Goal
 from trajopt_cli.iiwa.task.equilibrium import Equilibrium
 from trajopt_cli.iiwa.task.joint_checks import Arm, stops_loop
@@ -89,11 +89,11 @@ def test_on_a_small_grid_nothing_is_better() -> None:
         found = cheapest(iter(q), dt, LIMITS, cell / 12, hold, drive)
         other = cheapest(iter(q), dt, LIMITS, cell / 12, worst, lambda s: np.full(s.shape[1:], -np.inf), np.maximum)
         if best == np.inf:
-            assert isinstance(found, Blocked)
+            assert isinstance(found, NoPlan)
             blocked += 1
             continue
-        assert not isinstance(found, Blocked)
-        assert not isinstance(other, Blocked)
+        assert not isinstance(found, NoPlan)
+        assert not isinstance(other, NoPlan)
         course = q[np.arange(5), found % 5]
         share = np.abs(np.diff(course, axis=0)) / LIMITS.velocity / dt[:, None]
         assert float(dt @ (hold(course[1:]) + drive(share.T))) == pytest.approx(best, rel=1e-12)
@@ -256,7 +256,7 @@ def test_a_finer_grid_is_hardly_better(answers: dict[tuple[str, Goal], Followed]
             iter(chart.q), np.diff(rows) * H, LIMITS, chart.cell,
             lambda q: np.where(margins(q, LIMITS) < 0, np.inf, 0.0), lambda share: np.square(share).sum(axis=0),
         )  # fmt: skip
-        assert not isinstance(found, Blocked)
+        assert not isinstance(found, NoPlan)
         q = chart.q[np.arange(len(rows)), found % cells]
         share = np.diff(q, axis=0) / LIMITS.velocity / (np.diff(rows) * H)[:, None]
         costs.append(float((np.diff(rows) * H) @ np.square(share).sum(axis=1)))

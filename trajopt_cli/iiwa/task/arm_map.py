@@ -29,7 +29,7 @@ Cost = Callable[[Array], Array]
 
 @dataclass(frozen=True)
 class NoPlan:
-    """None was found: the row at which it fails, and why."""
+    """None was found: the row of the sequence, or the stage of the map, at which it fails, and why."""
 
     row: int
     message: str
@@ -87,17 +87,9 @@ def margins(q: Array, limits: JointLimits) -> Array:
     return np.asarray(-position_excess(q, limits)[..., FREE].max(axis=-1))
 
 
-@dataclass(frozen=True)
-class Blocked:
-    """No path of cells leads to this stage, and why."""
-
-    stage: int
-    why: str
-
-
 def cheapest(
     fans: Iterator[Array], dt: Array, limits: JointLimits, cell: float, hold: Cost, drive: Cost, join: Any = np.add
-) -> IndexArray | Blocked:
+) -> IndexArray | NoPlan:
     """Cells (K + 1,), counted on over whole turns, of the cheapest path from cell 0: the best there is on this grid.
 
     fans: the joints (m, 7) of every cell, stage after stage, K + 1 of them. dt (K,) [s]: time from stage to stage.
@@ -108,7 +100,7 @@ def cheapest(
     before = next(fans)
     cells = len(before)
     if not np.isfinite(hold(before[:1])[0]):
-        return Blocked(0, f"the arm angle of the start joints breaks a range: {_outside(before[:1], limits)}")
+        return NoPlan(0, f"the arm angle of the start joints breaks a range: {_outside(before[:1], limits)}")
     most = min(max(1, int(_RATE * dt.max() / cell)), (cells - 1) // 2)
     offsets = np.arange(-most, most + 1)
     origin = (np.arange(cells)[:, None] - offsets) % cells  # [j, o]: the cell that leads to j by offset o
@@ -128,8 +120,8 @@ def cheapest(
         cost = join(total[np.arange(cells), came[-1]], rate * held)
         if not np.isfinite(cost).any():
             if not np.isfinite(held).any():
-                return Blocked(k + 1, f"no arm angle keeps every joint in its range: {_outside(q, limits)}")
-            return Blocked(k + 1, "no arm angle that keeps every joint in its range can be reached in time")
+                return NoPlan(k + 1, f"no arm angle keeps every joint in its range: {_outside(q, limits)}")
+            return NoPlan(k + 1, "no arm angle that keeps every joint in its range can be reached in time")
         before = q
     back = [int(np.argmin(cost))]
     for origins in reversed(came):

@@ -16,7 +16,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import partial
 from math import pi, radians
 
 import numpy as np
@@ -24,7 +23,7 @@ from scipy.interpolate import CubicSpline
 from scipy.linalg import solveh_banded
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, ArmTask, Blocked, NoPlan, arm_map, cheapest, margins, stages
+from trajopt_cli.iiwa.task.arm_map import FREE, ArmMap, ArmTask, NoPlan, arm_map, cheapest, margins, stages
 from trajopt_cli.iiwa.task.joint_checks import ELBOW, accelerations, central_speeds, passes, speeds
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs_inverse import inverse_branch
@@ -178,10 +177,8 @@ def _planned(task: ArmTask, fixed: float, objective: ArmAngleObjective, stops: b
 
 @dataclass(frozen=True, eq=False)
 class _Smooth:
-    """A smooth path that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share.
-
-    Rows at which the sequence's own speed steps do not count there.
-    """
+    """A smooth path that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share but for
+    rows at which the sequence's own speed steps."""
 
     angles: Array
     q: Array
@@ -197,6 +194,7 @@ class _Costs:
         """q_fixed (n, 7): joints at the fixed arm angle, which say where the motion accelerates."""
         limits = task.arm.limits
         self.task, self.goal, self.limits, self.progress = task, objective.goal, limits, objective.progress
+        self.moving = _MOVING[objective.goal]
         self._dynamics = Dynamics(task.arm.robot, objective.load)
         hard = (accelerations(q_fixed, task.h, stops) / limits.acceleration).max(axis=1)
         self.steps = _steps(task.X_WF, task.h, stops)
@@ -206,11 +204,6 @@ class _Costs:
     def standing(self, q: Array) -> Array:
         """Cost per second (...) of standing at q (..., 7), position limits aside."""
         return np.asarray(np.square(self.points(q)).sum(axis=-1))
-
-    @property
-    def moving(self) -> float:
-        """What the squares of speed shares count."""
-        return _MOVING[self.goal]
 
     def cost(self, q: Array, rows: IndexArray) -> float:
         """Of joints q (K + 1, 7) at rows, as the grid counts it: stages at their ends, steps by their mean speed."""
@@ -237,9 +230,9 @@ class _Costs:
         for top in _SLOWER:
             self.progress("best path on the map" + (f", at {100 * top:.0f} % of the speed limits" if grid else ""))
             found = self.on_grid(chart, top, fixed.margin if fixed.passes else -np.inf)
-            if isinstance(found, Blocked):
+            if isinstance(found, NoPlan):
                 if grid is None:
-                    return NoPlan(int(chart.rows[found.stage]), found.why)
+                    return NoPlan(int(chart.rows[found.row]), found.message)
                 break
             cells, floor = found
             q = chart.q[np.arange(len(chart.rows)), cells % len(chart.delta)]
@@ -260,7 +253,7 @@ class _Costs:
             return NoPlan(0, "no smooth path near the best on the grid keeps the limits")
         return calmest, *grid
 
-    def on_grid(self, chart: ArmMap, top: float, least: float) -> tuple[IndexArray, float] | Blocked:
+    def on_grid(self, chart: ArmMap, top: float, least: float) -> tuple[IndexArray, float] | NoPlan:
         """Cells of the best path on a map, and the distance from limits [rad] that it keeps.
 
         top: share of speed limits, joint_4's left out, which no arm angle changes. least: distance from limits [rad]
@@ -283,24 +276,23 @@ class _Costs:
         def drive(share: Array) -> Array:
             return np.where(fast(share), np.inf, self.moving * np.square(share).sum(axis=0))
 
-        def best(floor: float) -> IndexArray | Blocked:
-            hold = partial(self._hold, floor=floor)
+        def best(floor: float) -> IndexArray | NoPlan:
+            def hold(q: Array) -> Array:
+                return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
+
             return cheapest(iter(chart.q), dt, self.limits, chart.cell, hold, drive)
 
         if self.goal is not Goal.LIMITS:
             found = best(floor)
-            if not isinstance(found, Blocked):
+            if not isinstance(found, NoPlan):
                 return found, floor  # else the distance that is kept may be what closes every path
         widest = cheapest(iter(chart.q), dt, self.limits, chart.cell, inside, slow, np.maximum)
-        if isinstance(widest, Blocked):
+        if isinstance(widest, NoPlan):
             return widest
         most = float(reserve[np.arange(len(widest)), widest % len(chart.delta)].min())
         floor = max(_GIVEN * most, min(most, least)) if self.goal is Goal.LIMITS else _GIVEN * most
         found = best(floor)
-        return found if isinstance(found, Blocked) else (found, floor)
-
-    def _hold(self, q: Array, floor: float) -> Array:
-        return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
+        return found if isinstance(found, NoPlan) else (found, floor)
 
     def smooth(
         self, chart: ArmMap, cells: IndexArray, floor: float, top: float, stops: bool, wall: float = 10.0
