@@ -48,11 +48,6 @@ class Hit:
     margin: float
 
     @property
-    def spare(self) -> float:
-        """How much farther apart than wanted they are [m], 0 where they are nearer."""
-        return max(-self.missing, 0.0)
-
-    @property
     def said(self) -> str:
         """For people: "link_3 is 4.1 mm inside 'post'", "gripper comes to 2.0 mm of 'wall', 10 mm wanted"."""
         other = self.against if self.own else f"'{self.against}'"

@@ -107,7 +107,7 @@ def _blocked_joints(problem: Problem, around: CollisionScene, k: int) -> Infeasi
             place = max(problem.waypoints[k].motion, 0)
             motion = problem.motion(place)
             name = motion_name(motion) if problem.waypoints[k].motion >= 0 else "the start"
-            return Infeasible(place, motion.source, f"{name} cannot be clear: {hit.said}", hit.spare)
+            return Infeasible(place, motion.source, f"{name} cannot be clear: {hit.said}", -hit.missing)
     return None
 
 
@@ -135,7 +135,7 @@ def _deepest_of_least(
         tried = f"; tried {_rail_positions(d, name)}, least so at {shown_rail(best.q[axes.layout.rail], '.0f')}"
     motion = problem.motion(index)
     said = f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}"
-    return Infeasible(index, motion.source, said, best.spare)
+    return Infeasible(index, motion.source, said, -best.missing)
 
 
 def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None) -> Infeasible:
@@ -155,7 +155,7 @@ def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None)
         no = "no way around was found" if leg.kind is LegKind.JOINT else "nothing clear was found"
         one = _rail_positions(d, "rail") if axes.layout.r < 2 else "each axis under the base with the others held"
         said += f"; {no}, tried {one}"
-    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}", 0.0 if hit is None else hit.spare)
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}", 0.0 if hit is None else -hit.missing)
 
 
 def _rail_positions(d: Array, name: str) -> str:

@@ -112,31 +112,25 @@ def _refine_together(axes: Axes, problem: Problem, chain: Route, known: Times) -
     r, points = axes.layout.r, problem.waypoints
     if r < 2 or problem.ties or any(short(problem, k) for k in range(len(problem.legs))):
         return chain
-    shifts, step = np.array([*product((0.0, 1.0, -1.0), repeat=r)]), _TOGETHER_FIRST
-    near_by = np.abs(shifts[:, None] - shifts[None]).max(axis=2) <= 1
-    while step > _TOGETHER_LAST:
-        near, which = list[Array](), list[IndexArray]()
+    shifts, step, left = np.array([*product((0.0, 1.0, -1.0), repeat=r)]), _TOGETHER_FIRST, _REFINE_ROUNDS
+    while step > _TOGETHER_LAST and (left := left - 1):
+        near = list[Array]()
         for k, point in enumerate(points):
             low, high = point.ranges(problem.layout)
-            if point.q is not None or np.all(low >= high):
-                near.append(chain.q[[k]])
-                which.append(np.zeros(1, dtype=np.intp))
-                continue
-            d = np.clip(chain.q[k][axes.layout.rail] + step * shifts, low, high)
-            arm = axes.branch(np.repeat(point.X_WF[None], len(d), axis=0), d, np.full(len(d), chain.labels[k].cfx))
+            some = shifts if point.q is None and np.any(low < high) else shifts[:1]
+            d = np.clip(chain.q[k][axes.layout.rail] + step * some, low, high)
+            arm = axes.branch(np.repeat(point.X_WF[None], len(d), axis=0), d, max(chain.labels[k].cfx, 0))
             arm += 2 * np.pi * np.round((chain.q[k][axes.layout.arm] - arm) / (2 * np.pi))
             q = axes.layout.merge(d, arm)
             ok = axes.within(q)
             ok[0], q[0] = True, chain.q[k]
             near.append(q[ok])
-            which.append(np.flatnonzero(ok))
         asked, rows = list[Pairs](), list[tuple[IndexArray, IndexArray]]()
         for k, (a, b) in enumerate(pairwise(near)):
-            leg = problem.legs[k]
-            ok = near_by[np.ix_(which[k], which[k + 1])]
+            leg, way = problem.legs[k], (b[None, :] - a[:, None])[..., axes.layout.rail]
+            ok = np.abs(way - (chain.q[k + 1] - chain.q[k])[axes.layout.rail]).max(axis=2) <= step + _SAME
             if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
-                apart = np.abs(a[:, None, axes.layout.rail] - b[None, :, axes.layout.rail]).max(axis=2)
-                ok = apart <= _SAME
+                ok = np.abs(way).max(axis=2) <= _SAME
             if (led := problem.leads(k, a, b)) is not None:
                 ok = ok & led
             rows.append(np.nonzero(ok))

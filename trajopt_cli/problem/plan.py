@@ -200,7 +200,7 @@ class Infeasible:
 
     index: its place in Program.motions. source: its place in the program, which message leaves out; str() is the line
     to print, with both. spare: how much farther apart than wanted bodies are that are refused for the planner's reserve
-    alone [m], else 0.
+    alone [m], else 0 or less.
     """
 
     index: int
