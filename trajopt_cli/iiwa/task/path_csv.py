@@ -57,11 +57,11 @@ def read_text(file: str) -> str:
 def read_forces(text: str, file: str) -> PushLog:
     """A recorded force, world axes, at the TCP; units may be left out. Raises InputError as read_path does, and for
     times that do not grow."""
-    columns, table = _table(text, file, _FORCES, "for example 't,Fx,Fy,Fz,Mx,My,Mz'")
-    values = np.column_stack([columns[name] * table[:, [*columns].index(name)] for name in _FORCES])
-    if (i := _first(np.diff(values[:, 0]) <= 0)) is not None:
-        raise _wrong(f"time {values[i + 1, 0]:g} s follows {values[i, 0]:g} s; times must grow", i + 1, file)
-    return PushLog(values[:, 0], values[:, 1:])
+    columns = _columns(text, file, _FORCES, "for example 't,Fx,Fy,Fz,Mx,My,Mz'")
+    t, *force = (columns[name] for name in _FORCES)
+    if (i := _first(np.diff(t) <= 0)) is not None:
+        raise _wrong(f"time {t[i + 1]:g} s follows {t[i]:g} s; times must grow", i + 1, file)
+    return PushLog(t, np.column_stack(force))
 
 
 def guided_path(text: str, file: str, meaning: AngleMeaning, R_start: Array, near: Passing) -> PathPoints | None:
@@ -107,8 +107,7 @@ def read_path(text: str, file: str, meaning: AngleMeaning, R_start: Array) -> Pa
     another length, fewer than two rows, more than MOST_POINTS, a quaternion that is none, a pose that repeats the one
     before, and places no cell has.
     """
-    columns, table = _table(text, file, _UNITS, _EXAMPLE)
-    value = {name: factor * table[:, i] for i, (name, factor) in enumerate(columns.items())}
+    value = _columns(text, file, _UNITS, _EXAMPLE)
     p = np.column_stack([value[name] for name in _POSITION])
     far = np.abs(p).max(axis=1)
     if (i := _first(far > _FARTHEST)) is not None:
@@ -136,25 +135,25 @@ def read_path(text: str, file: str, meaning: AngleMeaning, R_start: Array) -> Pa
     return PathPoints(np.hstack([p, angles]), file, np.arange(2, len(p) + 2))
 
 
-def _table(text: str, file: str, known: dict[str, dict[str, float]], example: str) -> tuple[dict[str, float], Array]:
-    """Names of the columns in their order, each with its unit's factor, and the numbers under them."""
+def _columns(text: str, file: str, known: dict[str, dict[str, float]], example: str) -> dict[str, Array]:
+    """The columns by name (n,), in SI."""
     lines = text.rstrip().split("\n")
     if not lines[0].strip():
         raise InputError(f"the first line must be a header, {example}", file=file, line=1)
     separator = next((one for one in (";", "\t") if one in lines[0]), ",")
-    columns = _columns(lines[0], separator, file, known, example)
+    factors = _factors(lines[0].split(separator), file, known, example)
     body = lines[1:]
     if not 2 <= len(body) <= MOST_POINTS:
         bound = "at least 2" if len(body) < 2 else f"at most {MOST_POINTS}"
         raise InputError(f"{len(body)} rows under the header; a path needs {bound}", file=file, line=len(lines))
-    return columns, read_numbers(body, len(columns), file, separator)
+    table = read_numbers(body, len(factors), file, separator)
+    return {name: factor * table[:, i] for i, (name, factor) in enumerate(factors.items())}
 
 
-def _columns(
-    head: str, separator: str, file: str, known: dict[str, dict[str, float]], example: str
-) -> dict[str, float]:
+def _factors(heads: list[str], file: str, known: dict[str, dict[str, float]], example: str) -> dict[str, float]:
+    """Names of the columns in their order, each with its unit's factor."""
     out: dict[str, float] = {}
-    for field in head.split(separator):
+    for field in heads:
         found = _HEAD.fullmatch(field.strip().strip('"'))
         name = found["name"].lower() if found else ""
         if found is None or name not in known:
