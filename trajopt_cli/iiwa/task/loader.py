@@ -64,9 +64,9 @@ class _Lines:
     file: str
     lines: Mapping[str, int]
 
-    def wrong(self, key: str, message: str) -> InputError:
-        """The error about a key."""
-        return InputError(message, file=self.file, line=line_of(key, self.lines))
+    def wrong(self, key: str, message: str, said: str = "") -> InputError:
+        """The error about a key. said: what messages call it, if otherwise."""
+        return InputError(f"{said or key}: {message}", file=self.file, line=line_of(key, self.lines))
 
     @contextmanager
     def about(self, key: str, prefix: str = "") -> Iterator[None]:
@@ -74,22 +74,22 @@ class _Lines:
         try:
             yield
         except (ValueError, InputError) as error:
-            raise self.wrong(key, f"{prefix}{error}") from error
+            raise InputError(f"{prefix}{error}", file=self.file, line=line_of(key, self.lines)) from error
 
     def beside(self, key: str, name: str, said: str = "") -> Path:
         """The file of this name in the task file's folder or below it. said: what messages call the key."""
         folder = Path(self.file).parent
         found = folder / name
         if not found.is_file() or not found.resolve().is_relative_to(folder.resolve()):
-            message = f"{said or key}: there is no file {found}; it must be in the task file's folder or below it"
-            raise self.wrong(key, message)
+            message = f"there is no file {found}; it must be in the task file's folder or below it"
+            raise self.wrong(key, message, said)
         return found
 
     def frame(self, section: FrameSection, key: str, most: float = _FARTHEST) -> Array:
         """A frame (4, 4) that a cell can have. Raises InputError for one farther away than most [m]."""
         X = frame_pose(section)
         if np.abs(X[:3, 3]).max() > most:
-            message = f"{key}.position: {np.abs(X[:3, 3]).max():g} m is farther than {most:g} m; check the unit"
+            message = f"{np.abs(X[:3, 3]).max():g} m is farther than {most:g} m; check the unit"
             raise self.wrong(f"{key}.position", message)
         return X
 
@@ -138,7 +138,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         content["program"] = str(Path(poses_from).name)
     elif given == "poses":
         if "program" in content:
-            raise _Lines(file, lines).wrong("poses", "poses: give one of 'poses' and 'program'")
+            raise _Lines(file, lines).wrong("poses", "give one of 'poses' and 'program'")
         content = {("program" if key == "poses" else key): value for key, value in content.items()}
         lines = {**lines, "program": line_of("poses", lines)}
     log = content.get("pushes")
@@ -198,7 +198,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
     caps = _caps(document, waypoints, at, given_speeds)
     said = (force, *(one.force for one in document.poses or ()))
     if force is not None and all(one is None or one.value is None for one in said):
-        raise at.wrong("force", "force: nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
+        raise at.wrong("force", "nobody says how hard; give 'value: 20 N' here, or a pose a 'force'")
     if force is not None and document.poses is None:
         pressed = force_of(None, force, f"{file}:{line_of('force', lines)}")
         if isinstance(waypoints, model.PathPoints):
@@ -207,7 +207,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         else:
             waypoints = tuple(replace(one, force=pressed) for one in waypoints)
     elif force is not None and force.settle:
-        raise at.wrong("force.settle", "force.settle: is a path's in a file; give the first pressed pose a 'dwell'")
+        raise at.wrong("force.settle", "is a path's in a file; give the first pressed pose a 'dwell'")
     definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
     angle = document.arm_angle.value if document.arm_angle else None
     profile = model.Profile(document.profile or ("thesis" if passing is None else "s-curve"))
@@ -219,7 +219,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> mo
         route, start, came = by_joints(route, Arm(robot, X_FT, start, limits, definition, angle))
         _check_start(robot, start, limits, at, "approach")
     if document.poses and document.poses[0].force and route.waypoints[0].force:
-        raise at.wrong("poses.0.force", "poses.0.force: would begin with a jump; begin in the air, without a force")
+        raise at.wrong("poses.0.force", "would begin with a jump; begin in the air, without a force")
     return model.Task(
         file=file,
         robot=document.robot,
@@ -288,7 +288,7 @@ def _controller(
         at = _Lines(file, lines)
         for key in ("K", "D", "M", "zero", "integration"):
             if key in content:
-                raise at.wrong(key, f"{key}: is the controller file's; take it out")
+                raise at.wrong(key, "is the controller file's; take it out")
         place = at.beside("controller", match["file"])
         text = read_text(place, "controller file")
         own, note = read_admittance(text, str(place), match["name"])
@@ -297,10 +297,10 @@ def _controller(
         return {**own, **rest}, lines, {str(place): text}, (note,)
     if content.get("controller", "admittance") != "impedance":
         if "impedance" in content:
-            raise _Lines(file, lines).wrong("impedance", "impedance: goes with 'controller: impedance'")
+            raise _Lines(file, lines).wrong("impedance", "goes with 'controller: impedance'")
         return content, lines, {}, ()
     if given := [key for key in _ADMITTANCE if key in content]:
-        message = f"{given[0]}: the impedance controller measures no force and stays as it is; take it out"
+        message = "the impedance controller measures no force and stays as it is; take it out"
         raise _Lines(file, lines).wrong(given[0], message)
     section = content.get("impedance")
     by_ratio = isinstance(section, Mapping) and section.get("damping_ratio") is not None
@@ -322,11 +322,11 @@ def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, at: _Lines,
     """Refuse a start outside a joint's range, and one from which the arm's configuration cannot be told."""
     for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
         if not low <= value <= high:
-            message = f"{key}: {name} = {np.degrees(value):.6g}°, outside its range"
-            raise at.wrong(key, f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°")
+            told = f"{name} = {np.degrees(value):.6g}°, outside its range {np.degrees(low):g}°..{np.degrees(high):g}°"
+            raise at.wrong(key, told)
     for singular in singularities(robot, start[None], _SINGULAR):
-        message = f"{key}: singular, {singular.name}: arm angle and configuration are not defined there"
-        raise at.wrong(key, f"{message}; start a degree away from it")
+        undefined = "arm angle and configuration are not defined there; start a degree away from it"
+        raise at.wrong(key, f"singular, {singular.name}: {undefined}")
 
 
 def _caps(
@@ -340,7 +340,7 @@ def _caps(
     for k, key in enumerate(model.CAPS):
         value = getattr(document, key)
         if isinstance(value, tuple) and len(value) != count:
-            raise at.wrong(key, f"{key}: {len(value)} values for {count} segments; give one for all, or one each")
+            raise at.wrong(key, f"{len(value)} values for {count} segments; give one for all, or one each")
         if value is None and k < 2:
             if given is None:
                 message = f"{key}: is missing; give a cap for all segments, or one each"
@@ -381,12 +381,12 @@ def _changes(document: TaskDocument, at: _Lines, route: model.Route) -> tuple[mo
     K, D, M = document.K, document.D, document.M
     named = [isinstance(section.at, str) for section in document.changes]
     if any(named) and not all(named):
-        raise at.wrong(f"changes.{named.index(False)}.at", "changes: all at poses or all at seconds; these are mixed")
+        raise at.wrong(f"changes.{named.index(False)}.at", "all at poses or all at seconds; these are mixed", "changes")
     stops = [route.waypoints[i].name for i in route.stops] if any(named) else []
     for i, section in enumerate(document.changes):
         if isinstance(section.at, str) and stops.count(section.at) != 1:
             found = "no stop" if section.at not in stops else f"{stops.count(section.at)} stops"
-            message = f"changes.{i}.at: {found} of the name '{section.at}'; name one stop, or give seconds"
+            message = f"{found} of the name '{section.at}'; name one stop, or give seconds"
             raise at.wrong(f"changes.{i}.at", message)
     order = {name: i for i, name in enumerate(stops)}
     for i, section in sorted(enumerate(document.changes), key=lambda pair: order.get(str(pair[1].at), pair[1].at)):
@@ -412,13 +412,13 @@ def _changes(document: TaskDocument, at: _Lines, route: model.Route) -> tuple[mo
 def _capsule(section: CapsuleSection, name: str, key: str, most: float, at: _Lines) -> Capsule:
     a, b = np.array(section.start), np.array(section.end)
     if not (_THINNEST <= section.radius <= most and np.abs([a, b]).max() <= most):
-        raise at.wrong(key, f"{key}: wanted lengths of {_THINNEST:g} to {most:g} m; check the unit")
+        raise at.wrong(key, f"wanted lengths of {_THINNEST:g} to {most:g} m; check the unit")
     return Capsule(name, a, b, section.radius)
 
 
 def _contact(section: ContactSection, at: _Lines) -> model.Contact:
     if section.tip > _THICKEST_TIP:
-        message = f"contact.tip: {section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
+        message = f"{section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
         raise at.wrong("contact.tip", message)
     obstacles = []
     for name, one in section.obstacles.items():
@@ -432,7 +432,7 @@ def _contact(section: ContactSection, at: _Lines) -> model.Contact:
         X = at.frame(one.box, key)
         if not all(_THINNEST <= side <= _FARTHEST for side in size):
             sizes = ", ".join(f"{side:g}" for side in size)
-            message = f"{key}.size: {sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
+            message = f"{sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
             raise at.wrong(f"{key}.size", message)
         obstacles.append(model.Obstacle(Box(name, np.array(size), X), *law))
     return model.Contact(tuple(obstacles), section.tip)
