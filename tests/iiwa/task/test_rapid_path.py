@@ -52,6 +52,7 @@ def route(folder: Path, module: str = MODULE, task: str = TASK) -> tuple[Route, 
 
 def test_zones_are_passed_arcs_followed_and_the_rest_are_stops(tmp_path: Path) -> None:
     wanted, notes = route(tmp_path)
+    assert wanted.caps[-1] == pytest.approx([0.2, np.radians(500), 1, 4, 20, 80])  # v200, then the task's own
     found, facts = planned(wanted)
     assert [(piece.origin, piece.goal, piece.dwell) for piece in found.pieces] == [
         ("a", "c", False),

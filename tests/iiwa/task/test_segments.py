@@ -346,6 +346,11 @@ def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: R
             "higher speed, a shorter dwell or a longer period",
         ),
         (
+            route(pose("a"), pose("b", 0.2, dwell=1e4)),
+            "cube.yaml:8: the dwell at pose b takes 1e+07 periods of 0.001 s, the sequence 1e+07, at most 5e+06; give "
+            "a higher speed, a shorter dwell or a longer period",
+        ),
+        (
             route(pose("a", 1e9), pose("b", 1e9 + 0.01), speeds=SPEEDS | {"v_max": 0.001}),
             "cube.yaml:8: segment a -> b: 1e-06 m and 0 rad per period are lost in the rounding of coordinates this "
             "large; give higher speeds, or coordinates from a nearer origin",
