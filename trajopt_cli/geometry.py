@@ -61,6 +61,13 @@ def wxyz_from_rotation(R: ArrayLike) -> Array:
     return np.where(q[..., :1] < 0, -q, q)
 
 
+def wxyz_in_turn(R: Array) -> Array:
+    """The same of rotations (n, 3, 3) that follow each other: none of another sign than the one before it."""
+    wxyz = wxyz_from_rotation(R)
+    flips = np.sum(wxyz[1:] * wxyz[:-1], axis=1) < 0
+    return np.asarray(wxyz * np.r_[1.0, 1.0 - 2.0 * (np.cumsum(flips) % 2)][:, None])
+
+
 def rotation_about(axis: ArrayLike, angle: ArrayLike) -> Array:
     """Rotation matrix (..., 3, 3) about a unit axis (3,) by angle (...) in rad (Rodrigues)."""
     x, y, z = np.asarray(axis, dtype=np.float64)

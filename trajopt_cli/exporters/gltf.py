@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, inverse_pose, rotation_about, wxyz_from_rotation
+from trajopt_cli.geometry import Array, inverse_pose, rotation_about, wxyz_in_turn
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scene import BASE, CARRIAGE, LINK, OBSTACLE, RAIL, TOOL_ROLE, WORLD, scene_of_plant, turned_since
 from trajopt_cli.shapes import Box, Capsule, Mesh
@@ -143,11 +143,8 @@ def _linear(colour: str) -> list[float]:
 
 
 def _xyzw(R: Array) -> Array:
-    """Quaternions (n, 4) as glTF orders them, of rotations (n, 3, 3) in turn: each on the side of the one before it."""
-    q = np.roll(wxyz_from_rotation(R), -1, axis=-1)
-    flips = np.where(np.sum(q[1:] * q[:-1], axis=1, keepdims=True) < 0, -1.0, 1.0)
-    q[1:] *= np.cumprod(flips, axis=0)
-    return q
+    """Quaternions (n, 4) as glTF orders them, of rotations (n, 3, 3) in turn."""
+    return np.roll(wxyz_in_turn(R), -1, axis=-1)
 
 
 def surface(shape: Box | Capsule | Mesh) -> tuple[Array, NDArray[np.int64]]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.ros2 import BAR, HEADER, JOINT_STATE, TIME, Message, bag, header
-from trajopt_cli.geometry import Array, inverse_pose, rotation_vector, rotations_by, wxyz_from_rotation
+from trajopt_cli.geometry import Array, inverse_pose, rotation_vector, rotations_by, wxyz_in_turn
 
 _MOST_RATE = 10_000.0  # Hz
 _AXES = ("x", "y", "z")
@@ -152,7 +152,7 @@ def csv(poses: ToolPoses, stack: Stack) -> bytes:
     heads = ["t [s]", *(f"{a} [m]" for a in _AXES), *(f"q{a} [1]" for a in "wxyz")]
     for name, units in (("v w", ("m/s", "rad/s")), ("f m", ("N", "Nm")), ("k kr", ("N/m", "Nm/rad"))):
         heads += [f"{one}{a} [{unit}]" for one, unit in zip(name.split(), units, strict=True) for a in _AXES]
-    wxyz = _steady(poses.R)
+    wxyz = wxyz_in_turn(poses.R)
     columns = [poses.t[:, None], poses.p, wxyz, poses.twist, _wrench(poses, stack), np.tile(poses.K, (len(poses.t), 1))]
     if poses.q is not None:
         heads, columns = [*heads, *(f"{name} [rad]" for name in stack.joints)], [*columns, poses.q]
@@ -168,7 +168,7 @@ def mcap(poses: ToolPoses, stack: Stack) -> bytes:
 
 
 def _messages(poses: ToolPoses, stack: Stack) -> Iterator[Message]:
-    rows = {"pose": np.hstack([poses.p, _steady(poses.R)]), "twist": poses.twist, "wrench": _wrench(poses, stack)}
+    rows = {"pose": np.hstack([poses.p, wxyz_in_turn(poses.R)]), "twist": poses.twist, "wrench": _wrench(poses, stack)}
     if poses.q is not None:
         rows |= {"command": np.hstack([poses.q, rows["wrench"]]), "joints": poses.q}
     times = np.rint(poses.t * 1e9).astype(np.int64).tolist()
@@ -207,10 +207,3 @@ def _wrench(poses: ToolPoses, stack: Stack) -> Array:
     if not stack.tool:
         return poses.wrench
     return np.hstack([np.einsum("nji,nj->ni", poses.R, part) for part in (poses.wrench[:, :3], poses.wrench[:, 3:])])
-
-
-def _steady(R: Array) -> Array:
-    """Quaternions (n, 4), scalar first, none of another sign than the one before."""
-    wxyz = wxyz_from_rotation(R)
-    flips = np.sum(wxyz[1:] * wxyz[:-1], axis=1) < 0
-    return np.asarray(wxyz * np.r_[1.0, 1.0 - 2.0 * (np.cumsum(flips) % 2)][:, None])
