@@ -265,83 +265,35 @@ def _nested(type_: Type, flat: Iterator[float]) -> Data:
 # ------------------------------------------------------------------------------------------------- predefined types
 
 
-def _record(name: str, **components: Type) -> Record:
-    return Record(name, tuple(components.items()))
-
-
-def _nums(name: str, components: str) -> Record:
-    return Record(name, tuple((component, NUM) for component in components.split()))
-
-
-POS = _nums("pos", "x y z")
-ORIENT = _nums("orient", "q1 q2 q3 q4")
-POSE = _record("pose", trans=POS, rot=ORIENT)
-CONFDATA = _nums("confdata", "cf1 cf4 cf6 cfx")
-EXTJOINT = _nums("extjoint", "eax_a eax_b eax_c eax_d eax_e eax_f")
-ROBJOINT = _nums("robjoint", "rax_1 rax_2 rax_3 rax_4 rax_5 rax_6")
-ROBTARGET = _record("robtarget", trans=POS, rot=ORIENT, robconf=CONFDATA, extax=EXTJOINT)
-JOINTTARGET = _record("jointtarget", robax=ROBJOINT, extax=EXTJOINT)
-LOADDATA = _record("loaddata", mass=NUM, cog=POS, aom=ORIENT, ix=NUM, iy=NUM, iz=NUM)
-TOOLDATA = _record("tooldata", robhold=BOOL, tframe=POSE, tload=LOADDATA)
-WOBJDATA = _record("wobjdata", robhold=BOOL, ufprog=BOOL, ufmec=STRING, uframe=POSE, oframe=POSE)
-SPEEDDATA = _nums("speeddata", "v_tcp v_ori v_leax v_reax")
-ZONEDATA = Record(
-    "zonedata",
-    (
-        ("finep", BOOL),
-        *((name, NUM) for name in ("pzone_tcp", "pzone_ori", "pzone_eax", "zone_ori", "zone_leax", "zone_reax")),
-    ),
-)
-PROGDISP = _record("progdisp", pdisp=POSE, eoffs=EXTJOINT)
-VELDATA = _nums("veldata", "oride max")
-ACCDATA = _nums("accdata", "acc ramp finepramp")
-SINGDATA = _record("singdata", wrist=BOOL, lockaxis4=BOOL, arm=BOOL, base=BOOL)
-CONFSUPDATA = _record("confsupdata", jsup=BOOL, lsup=BOOL, ax1=NUM, ax4=NUM, ax6=NUM)
-MOTSETDATA = _record(
-    "motsetdata",
-    vel=VELDATA,
-    acc=ACCDATA,
-    sing=SINGDATA,
-    conf=CONFSUPDATA,
-    pathresol=NUM,
-    motionsup=BOOL,
-    tunevalue=NUM,
-    acclim=BOOL,
-    accmax=NUM,
-    decellim=BOOL,
-    decelmax=NUM,
-    cirpathreori=NUM,
-    worldacclim=BOOL,
-    worldaccmax=NUM,
-    evtbufferact=BOOL,
-    corner_path_warn_suppress=BOOL,
-)
-# Components of a motsetdata, and of the records in it, whose values nothing here keeps up to date.
-_UNFOLLOWED = """
-    finepramp arm ax1 ax4 ax6 pathresol motionsup tunevalue cirpathreori evtbufferact corner_path_warn_suppress
+# Records with their components; one without a type is a num.
+_RECORDS = """
+    pos x y z
+    orient q1 q2 q3 q4
+    pose trans:pos rot:orient
+    confdata cf1 cf4 cf6 cfx
+    extjoint eax_a eax_b eax_c eax_d eax_e eax_f
+    robjoint rax_1 rax_2 rax_3 rax_4 rax_5 rax_6
+    robtarget trans:pos rot:orient robconf:confdata extax:extjoint
+    jointtarget robax:robjoint extax:extjoint
+    loaddata mass cog:pos aom:orient ix iy iz
+    tooldata robhold:bool tframe:pose tload:loaddata
+    wobjdata robhold:bool ufprog:bool ufmec:string uframe:pose oframe:pose
+    speeddata v_tcp v_ori v_leax v_reax
+    zonedata finep:bool pzone_tcp pzone_ori pzone_eax zone_ori zone_leax zone_reax
+    progdisp pdisp:pose eoffs:extjoint
+    veldata oride max
+    accdata acc ramp finepramp
+    singdata wrist:bool lockaxis4:bool arm:bool base:bool
+    confsupdata jsup:bool lsup:bool ax1 ax4 ax6
+    motsetdata vel:veldata acc:accdata sing:singdata conf:confsupdata pathresol motionsup:bool tunevalue acclim:bool \
+        accmax decellim:bool decelmax cirpathreori worldacclim:bool worldaccmax evtbufferact:bool \
+        corner_path_warn_suppress:bool
+    inposdata position speed mintime maxtime
+    stoppointdata type progsynch:bool inpos:inposdata stoptime followtime signal:string relation checkvalue
+    listitem image:string text:string
+    tasks taskname:string
 """
-UNFOLLOWED = frozenset(_UNFOLLOWED.split())
-MODAL = (MOTSETDATA, ACCDATA, SINGDATA, CONFSUPDATA)
-INPOSDATA = _nums("inposdata", "position speed mintime maxtime")
-STOPPOINTDATA = _record(
-    "stoppointdata",
-    type=NUM,
-    progsynch=BOOL,
-    inpos=INPOSDATA,
-    stoptime=NUM,
-    followtime=NUM,
-    signal=STRING,
-    relation=NUM,
-    checkvalue=NUM,
-)
-LISTITEM = _record("listitem", image=STRING, text=STRING)
-TASKS = _record("tasks", taskname=STRING)
-
 SIGNALS = frozenset({"signaldi", "signaldo", "signalgi", "signalgo", "signalai", "signalao"})
-_RECORDS = (
-    POS, ORIENT, POSE, CONFDATA, EXTJOINT, ROBJOINT, ROBTARGET, JOINTTARGET, LOADDATA, TOOLDATA, WOBJDATA, SPEEDDATA,
-    ZONEDATA, PROGDISP, VELDATA, ACCDATA, SINGDATA, CONFSUPDATA, MOTSETDATA, INPOSDATA, STOPPOINTDATA, LISTITEM, TASKS,
-)  # fmt: skip
 # Other names of num.
 _NUMBERS = """
     aiotrigg btnres busstate buttondata byte camerastatus capstopmode dionum egmframetype egmstate egmstopmode
@@ -360,12 +312,34 @@ _OPAQUE = """
     weavestartdata welddata wzstationary wztemporary
 """
 # Types the program can name.
-TYPES: dict[str, Type] = {
-    **{type_.name: type_ for type_ in (NUM, DNUM, BOOL, STRING, SWITCH, *_RECORDS)},
+TYPES: dict[str, Type] = {type_.name: type_ for type_ in (NUM, DNUM, BOOL, STRING, SWITCH)}
+
+
+def _record(name: str) -> Record:
+    found = TYPES[name]
+    assert isinstance(found, Record)
+    return found
+
+
+for _name, *_components in (_line.split() for _line in _RECORDS.strip().splitlines()):
+    _typed = (_component.partition(":") for _component in _components)
+    TYPES[_name] = Record(_name, tuple((_one, TYPES[_type or "num"]) for _one, _, _type in _typed))
+TYPES |= {
     **{name: Atomic(name) for name in (*sorted(SIGNALS), *_OPAQUE.split())},
     **dict.fromkeys(_NUMBERS.split(), NUM),
     **dict.fromkeys(("errstr",), STRING),
 }
+POS, ORIENT, POSE, CONFDATA, EXTJOINT = map(_record, ("pos", "orient", "pose", "confdata", "extjoint"))
+ROBTARGET, JOINTTARGET = map(_record, ("robtarget", "jointtarget"))
+LOADDATA, TOOLDATA, WOBJDATA = map(_record, ("loaddata", "tooldata", "wobjdata"))
+SPEEDDATA, ZONEDATA, PROGDISP = map(_record, ("speeddata", "zonedata", "progdisp"))
+MOTSETDATA = _record("motsetdata")
+MODAL = (MOTSETDATA, *map(_record, ("accdata", "singdata", "confsupdata")))
+# Components of a motsetdata, and of the records in it, whose values nothing here keeps up to date.
+_UNFOLLOWED = """
+    finepramp arm ax1 ax4 ax6 pathresol motionsup tunevalue cirpathreori evtbufferact corner_path_warn_suppress
+"""
+UNFOLLOWED = frozenset(_UNFOLLOWED.split())
 
 
 def convertible(wanted: Type, given: Type) -> bool:

@@ -202,12 +202,7 @@ def _component(run: Context, node: Component, type_: Type) -> tuple[int, Type]:
         wanted = node.name.lower()
         for index, (name, part) in enumerate(type_.components):
             if name == wanted:
-                if wanted in datatypes.UNFOLLOWED and type_ in (
-                    datatypes.MOTSETDATA,
-                    datatypes.ACCDATA,
-                    datatypes.SINGDATA,
-                    datatypes.CONFSUPDATA,
-                ):
+                if wanted in datatypes.UNFOLLOWED and type_ in datatypes.MODAL:
                     raise run.error(node, f"{wanted} of a {type_.name} is not followed here; write its value instead")
                 return index, part
         known = ", ".join(name for name, _ in type_.components)
