@@ -16,7 +16,7 @@ from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.rapid.execution.rail_hold import without_unasked
+from trajopt_cli.rapid.execution.rail import without_unasked
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario, Settling
 from trajopt_cli.trajectories.axes import Axes

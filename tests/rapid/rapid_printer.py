@@ -5,51 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import inf
 
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.expressions import PRIORITY
-from trajopt_cli.rapid.language.syntax import (
-    Aggregate,
-    AliasDeclaration,
-    Argument,
-    Assign,
-    Binary,
-    Block,
-    Boolean,
-    Call,
-    Component,
-    Connect,
-    DataDeclaration,
-    Element,
-    Expression,
-    For,
-    Goto,
-    Handler,
-    If,
-    Item,
-    Label,
-    LateCall,
-    Module,
-    ModuleFile,
-    Name,
-    Number,
-    Parameter,
-    Placeholder,
-    ProcedureCall,
-    Raise,
-    RecordDeclaration,
-    Return,
-    Routine,
-    Simple,
-    Statement,
-    String,
-    Test,
-    Unary,
-    While,
-)
+from trajopt_cli.rapid.language.syntax import Binary, Block, Expression, Number, Statement, Unary
 
 _INDENT = "    "
 
 
-def print_file(file: ModuleFile) -> str:
+def print_file(file: syntax.ModuleFile) -> str:
     """All modules of a file, one after the other."""
     return "".join(f"{line}\n" for module in file.modules for line in _module(module))
 
@@ -67,19 +30,19 @@ def print_expression(node: Expression) -> str:
     match node:
         case Number():
             return _number(node.value)
-        case String():
+        case syntax.String():
             return _string(node.value)
-        case Boolean():
+        case syntax.Boolean():
             return "TRUE" if node.value else "FALSE"
-        case Name() | Placeholder():
+        case syntax.Name() | syntax.Placeholder():
             return node.name
-        case Component():
+        case syntax.Component():
             return f"{_base(node.base)}.{node.name}"
-        case Element():
+        case syntax.Element():
             return f"{_base(node.base)}{{{_list(node.indices)}}}"
-        case Call():
+        case syntax.Call():
             return f"{node.name}({_arguments(node.args)})"
-        case Aggregate():
+        case syntax.Aggregate():
             return f"[{_list(node.items)}]"
         case Unary():
             operand = print_expression(node.operand)
@@ -102,7 +65,7 @@ def _operand(node: Expression, priority: int) -> str:
 
 def _base(node: Expression) -> str:
     text = print_expression(node)
-    return text if isinstance(node, (Name, Call, Component, Element)) else f"({text})"
+    return text if isinstance(node, (syntax.Name, syntax.Call, syntax.Component, syntax.Element)) else f"({text})"
 
 
 def _number(value: float) -> str:
@@ -120,11 +83,11 @@ def _list(nodes: Iterable[Expression]) -> str:
     return ",".join(print_expression(node) for node in nodes)
 
 
-def _arguments(args: Iterable[Argument]) -> str:
+def _arguments(args: Iterable[syntax.Argument]) -> str:
     return ",".join(_argument(arg) for arg in args)
 
 
-def _argument(arg: Argument) -> str:
+def _argument(arg: syntax.Argument) -> str:
     value = "" if arg.value is None else print_expression(arg.value)
     if arg.name is None:
         return value if arg.parameter is None else f"{arg.parameter}:={value}"
@@ -142,50 +105,50 @@ def _block(block: Block) -> list[str]:
 
 def _statement(node: Statement) -> list[str]:
     match node:
-        case Assign():
+        case syntax.Assign():
             return [f"{print_expression(node.target)} := {print_expression(node.value)};"]
-        case ProcedureCall():
+        case syntax.ProcedureCall():
             return [f"{node.name}{_call(node.args)};"]
-        case LateCall():
+        case syntax.LateCall():
             return [f"%{print_expression(node.name)}%{_call(node.args)};"]
-        case If(compact=True):
+        case syntax.If(compact=True):
             condition, body = node.branches[0]
             first, *rest = _statement(body[0])
             return [f"IF {print_expression(condition)} {first}", *rest]
-        case If():
+        case syntax.If():
             return _if(node)
-        case For():
+        case syntax.For():
             step = f" STEP {print_expression(node.step)}" if node.step is not None else ""
             bounds = f"FROM {print_expression(node.first)} TO {print_expression(node.last)}"
             return [f"FOR {node.name} {bounds}{step} DO", *_block(node.body), "ENDFOR"]
-        case While():
+        case syntax.While():
             return [f"WHILE {print_expression(node.condition)} DO", *_block(node.body), "ENDWHILE"]
-        case Test():
+        case syntax.Test():
             return _test(node)
-        case Goto():
+        case syntax.Goto():
             return [f"GOTO {node.label};"]
-        case Label():
+        case syntax.Label():
             return [f"{node.name}:"]
-        case Return() | Raise():
-            word = "RETURN" if isinstance(node, Return) else "RAISE"
+        case syntax.Return() | syntax.Raise():
+            word = "RETURN" if isinstance(node, syntax.Return) else "RAISE"
             return [f"{word};" if node.value is None else f"{word} {print_expression(node.value)};"]
-        case Simple():
+        case syntax.Simple():
             return [f"{node.word};"]
-        case Connect():
+        case syntax.Connect():
             return [f"CONNECT {print_expression(node.interrupt)} WITH {node.trap};"]
-        case Placeholder():
+        case syntax.Placeholder():
             return [node.name]
-        case DataDeclaration():
+        case syntax.DataDeclaration():
             return [_data(node)]
 
 
-def _call(args: tuple[Argument, ...]) -> str:
+def _call(args: tuple[syntax.Argument, ...]) -> str:
     if not args:
         return ""
     return ("" if args[0].name is not None else " ") + _arguments(args)
 
 
-def _if(node: If) -> list[str]:
+def _if(node: syntax.If) -> list[str]:
     lines: list[str] = []
     for i, (condition, body) in enumerate(node.branches):
         lines += [f"{'ELSEIF' if i else 'IF'} {print_expression(condition)} THEN", *_block(body)]
@@ -194,7 +157,7 @@ def _if(node: If) -> list[str]:
     return [*lines, "ENDIF"]
 
 
-def _test(node: Test) -> list[str]:
+def _test(node: syntax.Test) -> list[str]:
     lines = [f"TEST {print_expression(node.subject)}"]
     for values, body in node.cases:
         lines += [f"CASE {_list(values)}:", *_block(body)]
@@ -206,7 +169,7 @@ def _test(node: Test) -> list[str]:
 # --------------------------------------------------------------------------------------------------- declarations
 
 
-def _module(node: Module) -> list[str]:
+def _module(node: syntax.Module) -> list[str]:
     body = [line for item in node.items for line in _item(item)]
     if not node.name:
         return body
@@ -214,18 +177,18 @@ def _module(node: Module) -> list[str]:
     return [f"MODULE {node.name}{attributes}", *(_INDENT + line for line in body), "ENDMODULE"]
 
 
-def _item(node: Item) -> list[str]:
+def _item(node: syntax.Item) -> list[str]:
     match node:
-        case DataDeclaration():
+        case syntax.DataDeclaration():
             return [_data(node)]
-        case RecordDeclaration():
+        case syntax.RecordDeclaration():
             components = (f"{_INDENT}{type_} {name};" for type_, name in node.components)
             return [f"{_scope(node.scope)}RECORD {node.name}", *components, "ENDRECORD"]
-        case AliasDeclaration():
+        case syntax.AliasDeclaration():
             return [f"{_scope(node.scope)}ALIAS {node.type} {node.name};"]
-        case Placeholder():
+        case syntax.Placeholder():
             return [node.name]
-        case Routine():
+        case syntax.Routine():
             return _routine(node)
 
 
@@ -233,13 +196,13 @@ def _scope(scope: str | None) -> str:
     return f"{scope} " if scope else ""
 
 
-def _data(node: DataDeclaration) -> str:
+def _data(node: syntax.DataDeclaration) -> str:
     sizes = f"{{{_list(node.sizes)}}}" if node.sizes else ""
     value = f":={print_expression(node.value)}" if node.value is not None else ""
     return f"{_scope(node.scope)}{node.storage} {node.type} {node.name}{sizes}{value};"
 
 
-def _routine(node: Routine) -> list[str]:
+def _routine(node: syntax.Routine) -> list[str]:
     type_ = f"{node.type} " if node.type else ""
     head = f"{_scope(node.scope)}{node.kind} {type_}{node.name}"
     if node.kind != "TRAP":
@@ -248,12 +211,12 @@ def _routine(node: Routine) -> list[str]:
     return [head, *_block(node.body), *handlers, f"END{node.kind}"]
 
 
-def _handler(node: Handler) -> list[str]:
+def _handler(node: syntax.Handler) -> list[str]:
     numbers = f" ({_list(node.numbers)})" if node.numbers else ""
     return [f"{node.kind}{numbers}", *_block(node.body)]
 
 
-def _parameters(parameters: tuple[Parameter, ...]) -> str:
+def _parameters(parameters: tuple[syntax.Parameter, ...]) -> str:
     text = ""
     for i, parameter in enumerate(parameters):
         text += (" | " if parameter.alternative else ", ") if i else ""
@@ -261,7 +224,7 @@ def _parameters(parameters: tuple[Parameter, ...]) -> str:
     return text
 
 
-def _parameter(node: Parameter) -> str:
+def _parameter(node: syntax.Parameter) -> str:
     if not node.type:
         return node.name  # a placeholder
     dimensions = f"{{{','.join('*' * node.dimensions)}}}" if node.dimensions else ""

@@ -7,7 +7,7 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import Hold, Move, Program, SignalEvent, TextFile, Wait
-from trajopt_cli.rapid.execution.rail_hold import held_unasked, without_unasked
+from trajopt_cli.rapid.execution.rail import held_unasked, without_unasked
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario
 

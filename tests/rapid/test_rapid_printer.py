@@ -12,47 +12,20 @@ from hypothesis import strategies as st
 from rapid_printer import print_expression, print_file, print_statement
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.expressions import PRIORITY, parse_expression
 from trajopt_cli.rapid.language.lexer import KEYWORDS
 from trajopt_cli.rapid.language.parser import Parser, parse_module, parse_statement
 from trajopt_cli.rapid.language.syntax import (
-    Aggregate,
-    AliasDeclaration,
-    Argument,
-    Assign,
     Binary,
     Boolean,
-    Call,
-    Component,
-    Connect,
     DataDeclaration,
-    Element,
     Expression,
-    For,
-    Goto,
-    Handler,
-    If,
-    Label,
-    LateCall,
-    Module,
-    ModuleFile,
-    Name,
     Node,
-    Number,
-    Parameter,
     Placeholder,
-    ProcedureCall,
-    Raise,
-    RecordDeclaration,
-    Return,
-    Routine,
-    Simple,
     Statement,
-    String,
     Unary,
-    While,
 )
-from trajopt_cli.rapid.language.syntax import Test as CaseNode
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 T = TypeVar("T")
@@ -75,21 +48,21 @@ names = st.from_regex(r"[^\W\d]\w{0,6}", fullmatch=True, alphabet=characters).fi
 )
 marks = st.sampled_from(["<SMT>", "<EXP>", "<VAR>", "<ID>", "<ARG>", "<PAR>", "<ALT>", "<DIM>", "<DDN>", "<RDN>"])
 placeholders = at(Placeholder, marks)
-numbers = at(Number, st.floats(allow_nan=False, allow_infinity=False).map(lambda v: v + 0.0))
-strings = at(String, st.text(characters, max_size=8))
-variables = at(Name, names)
+numbers = at(syntax.Number, st.floats(allow_nan=False, allow_infinity=False).map(lambda v: v + 0.0))
+strings = at(syntax.String, st.text(characters, max_size=8))
+variables = at(syntax.Name, names)
 atoms = st.one_of(numbers, strings, at(Boolean, st.booleans()), variables, at(Placeholder, marks | st.just("*")))
 
 
-def arguments(values: st.SearchStrategy[Expression]) -> st.SearchStrategy[tuple[Argument, ...]]:
-    required = at(Argument, st.none(), values) | at(Argument, st.none(), values, st.just(False), names)
-    optional = at(Argument, names, st.none() | values)
-    forward = at(Argument, names, variables, st.just(True))
+def arguments(values: st.SearchStrategy[Expression]) -> st.SearchStrategy[tuple[syntax.Argument, ...]]:
+    required = at(syntax.Argument, st.none(), values) | at(syntax.Argument, st.none(), values, st.just(False), names)
+    optional = at(syntax.Argument, names, st.none() | values)
+    forward = at(syntax.Argument, names, variables, st.just(True))
     return some(st.one_of(required, optional, forward))
 
 
 def parts(bases: st.SearchStrategy[Expression], inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
-    return at(Component, bases, names) | at(Element, bases, some(inner, 1))
+    return at(syntax.Component, bases, names) | at(syntax.Element, bases, some(inner, 1))
 
 
 def grown(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
@@ -98,8 +71,8 @@ def grown(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]
         at(Binary, operators, inner, inner),
         at(Unary, st.sampled_from(["-", "+", "NOT"]), inner),
         parts(inner, inner),
-        at(Call, names, arguments(inner)),
-        some(inner, 1).map(lambda items: Aggregate(0, 0, given=items)),
+        at(syntax.Call, names, arguments(inner)),
+        some(inner, 1).map(lambda items: syntax.Aggregate(0, 0, given=items)),
     )
 
 
@@ -115,36 +88,36 @@ data = at(
     st.none() | expressions,
 )
 simple = st.one_of(
-    at(Assign, targets, expressions),
-    at(ProcedureCall, names, arguments(expressions)),
-    at(LateCall, expressions, arguments(expressions)),
-    at(Goto, names),
-    at(Return, st.none() | expressions),
-    at(Raise, st.none() | expressions),
-    at(Connect, expressions, names),
-    at(Simple, st.sampled_from(["EXIT", "RETRY", "TRYNEXT"])),
+    at(syntax.Assign, targets, expressions),
+    at(syntax.ProcedureCall, names, arguments(expressions)),
+    at(syntax.LateCall, expressions, arguments(expressions)),
+    at(syntax.Goto, names),
+    at(syntax.Return, st.none() | expressions),
+    at(syntax.Raise, st.none() | expressions),
+    at(syntax.Connect, expressions, names),
+    at(syntax.Simple, st.sampled_from(["EXIT", "RETRY", "TRYNEXT"])),
     placeholders,
 )
 
 
 def nested(inner: st.SearchStrategy[Statement]) -> st.SearchStrategy[Statement]:
-    block = some(st.one_of(inner, at(Label, names), data))
+    block = some(st.one_of(inner, at(syntax.Label, names), data))
     branches = some(st.tuples(expressions, block), 1, 2)
     cases = some(st.tuples(some(expressions, 1, 2), block), 0, 2)
     return st.one_of(
-        at(If, branches, block),
-        at(If, st.tuples(st.tuples(expressions, inner.map(lambda one: (one,)))), st.just(()), st.just(True)),
-        at(For, names, expressions, expressions, st.none() | expressions, block),
-        at(While, expressions, block),
-        at(CaseNode, expressions, cases, st.none() | block),
+        at(syntax.If, branches, block),
+        at(syntax.If, st.tuples(st.tuples(expressions, inner.map(lambda one: (one,)))), st.just(()), st.just(True)),
+        at(syntax.For, names, expressions, expressions, st.none() | expressions, block),
+        at(syntax.While, expressions, block),
+        at(syntax.Test, expressions, cases, st.none() | block),
     )
 
 
 statements = st.recursive(simple, nested, max_leaves=4)
-blocks = some(st.one_of(statements, at(Label, names), data))
+blocks = some(st.one_of(statements, at(syntax.Label, names), data))
 scopes = st.sampled_from([None, "LOCAL"])
 parameter = at(
-    Parameter,
+    syntax.Parameter,
     st.sampled_from([None, "INOUT", "VAR", "PERS"]),
     names,
     names,
@@ -152,27 +125,27 @@ parameter = at(
     st.booleans(),
 )
 alternatives = st.tuples(
-    at(Parameter, st.none(), names, names, st.just(0), st.just(True)),
-    at(Parameter, st.none(), names, names, st.just(0), st.just(True), st.just(True)),
+    at(syntax.Parameter, st.none(), names, names, st.just(0), st.just(True)),
+    at(syntax.Parameter, st.none(), names, names, st.just(0), st.just(True), st.just(True)),
 )
-unfinished = at(Parameter, st.none(), st.just(""), st.just("<PAR>"))
+unfinished = at(syntax.Parameter, st.none(), st.just(""), st.just("<PAR>"))
 parameters = some(st.one_of(parameter.map(lambda p: (p,)), alternatives, unfinished.map(lambda p: (p,))), 0, 3).map(
     lambda groups: sum(groups, ())
 )
-handlers = at(Handler, st.just("ERROR"), some(expressions), blocks) | at(
-    Handler, st.sampled_from(["UNDO", "BACKWARD"]), st.just(()), blocks
+handlers = at(syntax.Handler, st.just("ERROR"), some(expressions), blocks) | at(
+    syntax.Handler, st.sampled_from(["UNDO", "BACKWARD"]), st.just(()), blocks
 )
 items = st.one_of(
     at(DataDeclaration, scopes | st.just("TASK"), st.just("PERS"), names, names, some(expressions), st.none() | atoms),
-    at(RecordDeclaration, scopes, names, some(st.tuples(names, names))),
-    at(AliasDeclaration, scopes, names, names),
-    at(Routine, scopes, st.just("PROC"), st.none(), names, parameters, blocks, some(handlers, 0, 2)),
-    at(Routine, scopes, st.just("FUNC"), names, names, parameters, blocks, st.just(())),
-    at(Routine, scopes, st.just("TRAP"), st.none(), names, st.just(()), blocks, st.just(())),
+    at(syntax.RecordDeclaration, scopes, names, some(st.tuples(names, names))),
+    at(syntax.AliasDeclaration, scopes, names, names),
+    at(syntax.Routine, scopes, st.just("PROC"), st.none(), names, parameters, blocks, some(handlers, 0, 2)),
+    at(syntax.Routine, scopes, st.just("FUNC"), names, names, parameters, blocks, st.just(())),
+    at(syntax.Routine, scopes, st.just("TRAP"), st.none(), names, st.just(()), blocks, st.just(())),
     placeholders,
 )
 attributes = some(st.sampled_from(["SYSMODULE", "NOVIEW", "NOSTEPIN", "VIEWONLY", "READONLY"]), 0, 2)
-modules = at(Module, names, attributes, some(items))
+modules = at(syntax.Module, names, attributes, some(items))
 
 
 def labels_differ(tree: object) -> bool:
@@ -182,8 +155,8 @@ def labels_differ(tree: object) -> bool:
 
 
 files = st.one_of(
-    st.builds(lambda ms: ModuleFile(0, 0, ms, (), ()), some(modules, 1, 2)),
-    st.builds(lambda i: ModuleFile(0, 0, (Module(0, 0, "", (), i),), (), ()), some(items, 1)),
+    st.builds(lambda ms: syntax.ModuleFile(0, 0, ms, (), ()), some(modules, 1, 2)),
+    st.builds(lambda i: syntax.ModuleFile(0, 0, (syntax.Module(0, 0, "", (), i),), (), ()), some(items, 1)),
 ).filter(labels_differ)
 
 
@@ -201,12 +174,12 @@ def test_a_statement_printed_and_read_is_the_same_tree(tree: Statement) -> None:
 
 @settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(files)
-def test_a_file_printed_and_read_is_the_same_tree(tree: ModuleFile) -> None:
+def test_a_file_printed_and_read_is_the_same_tree(tree: syntax.ModuleFile) -> None:
     assert parse_module(print_file(tree), "t") == tree
 
 
 def test_every_pair_of_operators_keeps_its_grouping() -> None:
-    a, b, c = (Name(0, 0, name) for name in "abc")
+    a, b, c = (syntax.Name(0, 0, name) for name in "abc")
     for one in PRIORITY:
         signed: list[Expression] = [Unary(0, 0, sign, a) for sign in ("-", "+", "NOT")]
         for two in PRIORITY:
@@ -224,7 +197,7 @@ def nodes(tree: object) -> list[Node]:
     """All nodes of a tree, in the order of their fields."""
     if isinstance(tree, tuple):
         return [node for part in tree for node in nodes(part)]
-    if isinstance(tree, Aggregate):
+    if isinstance(tree, syntax.Aggregate):
         return [tree, *nodes(tree.items)]
     if isinstance(tree, Node):
         return [tree, *(node for part in fields(tree) for node in nodes(getattr(tree, part.name)))]
@@ -237,7 +210,7 @@ def places(tree: object) -> list[tuple[type, int, int]]:
 
 @settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(files)
-def test_the_text_of_a_nodes_stretch_is_the_node(tree: ModuleFile) -> None:
+def test_the_text_of_a_nodes_stretch_is_the_node(tree: syntax.ModuleFile) -> None:
     text = print_file(tree)
     for node in nodes(parse_module(text, "t").modules):
         stretch = text[node.start : node.end]
@@ -381,7 +354,7 @@ def test_forms_found_in_the_field_mean_the_same(text: str, meaning: str) -> None
     [('"a""b"', 'a"b'), (r'"a\\b"', "a\\b"), (r'"\41\0a"', "A\n"), (r'"\x"', "\\x"), ('""', ""), ('""""', '"')],
 )
 def test_escapes_of_strings(literal: str, value: str) -> None:
-    assert parse_expression(literal, "t") == String(0, 0, value)
+    assert parse_expression(literal, "t") == syntax.String(0, 0, value)
 
 
 def test_declarations_found_in_the_field_are_read() -> None:
@@ -395,9 +368,9 @@ def test_declarations_found_in_the_field_are_read() -> None:
     (module,) = parse_module(text.replace("\\\\", "\\"), "t").modules
     *data, record, routine = module.items
     assert [item.scope for item in data if isinstance(item, DataDeclaration)] == [None, "TASK", "LOCAL", "LOCAL"]
-    assert isinstance(record, RecordDeclaration)
+    assert isinstance(record, syntax.RecordDeclaration)
     assert record.components == (("num", "x"),)
-    assert isinstance(routine, Routine)
+    assert isinstance(routine, syntax.Routine)
     assert [(p.mode, p.dimensions, p.optional, p.alternative) for p in routine.parameters] == [
         (None, 0, True, False),
         (None, 0, True, True),

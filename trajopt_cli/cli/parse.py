@@ -188,7 +188,7 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
         return
     from trajopt_cli.problem.configurations import unsure_nearest
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
-    from trajopt_cli.rapid.execution.rail_hold import held_unasked
+    from trajopt_cli.rapid.execution.rail import held_unasked
 
     if plant.rail_eaxes and (held := held_unasked(flat)):
         yield held

@@ -314,7 +314,7 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
 def _freed(job: Job, loops: Loops, now: float | None) -> str:
     """What it would save to let the rail move in the waits that hold it unasked, likewise; empty where nobody knows."""
     from trajopt_cli.plan import search_estimate
-    from trajopt_cli.rapid.execution.rail_hold import without_unasked
+    from trajopt_cli.rapid.execution.rail import without_unasked
 
     if now is None:
         return ""
@@ -452,9 +452,9 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
 
 def held_unasked(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
     """A word on the waits that hold the rail though nobody asked for it, and what it is worth; none without a rail."""
-    from trajopt_cli.rapid.execution import rail_hold
+    from trajopt_cli.rapid.execution import rail
 
-    if job.plant.rail_eaxes and (held := rail_hold.held_unasked(job.program)):
+    if job.plant.rail_eaxes and (held := rail.held_unasked(job.program)):
         yield f"{held}{worth()}"
 
 

@@ -14,8 +14,7 @@ from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.interpreter import Execution
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.execution.named import fill_constant_speed, fill_free
-from trajopt_cli.rapid.execution.rail_at import CellRailPlaces
-from trajopt_cli.rapid.execution.rail_hold import fill_holds
+from trajopt_cli.rapid.execution.rail import CellRailPlaces, fill_holds
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, Routine
 from trajopt_cli.rapid.language.text import Places

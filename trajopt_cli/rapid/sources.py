@@ -14,8 +14,7 @@ from pathlib import Path
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.language.text import listed, read_text
-from trajopt_cli.rapid.not_rapid import foreign
-from trajopt_cli.rapid.program_list import read_list
+from trajopt_cli.rapid.program_list import foreign, read_list
 from trajopt_cli.warnings import ProgramWarning, WarningKind
 
 SUFFIXES = (".mod", ".prg", ".sys", ".modx", ".sysx")

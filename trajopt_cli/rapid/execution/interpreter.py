@@ -31,13 +31,12 @@ from trajopt_cli.rapid.execution import evaluate as expressions
 from trajopt_cli.rapid.execution.calls import procedure
 from trajopt_cli.rapid.execution.context import Context
 from trajopt_cli.rapid.execution.current_position import count_rests
-from trajopt_cli.rapid.execution.endless import cycle_of
 from trajopt_cli.rapid.execution.evaluate import inside_opaque
 from trajopt_cli.rapid.execution.faults import Handled, handle, passed_on, raise_error
 from trajopt_cli.rapid.execution.instructions.processes import set_speed
 from trajopt_cli.rapid.execution.instructions.settings import publish
 from trajopt_cli.rapid.execution.loading import declare
-from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
+from trajopt_cli.rapid.execution.loops import backwards, cycle_of, run_for, run_while
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.recursion_limit import room
 from trajopt_cli.rapid.language import syntax
