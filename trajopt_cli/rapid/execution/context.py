@@ -253,12 +253,9 @@ class Context(ABC):
 
     def signal(self, node: Expression) -> str:
         """The name, in lower case, of the signal that an argument stands for. Signals are not declared in RAPID."""
+        place = self.find(node.name) if isinstance(node, Name) else None
         if isinstance(node, (syntax.Component, syntax.Element)):
-            place: Place | Absent | None = self.locate(node)
-        elif isinstance(node, Name):
-            place = self.find(node.name)
-        else:
-            raise self.error(node, f"needs the name of a signal, found {self.text(node)}")
+            place = self.locate(node)
         if isinstance(place, (Datum, Part)) and place.type.name in SIGNALS:
             return str(place.value.data or self.text(node)).lower()
         if not isinstance(node, Name):

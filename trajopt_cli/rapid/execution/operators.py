@@ -6,7 +6,7 @@ import operator as op
 from collections.abc import Callable
 from math import copysign, fmod, trunc
 
-from trajopt_cli.path.circle import cross
+from trajopt_cli.path.circle import cross, minus
 from trajopt_cli.rapid.data import datatypes, frames
 from trajopt_cli.rapid.data.datatypes import NUM, POS, Data, Type, Value, is_number, single
 from trajopt_cli.rapid.execution.context import Context
@@ -72,6 +72,13 @@ def arithmetic(run: Context, node: Binary, left: Value, right: Value) -> Value:
     return Value(datatypes.DNUM, result)
 
 
+_OF_VECTORS: dict[str, Callable[[frames.Vector, frames.Vector], frames.Vector]] = {
+    "+": lambda p, q: (p[0] + q[0], p[1] + q[1], p[2] + q[2]),
+    "-": minus,
+    "*": cross,
+}
+
+
 def vectors(run: Context, node: Binary, left: Value, right: Value) -> Value | None:
     """Every other operator but comparisons; None where there is none for these types. Raises Fault."""
     a, b, operator = left.data, right.data, node.operator
@@ -80,14 +87,8 @@ def vectors(run: Context, node: Binary, left: Value, right: Value) -> Value | No
     if left.type is datatypes.ORIENT and right.type is datatypes.ORIENT and operator == "*":
         return computed(run, node, datatypes.ORIENT, frames.product(a, b))
     if left.type is POS and right.type is POS:
-        p: frames.Vector = a
-        q: frames.Vector = b
-        if operator == "+":
-            return computed(run, node, POS, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
-        if operator == "-":
-            return computed(run, node, POS, (p[0] - q[0], p[1] - q[1], p[2] - q[2]))
-        if operator == "*":
-            return computed(run, node, POS, cross(p, q))
+        if (combined := _OF_VECTORS.get(operator)) is not None:
+            return computed(run, node, POS, combined(a, b))
     elif (left.type is POS and is_number(right.type)) or (is_number(left.type) and right.type is POS):
         factor, p = (b, a) if left.type is POS else (a, b)
         if operator == "*":
