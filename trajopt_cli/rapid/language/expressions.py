@@ -119,13 +119,18 @@ class ExpressionParser(Cursor):
         alone = self.i and self.kinds[self.i - 1] == "," and self.kind in (",", ";", ")", "]", "}")
         return "one ',' is too many" if alone else ""
 
-    def _aggregate(self, start: int) -> syntax.Aggregate:
-        items = [self.expression()]
+    def values(self) -> tuple[Expression, ...]:
+        """Expressions with commas between them."""
+        values = [self.expression()]
         while self.accept(","):
-            items.append(self.expression())
+            values.append(self.expression())
+        return tuple(values)
+
+    def _aggregate(self, start: int) -> syntax.Aggregate:
+        items = self.values()
         if not self.accept("]"):
             self.fail("']' or ',' in the aggregate", self.behind)
-        return syntax.Aggregate(start, self.behind, given=tuple(items))
+        return syntax.Aggregate(start, self.behind, given=items)
 
     def _name(self) -> Expression:
         start, name = self.here, self.texts[self.i]
@@ -154,14 +159,12 @@ class ExpressionParser(Cursor):
         opened = self.here
         self.expect("{", "before the indices")
         self.deeper()
-        indices = [self.expression()]
-        while self.accept(","):
-            indices.append(self.expression())
+        indices = self.values()
         self.depth -= 1
         self.expect("}", "after the indices")
         if len(indices) > 3:
             raise self.error(opened, f"{len(indices)} dimensions; RAPID has at most 3")
-        return tuple(indices)
+        return indices
 
     # ---------------------------------------------------------------------------------------------- the arguments
 

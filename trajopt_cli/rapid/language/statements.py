@@ -409,13 +409,6 @@ class StatementParser(ExpressionParser):
         self.close_block("ENDTEST")
         return syntax.Test(start, self.behind, subject, tuple(cases), default)
 
-    def values(self) -> tuple[Expression, ...]:
-        """Expressions with commas between them."""
-        values = [self.expression()]
-        while self.accept(","):
-            values.append(self.expression())
-        return tuple(values)
-
     def _goto(self, start: int) -> Statement:
         self.i += 1
         label = self.identifier("a label after GOTO")
