@@ -10,9 +10,17 @@ from __future__ import annotations
 import re
 from math import inf
 
-from trajopt_cli.rapid.language import syntax
 from trajopt_cli.rapid.language.lexer import KEYWORDS, NAME
-from trajopt_cli.rapid.language.syntax import NUMBER, Argument
+from trajopt_cli.rapid.language.syntax import (
+    NUMBER,
+    Aggregate,
+    Argument,
+    DataDeclaration,
+    Expression,
+    Name,
+    Number,
+    ProcedureCall,
+)
 
 NAME_LIMIT = 32  # characters in a RAPID name
 
@@ -32,7 +40,7 @@ _STATEMENT = re.compile(
 _NUMBER = re.compile(rf"([+-]?){NUMBER}")
 
 
-def whole_statement(text: str, at: int) -> tuple[syntax.ProcedureCall | syntax.DataDeclaration, int] | None:
+def whole_statement(text: str, at: int) -> tuple[ProcedureCall | DataDeclaration, int] | None:
     """The statement that begins at an offset (blanks before it aside) and where it ends; None for all others."""
     match = _STATEMENT.match(text, at)
     if match is None:
@@ -44,13 +52,13 @@ def whole_statement(text: str, at: int) -> tuple[syntax.ProcedureCall | syntax.D
             return None
         first, last = match.span("value")
         start = match.start("scope" if scope else "storage")
-        literal = syntax.Aggregate(first, last, text)
-        data = syntax.DataDeclaration(start, end, scope and scope.upper(), storage.upper(), type_, name, (), literal)
+        literal = Aggregate(first, last, text)
+        data = DataDeclaration(start, end, scope and scope.upper(), storage.upper(), type_, name, (), literal)
         return data, end
     if call.upper() in KEYWORDS:
         return None
     args = _arguments(match)
-    return None if args is None else (syntax.ProcedureCall(match.start("call"), end, call, args), end)
+    return None if args is None else (ProcedureCall(match.start("call"), end, call, args), end)
 
 
 def _arguments(match: re.Match[str]) -> tuple[Argument, ...] | None:
@@ -59,7 +67,7 @@ def _arguments(match: re.Match[str]) -> tuple[Argument, ...] | None:
     at = match.start("args")
     if literal is not None:
         start, end = match.span("literal")
-        args.append(Argument(start, end, None, syntax.Aggregate(start, end, match.string)))
+        args.append(Argument(start, end, None, Aggregate(start, end, match.string)))
         rest = pieces.pop(0)
         if rest.strip(_WHITE) and not (rest.lstrip(_WHITE).startswith("\\") and _piece(rest, at, args)):
             return None
@@ -69,7 +77,7 @@ def _arguments(match: re.Match[str]) -> tuple[Argument, ...] | None:
     for piece in pieces:
         if piece.isidentifier() and piece.upper() not in KEYWORDS:
             end = at + len(piece)
-            args.append(Argument(at, end, None, syntax.Name(at, end, piece)))
+            args.append(Argument(at, end, None, Name(at, end, piece)))
         elif not _piece(piece, at, args):
             return None
         at += len(piece) + 1
@@ -105,12 +113,12 @@ def _piece(piece: str, at: int, args: list[Argument]) -> bool:
 _WHITE = " \t\r\n"
 
 
-def _value(piece: str, at: int) -> syntax.Expression | None:
+def _value(piece: str, at: int) -> Expression | None:
     """A name or a number with blanks around it."""
     word = piece.strip(_WHITE)
     start = at + len(piece) - len(piece.lstrip(_WHITE))
     end = start + len(word)
     if word.isidentifier():
-        return None if word.upper() in KEYWORDS else syntax.Name(start, end, word)
+        return None if word.upper() in KEYWORDS else Name(start, end, word)
     number = float(word) if _NUMBER.fullmatch(word) else inf
-    return syntax.Number(start, end, number) if abs(number) != inf else None
+    return Number(start, end, number) if abs(number) != inf else None
