@@ -39,7 +39,7 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
     "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes", "passed_waypoint",
-    "rate_link", "near_point",
+    "rate_link", "near_point", "sector",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
@@ -96,15 +96,15 @@ def test_no_kind_of_relation_is_left_out() -> None:
     assert public == set(KINDS)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", [*KINDS, "node with turns"])
 def test_native_functions_equal_casadis(kind: str) -> None:
     """To 1e-13 of the largest entry, at as many copies as leave lanes without one."""
     rng, n = np.random.default_rng(21), machine().lanes + 3
-    for arguments in KINDS[kind]:
-        ours, casadis = (
-            getattr(formulation, kind)(*of_axes(arguments, formulation)).block
-            for formulation in both(PLANTS.get(kind, plant_with_rail))
-        )
+    name, _, turning = kind.partition(" ")
+    for arguments in [(TRACKS[1], "lr"), (DWELL, "l")] if turning else KINDS[kind]:
+        pair = both(PLANTS.get(kind, plant_with_rail))
+        formulations = [one.with_turns for one in pair] if turning else pair
+        ours, casadis = (getattr(one, name)(*of_axes(arguments, one)).block for one in formulations)
         n_z, n_p, m = ours.sizes
         z, p, lam = (rng.uniform(0.2, 1.0, (n, k)) for k in (n_z, n_p, m))
         for got, wanted in zip(

@@ -116,9 +116,8 @@ class TurnRoom:
 
     def between(self, s_0: float, s_1: float) -> TurnRoom:
         """On the part of a leg from s_0 to s_1."""
-        return replace(
-            self, low=self.low - s_0 * self.slope, high=self.high - s_0 * self.slope, slope=(s_1 - s_0) * self.slope
-        )
+        gone = s_0 * self.slope
+        return replace(self, low=self.low - gone, high=self.high - gone, slope=(s_1 - s_0) * self.slope)
 
     @property
     def axis_F(self) -> Array:
