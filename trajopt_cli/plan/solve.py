@@ -147,13 +147,14 @@ def optimize(
     elif isinstance(found, Plan) and isinstance(objective, LeastEffort) and not base and _may_turn(question):
         found = replace(found, notes=(*found.notes, _NOT_EASED))
     jerk, fastest = plant.limits.binding_jerk is not None, not isinstance(objective, LeastEffort)
-    if jerk and fastest and isinstance(found, Plan) and not found.turns and corners_of(program, plant).passed:
+    if jerk and fastest and isinstance(found, Plan) and corners_of(program, plant).passed:
         with suppress(NoCleanPlan, Stopped):  # short ways that end in large zones may take longer than stops
-            other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits, {}, False)
+            other = _planned_as_given(with_stops(program), own := PlanCache(), False, *with_limits, base, False)
             if isinstance(other, Plan) and other.duration < found.duration:
                 bound = found.lower_bound
                 memory.repair.update(own.repair)
-                return replace(other, lower_bound=None if bound is None else min(bound, other.duration))
+                notes = (*found.notes[: bool(base)], *other.notes)
+                return replace(other, lower_bound=None if bound is None else min(bound, other.duration), notes=notes)
     return found
 
 
