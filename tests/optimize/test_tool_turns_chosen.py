@@ -112,6 +112,22 @@ def test_nothing_turns_unless_it_is_free() -> None:
     assert planned(DRILL, Target.RAPID, False).turns == {}
 
 
+def test_under_jerk_limits_a_turn_that_helps_a_corner_does_not_hide_that_a_stop_is_faster() -> None:
+    """The corner of a spike costs more under jerk than a stop; a hair of a turn saves less than that."""
+    body = """MoveJ p_a,v1000,fine,tRound;
+MoveL RelTool(p_a,0,0,-30),v2000,z5,tRound;
+MoveL RelTool(p_a,3,0,0),v2000,fine,tRound;
+MoveAbsJ j_home\\NoEOffs,v1000,fine,tRound;"""
+    plant, program = slow_wrist(), program_of(body, FreeTurn(Z, -0.003, 0.003))
+    limits = replace(plant.limits, jerk=15 * plant.limits.acceleration, jerk_binds=True)
+    times = []
+    for freedom in (EVERYTHING, TAUGHT):
+        plan = optimize(program, replace(plant, limits=limits), Target.RAPID, freedom, bounded=False)
+        assert isinstance(plan, Plan)
+        times.append(plan.duration)
+    assert times[0] <= times[1]
+
+
 def test_the_gentlest_motion_says_that_it_turns_no_tool() -> None:
     plant, goal = slow_wrist(), LeastEffort(2 * planned(MOVES, Target.RAPID, False).duration)
     for turn in (True, False):
