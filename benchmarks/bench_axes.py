@@ -21,7 +21,7 @@ from time import process_time
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from trajopt_cli.geometry import Array, pose
+from trajopt_cli.geometry import Array, IndexArray, pose
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.judge.libraries import shortest_time
 from trajopt_cli.judge.verify import verify
@@ -59,7 +59,7 @@ def write(seed: int, r: int, folder: Path) -> Job:
     return read_job(program)
 
 
-def nodes(job: Job, X_WF: Array, written: Array) -> tuple[Array, Array]:
+def nodes(job: Job, X_WF: Array, written: Array) -> tuple[Array, IndexArray]:
     """Axes (n, k) that reach a pose and their branches (n,): PLACES on every axis, and written."""
     robot, limits, r = job.plant.robot, job.plant.limits, job.plant.layout.r
     grid = [np.linspace(limits.lower[i], limits.upper[i], PLACES[i]) for i in range(r)]
@@ -71,7 +71,7 @@ def nodes(job: Job, X_WF: Array, written: Array) -> tuple[Array, Array]:
     return q[inside], np.broadcast_to(np.arange(8)[:, None], every.shape[:3])[inside]
 
 
-def edges(a: tuple[Array, Array], b: tuple[Array, Array], job: Job, line: float | None) -> Array:
+def edges(a: tuple[Array, IndexArray], b: tuple[Array, IndexArray], job: Job, line: float | None) -> Array:
     """What a straight way in the joints takes (n, m) [s]; of a line about that, and infinity between branches."""
     top, ramp, k = *(np.full((len(a[0]), len(b[0])), 1e-9) for _ in range(2)), a[0].shape[1]
     for i, v, acc in zip(range(k), job.plant.limits.velocity, job.plant.limits.acceleration, strict=True):
@@ -81,7 +81,7 @@ def edges(a: tuple[Array, Array], b: tuple[Array, Array], job: Job, line: float 
         top, ramp = np.maximum(top, d / v), np.maximum(ramp, d / acc)
     if line is not None:
         top = np.where(a[1][:, None] == b[1][None], np.maximum(top, line / LINE), np.inf)
-    return np.where(top**2 >= ramp, top + ramp / top, 2 * np.sqrt(ramp))
+    return np.asarray(np.where(top**2 >= ramp, top + ramp / top, 2 * np.sqrt(ramp)))
 
 
 def line_time(job: Job, X: tuple[Array, Array], q: tuple[Array, Array], cfx: int) -> float:
@@ -101,25 +101,28 @@ def line_time(job: Job, X: tuple[Array, Array], q: tuple[Array, Array], cfx: int
 def plain(job: Job) -> float:
     """Cycle time [s] of the plain search's motion."""
     r, moves = job.plant.layout.r, [one for one in job.program.motions if isinstance(one, MoveJ | MoveL | MoveAbsJ)]
-    poses, layers = [np.eye(4)], [(job.plant.start[None], np.zeros(1, dtype=int))]
+    poses, layers = [np.eye(4)], [(job.plant.start[None], np.zeros(1, dtype=np.intp))]
     for one in moves:
         written = np.array([value / 1e3 for value in one.extax[:r] if value is not None])
-        stands = isinstance(one, MoveAbsJ)
-        poses.append(np.eye(4) if stands else one.X_WT)
-        layers.append((np.r_[written, one.q][None], np.zeros(1, int)) if stands else nodes(job, one.X_WT, written))
+        if isinstance(one, MoveAbsJ):
+            poses.append(np.eye(4))
+            layers.append((np.r_[written, one.q][None], np.zeros(1, dtype=np.intp)))
+        else:
+            poses.append(one.X_WT)
+            layers.append(nodes(job, one.X_WT, written))
     lines = [float(np.linalg.norm((b - a)[:3, 3])) if isinstance(one, MoveL) else None
              for one, a, b in zip(moves, poses, poses[1:], strict=False)]  # fmt: skip
     between = [edges(a, b, job, line) for a, b, line in zip(layers, layers[1:], lines, strict=False)]
     timed: set[tuple[int, int, int]] = set()
     while True:  # until the best chain's lines take what the search took them to take
-        cost, back = np.zeros(1), list[Array]()
+        cost, back = np.zeros(1), list[IndexArray]()
         for edge in between:
             back.append((cost[:, None] + edge).argmin(axis=0))
             cost = (cost[:, None] + edge).min(axis=0)
         chain = [int(cost.argmin())]
-        for one in reversed(back):
-            chain.insert(0, int(one[chain[0]]))
-        asked = {(k, *chain[k : k + 2]) for k, line in enumerate(lines) if line is not None} - timed
+        for came in reversed(back):
+            chain.insert(0, int(came[chain[0]]))
+        asked = {(k, chain[k], chain[k + 1]) for k, line in enumerate(lines) if line is not None} - timed
         if not asked:
             return float(cost.min()) + WAIT * sum(line is None for line in lines[:-1])
         for k, i, j in asked:

@@ -125,7 +125,7 @@ def _refine_together(axes: Axes, problem: Problem, chain: Route, known: Times) -
             ok = axes.within(q)
             ok[0], q[0] = True, chain.q[k]
             near.append(q[ok])
-        asked, rows = list[Pairs](), list[tuple[IndexArray, IndexArray]]()
+        asked, rows = list[Pairs](), list[tuple[IndexArray, ...]]()
         for k, (a, b) in enumerate(pairwise(near)):
             leg, way = problem.legs[k], (b[None, :] - a[:, None])[..., axes.layout.rail]
             ok = np.abs(way - (chain.q[k + 1] - chain.q[k])[axes.layout.rail]).max(axis=2) <= step + _SAME
