@@ -52,11 +52,11 @@ def test_pythons_and_systems_are_those_that_the_package_names(jobs: dict[str, An
 def test_the_steps_are_those_of_the_ci(jobs: dict[str, Any]) -> None:
     """Lint, format, types, tests, manual: what .ci/run calls, with the same arguments."""
     steps = re.findall(r'^"\$work/venv/bin/([\w-]+)"(.*)$', RUN, re.MULTILINE)
-    assert [name for name, _ in steps] == ["ruff", "ruff", "mypy", "sphinx-build"]
+    assert [name for name, _ in steps] == ["pytest", "ruff", "ruff", "mypy", "sphinx-build"]
     lines = commands(jobs["test"]).splitlines()
-    for name, arguments in steps[:3]:
+    for name, arguments in steps[:4]:
         assert f"{name}{arguments}" in lines
-    assert lines[-1] == "pytest -n auto"
+    assert lines[-2:] == ["pytest -n auto", "pytest -n auto -m long"]
     assert "sphinx-build -W --keep-going docs" in commands(jobs["manual"])
 
 

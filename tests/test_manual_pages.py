@@ -45,6 +45,7 @@ def shown(page: str) -> str:
     return html.unescape(re.sub(r"<[^>]+>", "", page))
 
 
+@pytest.mark.long
 def test_nothing_is_fetched(site: dict[str, str]) -> None:
     for name, page in site.items():
         loaded = re.findall(r"<(?:script|img|iframe|source)[^>]*\ssrc=\"([^\"]*)", page)

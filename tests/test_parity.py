@@ -68,6 +68,7 @@ def solve(name: str, program: Program, target: Target, freedom: Freedom) -> Plan
     return optimize(program, job.plant, target, freedom, bounded=False)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "row", "called"), HELD)
 def test_a_figure_of_the_page_is_the_one_that_comes_out(name: str, row: str, called: str) -> None:
     part = PAGE[PAGE.index("The line, in numbers" if name == "hinge_line" else "Where a figure differs") :]

@@ -81,7 +81,13 @@ def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path, browser: bool
     wanted = []
     for name in ("run", "test"):
         wanted += [step.replace("'", "").replace(".venv", venv) for step in block(name).split(" && ")]
-    after = ["ruff check .", "ruff format --check .", "mypy", f"sphinx-build -W --keep-going -q docs {venv[:-5]}/site"]
+    after = [
+        "pytest -n auto -m long",
+        "ruff check .",
+        "ruff format --check .",
+        "mypy",
+        f"sphinx-build -W --keep-going -q docs {venv[:-5]}/site",
+    ]
     assert called == [*wanted, *(f"{venv}/bin/{step}" for step in after)]
 
 

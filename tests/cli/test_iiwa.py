@@ -122,6 +122,7 @@ def test_joints_put_the_tool_on_every_pose(task: Path) -> None:
     np.testing.assert_allclose(joints.q[0], np.radians([0, 30, 0, -100, 0, 50, 0]), rtol=0, atol=1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("only_png")
 def test_an_arm_angle_is_chosen_told_and_drawn(
     task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

@@ -90,6 +90,7 @@ def test_the_way_into_the_loop_keeps_its_targets(rails) -> None:  # type: ignore
     assert run(["verify", "results/cycle"]) == 0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("step", "told"), [(250, True), (20, False)])
 def test_a_target_serves_the_passes_that_are_not_planned_as_well(  # type: ignore[no-untyped-def]
     rails, step: int, told: bool
@@ -102,6 +103,7 @@ def test_a_target_serves_the_passes_that_are_not_planned_as_well(  # type: ignor
     assert (found[0] == 0.9) == told
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("few")
 def test_savings_of_several_passes_are_told_per_pass(rails, capsys: pytest.CaptureFixture[str]) -> None:  # type: ignore[no-untyped-def]
     rails()

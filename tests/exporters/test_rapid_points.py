@@ -239,6 +239,7 @@ ENDMODULE
     assert head.count("CONST robtarget pVia_") == 2
 
 
+@pytest.mark.long
 def test_what_the_planner_finds_is_written_and_judged_as_written() -> None:
     """From a post in the way to the exported text, whose program the plan's rows carry out."""
     data = """CONST robtarget p_a:=[[450,-300,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

@@ -62,6 +62,7 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
     assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [226, 973, 3253, 7484])
 @pytest.mark.usefixtures("unrefined")  # all of it was wrong of first legal motions already
 def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:

@@ -130,6 +130,7 @@ NAMES = ("following", "speeds", "line", "dosing", "contact", "steps", "hand", "z
          "loop_time")  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 def test_texts_are_legible_at_half_size_inside_the_page_and_apart(pictures: dict[str, Figure], name: str) -> None:
     figure = pictures[name]

@@ -60,6 +60,7 @@ def touching(tmp_path: Path, text: str) -> Path:
     return made(tmp_path, text.replace("Z", f"{z - 0.02 - 0.02 - 0.01:.6f}"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("engine", ["spring", "mujoco"])
 def test_the_push_is_kept_where_the_tool_touches(tmp_path: Path, engine: str) -> None:
     if engine == "mujoco":

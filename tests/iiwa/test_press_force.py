@@ -79,6 +79,7 @@ def moving(section: dict[str, object]) -> list[dict[str, float]]:
     return [one for one in section["forces"] if one["from"] != one["to"]]  # type: ignore[attr-defined]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("by", ["offset", "wrench"])
 def test_a_plate_is_pressed_as_asked(tmp_path: Path, by: str) -> None:
     task = f"{HEAD}{LANES}{PLATE}force: {{along: -z, lead: true, by: {by}}}\n"
@@ -94,6 +95,7 @@ def test_a_plate_is_pressed_as_asked(tmp_path: Path, by: str) -> None:
     assert run(["verify", str(tmp_path / "out"), "-q"]) == 0
 
 
+@pytest.mark.long
 def test_a_cylinder_is_pressed_as_asked(tmp_path: Path) -> None:
     task = f"{HEAD}{PIPE}{arc()}".replace("0.12", "0.05")
     table, section = ran(tmp_path, task, "--engine", "spring")
@@ -104,6 +106,7 @@ def test_a_cylinder_is_pressed_as_asked(tmp_path: Path) -> None:
     assert one["largest_error"] <= 0.05
 
 
+@pytest.mark.long
 def test_mujoco_presses_as_hard(tmp_path: Path) -> None:
     pytest.importorskip("mujoco")
     task = f"{HEAD}{PIPE}{arc()}".replace("0.12", "0.05")
@@ -163,6 +166,7 @@ def test_what_cannot_be_pressed_is_refused(tmp_path: Path, task: str, capsys: py
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.long
 def test_a_recorded_force_is_replayed(tmp_path: Path) -> None:
     """A log that is constant for a while does what the same push does; its units and columns may be in any order."""
     still = "poses: [start, {by: [0, 0, 0, 0, 0, 0], dwell: 0.6}]\n"
@@ -200,6 +204,7 @@ def test_a_guided_run_becomes_a_path(tmp_path: Path) -> None:
     assert run(["verify", str(tmp_path / "path"), "-q"]) == 0
 
 
+@pytest.mark.long
 def test_the_edge_that_ships_is_pressed_and_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The walk of the manual: each omission is told, and what mends it brings the force within 5 %."""
     programs = Path(__file__).parents[2] / "programs"

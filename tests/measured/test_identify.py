@@ -36,6 +36,7 @@ def shown(robot: Robot) -> dict[tuple[str, str], Limit]:
     return found_in(robot, *identification_moves(np.random.default_rng(77), [SLOW]))
 
 
+@pytest.mark.long
 def test_speeds_and_accelerations_hold_the_truth(robot: Robot, shown: dict[tuple[str, str], Limit]) -> None:
     stated = [one for one in shown.values() if one.value is not None and one.kind is not Kind.JERK]
     assert len(stated) >= 10
@@ -106,6 +107,7 @@ def jerky(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     return one_run(9007, tmp_path_factory.mktemp("work"), guess=False)  # 24 ms
 
 
+@pytest.mark.long
 def test_jerk_limited_ramps_give_the_jerk(jerky: Outcome) -> None:
     stated = [limit for limit in jerky.limits if limit.inside is not None]
     assert {limit.kind for limit in stated} == {"speed", "acceleration", "jerk"}

@@ -162,6 +162,7 @@ def test_shifts_at_corners_gain() -> None:
     assert duration(timed(axes, problem, found)) < duration(timed(axes, problem, chain))
 
 
+@pytest.mark.long
 def test_no_shift_of_neighbours_across_stops_gains() -> None:
     """Neither of one point nor of up to four together by the last step, timed with joints of the robot's own."""
     axes, problem, chain = chain_of(BODY.replace("v300, fine", "v300, z_t"))

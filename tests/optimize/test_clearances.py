@@ -78,6 +78,7 @@ def roomy() -> Iterate:
     return solved(ROOMY)
 
 
+@pytest.mark.long
 def test_a_window_beside_a_body_gains_and_is_free(roomy: Iterate) -> None:
     """Without the cube the fastest motion goes 54 mm into it; first answers go there, too."""
     plant = beside_box(0.2, 0.8, 0.1)

@@ -140,6 +140,7 @@ def test_as_zones_shrink_the_path_becomes_that_of_the_stops() -> None:
     assert times[0] >= times[1] >= times[2]
 
 
+@pytest.mark.long
 def test_a_program_of_stops_is_no_slower_than_it_was() -> None:
     """What it took for the RAPID controller before corners were planned; that of hinge_cell the manual shows."""
     assert plan_of("hinge_line", freedom=EVERYTHING).duration <= 12.437 + 5e-4

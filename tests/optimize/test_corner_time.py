@@ -110,6 +110,7 @@ def text_of(seed: int) -> str:
     return "\n".join([*moves, "MoveAbsJ j_home, v2500, fine, tool0;"])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(8))
 def test_no_stretch_of_a_legal_plan_is_faster(seed: int) -> None:
     program, plant = rapid(text_of(seed)), plant_without_rail()

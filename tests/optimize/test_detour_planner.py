@@ -73,6 +73,7 @@ def judged(name: str, found: Plan, *obstacles: Solid) -> None:
     assert report.legal, [one for one in report.findings if not one.passed]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_a_joint_move_leads_around_what_is_in_its_way(target: Target) -> None:
     bare, found = plan("across", target), plan("across", target, POST)
@@ -89,6 +90,7 @@ def test_a_joint_move_leads_around_what_is_in_its_way(target: Target) -> None:
         assert found.detours[0].around == ("post",)
 
 
+@pytest.mark.long
 def test_the_same_question_has_the_same_answer() -> None:
     program, plant = CASES["across"]
     plant = replace(plant, obstacles=(POST,), clearance=WANTED)
@@ -107,6 +109,7 @@ def test_what_is_in_nobodys_way_changes_nothing() -> None:
     assert found.detours == ()
 
 
+@pytest.mark.long
 def test_a_line_that_is_blocked_from_one_rail_position_is_driven_from_another() -> None:
     bare = plan("down", Target.RAPID)
     assert isinstance(bare, Plan)
@@ -273,6 +276,7 @@ def test_no_zone_is_named_where_none_would_do() -> None:
     assert "instead of" not in found.message
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_a_held_rail_stands_on_the_way_around_too(target: Target, unrefined: None) -> None:
     """The post is between the two points, and the rail would swerve for it if it might."""

@@ -93,6 +93,7 @@ def test_a_joint_move_alone_takes_what_ruckig_says(target: Target) -> None:
     assert known <= plan.duration <= known * (1 + 1e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("target", "rail"), [(Target.STREAM, True), (Target.STREAM, False), (Target.RAPID, False)])
 def test_plans_keep_jerk_limits_everywhere(target: Target, rail: bool) -> None:
     """Also at the stops: accelerations begin at nothing, and do not jump. With the rail the tool may do anything."""
@@ -185,6 +186,7 @@ def through_corners(zone: str) -> Plan:
     return planned(program, Target.RAPID, limited(plant_without_rail()))
 
 
+@pytest.mark.long
 def test_fly_bys_are_passed_under_jerk_limits() -> None:
     """Faster than with stops, which the judge finds legal, and its jerks are within the limits wherever rows show."""
     plan, stopping = through_corners("z50"), through_corners("fine")

@@ -121,6 +121,7 @@ def test_the_judge_tells_tools_and_frames_apart() -> None:
 TURNS = (("", "z50"), ("\\Rx:=25", "fine"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", [Target.STREAM, Target.RAPID])
 def test_turns_in_place_go_over_into_each_other_by_the_degrees_of_their_zone(target: Target) -> None:
     """z50: 7.5 deg before the point the second turn begins; the centre point stands all the while."""

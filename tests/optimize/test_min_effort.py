@@ -83,6 +83,7 @@ def gentler_than_slower(plan: Plan, eased: Eased, share: float = 1.0) -> bool:
     return slower > 1 and eased.planned.effort < share * eased.fastest.effort / slower**3
 
 
+@pytest.mark.long
 def test_a_stream_holds_its_time_and_no_slower_driving_is_gentler(streamed: Streams) -> None:
     plan, eased = streamed[IN_TIME]
     assert plan.duration == pytest.approx(4.5, abs=1e-9)

@@ -96,6 +96,7 @@ def test_no_kind_of_relation_is_left_out() -> None:
     assert public == set(KINDS)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", [*KINDS, "node with turns"])
 def test_native_functions_equal_casadis(kind: str) -> None:
     """To 1e-13 of the largest entry, at as many copies as leave lanes without one."""

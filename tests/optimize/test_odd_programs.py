@@ -140,6 +140,7 @@ def test_a_line_to_the_nearly_stretched_arm_is_slow_not_out_of_reach(plant: Plan
     assert plant.robot.walls(plan.trajectory.q[-1:, 1:])[0][0] > DEFAULT.elbow
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_a_rail_without_a_speed_stands(target: Target, plant: Plant) -> None:
     """v_leax 0 on two lines, v_ori 0 on one and on a joint move that ends with the orientation it begins with: the rail

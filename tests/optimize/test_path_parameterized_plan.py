@@ -71,6 +71,7 @@ def test_runs_driven_before_are_driven_alike_and_only_once() -> None:
         assert [one.T for one in first.legs if one] == [one.T for one in alone.legs if one]
 
 
+@pytest.mark.long
 def test_the_rail_does_not_jitter_along_a_contour() -> None:
     """80 points of z1, 3 mm apart: from one to the next the rail changes its slope by no more than a few percent, and
     the contour is no slower than with the rail standing where it begins."""

@@ -73,6 +73,7 @@ def station(target: Target) -> tuple[Program, Plant, Plan, PlanSensitivity]:
     return program, plant, plan, PlanSensitivity(program, plant, plan, everything(program, plant))
 
 
+@pytest.mark.long
 def test_a_plan_solved_again_is_no_worse_than_the_plan(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the coarse grid leads to an optimum 0.5 % later, it is solved once more from the plan's own grid."""
     program, plant, plan, _ = station(Target.STREAM)
@@ -238,6 +239,7 @@ def test_a_shorter_wait_is_worth_what_the_rail_did_not_do_in_it() -> None:
     assert answer.first_order == pytest.approx(known(answer), rel=0.1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_a_place_that_is_moved_is_solved_where_it_is_now(target: Target) -> None:
     """All of the station by 20 mm towards home along the rail; and there and back is nothing."""

@@ -173,6 +173,7 @@ def test_planner_and_judge_read_a_shipped_table_as_scipy_does(name: str) -> None
         assert grid.min() >= limits.acceleration[joint] * (1 - 1e-12)
 
 
+@pytest.mark.long
 def test_a_plan_over_a_rail_by_a_shipped_table_is_legal_and_above_its_bound() -> None:
     robot = load_robot("irb6640_180_255_rail")
     plant = plant_with_rail()

@@ -76,6 +76,7 @@ def planned(letters: str, target: Target, written: bool = False, bounded: bool =
     return plant, own, plan
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", [*Target])
 def test_a_plan_of_three_axes_is_legal_and_uses_them(target: Target) -> None:
     plant, own, plan = planned("abc", target, bounded=True)
@@ -86,6 +87,7 @@ def test_a_plan_of_three_axes_is_legal_and_uses_them(target: Target) -> None:
     assert plan.lower_bound <= plan.duration
 
 
+@pytest.mark.long
 def test_more_axes_and_more_freedom_take_no_longer() -> None:
     rapid = {letters: planned(letters, Target.RAPID)[2].duration for letters in ("a", "ab", "abc")}
     written = planned("abc", Target.RAPID, written=True)[2].duration
@@ -228,6 +230,7 @@ def test_a_follower_that_stands_apart_is_refused_with_its_place() -> None:
     assert "t.mod:5" in str(said.value)
 
 
+@pytest.mark.long
 def test_a_point_that_no_axis_brings_near_is_named() -> None:
     plant = gantry()
     own = program(plant, BODY.replace("[900,100,400]", "[900,3100,400]"))

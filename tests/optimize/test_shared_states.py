@@ -101,6 +101,7 @@ ENDFOR
 MoveAbsJ j_home, v1000, fine, tool0;"""
 
 
+@pytest.mark.long
 def test_tied_waypoints_get_one_rail_position_and_one_configuration() -> None:
     """To the last bit, as they are written with one number; untied they are elsewhere in either pass, and the tied
     plan is slower, but no slower than with both held at 460 mm, and no faster than the bound of the untied."""

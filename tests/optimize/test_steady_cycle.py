@@ -56,6 +56,7 @@ def test_between_joint_targets_the_rail_alone_takes_the_cycle(target: Target) ->
     assert plan.duration == pytest.approx(2 * float(trapezoid_time(1.5, 1.0, 3.0)), rel=1e-6)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("target", "most"), [(Target.STREAM, 1.003), (Target.RAPID, 1.02)])
 def test_the_rail_of_the_last_point_is_that_of_the_first(target: Target, most: float) -> None:
     """Down and up a line of 60 mm at 100 mm/s: as written the rail comes along 0.1 m each time. In steady state it
@@ -78,6 +79,7 @@ def test_the_rail_of_the_last_point_is_that_of_the_first(target: Target, most: f
     assert np.ptp(station.trajectory.q[:, 0]) < 1e-9
 
 
+@pytest.mark.long
 def test_a_long_cycle_is_closed_in_windows_as_well() -> None:
     """Four points along the rail; searched and solved in windows of two legs it hardly takes longer."""
     points = [(500, y, 450 - 40 * (k % 2)) for k, y in enumerate((300, 800, 1200, 600))]

@@ -253,6 +253,7 @@ def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
     assert 5 < len(asked) <= 10  # the even ones again, which gain nothing, and so the odd ones are not
 
 
+@pytest.mark.long
 def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     set_defaults(monkeypatch, window_legs=4)
     stand_in(monkeypatch, quicker)

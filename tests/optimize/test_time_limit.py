@@ -104,6 +104,7 @@ def test_a_bound_that_was_cut_holds() -> None:
     assert found[-1] == whole
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("ticks", [0, 30, 120, 400])
 def test_wherever_the_time_ends_both_plans_are_legal_and_in_order(job: Job, tmp_path: Path, ticks: int) -> None:
     patience = Patience(ticks, Ticks())

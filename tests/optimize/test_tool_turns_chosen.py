@@ -84,6 +84,7 @@ def test_a_round_tool_never_waits_for_the_wrist(target: Target) -> None:
     assert abs(np.degrees(spins[1] - spins[0]) % 360 - 190) < np.degrees(2 * swing)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_turned_plans_are_faster_legal_and_above_their_bound(target: Target) -> None:
     plan, taught, plant = planned(DRILL, target), planned(DRILL, target, False), slow_wrist()
@@ -193,6 +194,7 @@ def test_the_ladder_of_way_is_the_shortest_of_all() -> None:
     assert np.isin(np.round(np.degrees(angles)), np.arange(-45, 46, 15)).all()
 
 
+@pytest.mark.long
 def test_what_cannot_be_reached_as_taught_is_turned_until_it_can() -> None:
     body, plant = DRILL.replace("p_c", "p_b"), slow_wrist()
     assert check_feasible(program_of(body, None), plant, Target.RAPID) is not None
@@ -206,6 +208,7 @@ def test_what_cannot_be_reached_as_taught_is_turned_until_it_can() -> None:
     assert refused.index == 4
 
 
+@pytest.mark.long
 def test_a_rail_goes_with_turned_tools() -> None:
     plant = plant_with_rail()
     program = program_of(DRILL)

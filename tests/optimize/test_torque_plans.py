@@ -79,6 +79,7 @@ def test_lines_corners_and_joint_moves_keep_their_torques_and_use_them(target: T
     assert any(motion.binding.endswith(" torque") for motion in plan.motions)
 
 
+@pytest.mark.long
 def test_the_picture_of_the_axes_has_their_torques() -> None:
     program, plant, (plan, without) = rapid(BODY, data=DATA), heavy(), with_and_without(Target.RAPID)
     course = follow(program, plant, plan, "t")

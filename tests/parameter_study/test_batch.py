@@ -179,6 +179,7 @@ def test_a_process_that_ends_otherwise_is_a_row_with_its_reason(code: int, err: 
     assert (row["status"], row["reason"], row["rapid_s"]) == ("failed", reason, None)
 
 
+@pytest.mark.long
 def test_programs_are_planned_in_processes_and_one_that_fails_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -212,6 +213,7 @@ def test_a_cluster_plans_what_this_computer_would(
     assert run(["verify", "results/all_batch/a", "--quiet"]) == 0
 
 
+@pytest.mark.long
 def test_ctrl_c_ends_the_processes_and_leaves_whole_folders(tmp_path: Path) -> None:
     names = "abcdefgh"
     for name in names:

@@ -46,6 +46,7 @@ def test_a_cluster_gives_the_bytes_that_this_process_gives(study: Study, client:
     assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
 
 
+@pytest.mark.long
 def test_a_worker_that_is_killed_costs_nothing(study: Study, client: Client, tmp_path: Path) -> None:
     inputs = replace(study.inputs, price=str(tmp_path / "mark"))
     study = replace(study, inputs=inputs)
@@ -54,6 +55,7 @@ def test_a_worker_that_is_killed_costs_nothing(study: Study, client: Client, tmp
     assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
 
 
+@pytest.mark.long
 def test_a_point_that_takes_all_memory_or_raises_is_a_row_with_its_reason(
     study: Study, client: Client, tmp_path: Path
 ) -> None:
@@ -136,6 +138,7 @@ def cluster(port: int) -> Iterator[None]:
                 process.kill()
 
 
+@pytest.mark.long
 def test_a_scheduler_may_go_and_come_back(study: Study, tmp_path: Path) -> None:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))

@@ -47,6 +47,7 @@ def study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Study:
     return read_study(written(tmp_path, VARY))
 
 
+@pytest.mark.long
 def test_a_known_optimum_is_found_and_a_stopped_search_goes_on(study: Study, client: Client, tmp_path: Path) -> None:
     goal = Goal("rapid_s", points=80, seed=1)
     found = search(study, goal, tmp_path / "whole", client, work=stand_in)

@@ -105,6 +105,7 @@ def test_a_search_from_the_command_line(
     assert run([*asked, "--constraint", "cheap"]) == 2
 
 
+@pytest.mark.long
 def test_a_points_plan_is_that_of_its_cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Offsets and keys of a point, held against files written by hand."""
     monkeypatch.chdir(tmp_path)

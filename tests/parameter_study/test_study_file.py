@@ -154,6 +154,7 @@ def test_a_range_through_zero_has_a_zero(tmp_path: Path) -> None:
     assert [study.design.point(i).values for i in range(4)] == [(-0.2,), (-0.1,), (0.0,), (0.1,)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("library", ["pyarrow", "distributed"])
 def test_without_the_extra_one_line_says_what_to_install(tmp_path: Path, library: str) -> None:
     written(tmp_path)

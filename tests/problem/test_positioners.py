@@ -95,6 +95,7 @@ def test_a_move_knows_what_turns_meanwhile_and_how_long_that_takes() -> None:
     assert "positioner" in stopped_fly_bys(found)[1]
 
 
+@pytest.mark.long
 def test_plans_wait_for_the_table_and_the_judge_sees_it() -> None:
     found = program(
         r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_seam, v100, fine, tool0 \WObj:=wobj_t;"

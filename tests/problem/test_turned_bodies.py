@@ -174,6 +174,7 @@ def test_a_body_that_a_table_turns_into_the_way_is_hit_there_and_not_before() ->
     assert "fin" in answer.message
 
 
+@pytest.mark.long
 def test_the_judge_sees_what_the_planner_was_not_told() -> None:
     """A plan made without the post, judged with it: refused at the line, as deep as pin and coal say."""
     plant, program = job("MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0; MoveL pH,v500,fine,tool0;")
@@ -277,6 +278,7 @@ def test_the_judge_finds_a_part_where_the_table_has_brought_it() -> None:
 # ----------------------------------------------------------------------------------------------------- the questions
 
 
+@pytest.mark.long
 def test_ways_beside_a_turning_body_are_free_where_no_place_on_them_is_not() -> None:
     plant, program = job("MoveJ pA,v1000,fine,tool0; MoveJ pT,v1000,fine,tool0;")
     around, rng = CollisionScene(plant, program), np.random.default_rng(4)

@@ -88,6 +88,7 @@ def on_table(rows: Trajectory, first: float, last: float) -> tuple[Array, Array,
     return rows.t[at], np.array(poses), theta
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_the_tool_draws_on_the_table_as_that_turns(target: Target) -> None:
     found = plan(target)
@@ -257,6 +258,7 @@ def test_egm_has_the_table_in_degrees_in_its_place() -> None:
     np.testing.assert_allclose(stream.q[k, 6], 1e3 * np.interp(k / 250, rows.t, rows.q[:, 0]), atol=1e-3)
 
 
+@pytest.mark.long
 def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged(monkeypatch: pytest.MonkeyPatch) -> None:
     """Round the table's axis as far as it turns: p_1 and p_2 are one place in the world, but not on the work."""
     data = DATA.replace("[[-120,90,200],[0,0,1,0]", "[[17.942286,-148.923048,200],[0,-0.5,0.8660254,0]")

@@ -208,6 +208,7 @@ def places(tree: object) -> list[tuple[type, int, int]]:
     return [(type(node), node.start, node.end) for node in nodes(tree)]
 
 
+@pytest.mark.long
 @settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(files)
 def test_the_text_of_a_nodes_stretch_is_the_node(tree: syntax.ModuleFile) -> None:

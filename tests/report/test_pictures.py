@@ -55,6 +55,7 @@ def texts(svg: bytes) -> list[str]:
     return [element.text.strip() for element in root.iter() if element.tag is ET.Comment and element.text]
 
 
+@pytest.mark.long
 def test_each_picture_comes_twice_and_small(with_rail: dict[str, bytes]) -> None:
     assert set(with_rail) == {f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png")}
     assert max(len(content) for name, content in with_rail.items() if name.endswith("svg")) < 400_000
@@ -85,6 +86,7 @@ for name, content in draw(case.program, case.plant, case.plan, "cell").items():
 """
 
 
+@pytest.mark.long
 def test_another_process_gives_the_same_bytes(with_rail: dict[str, bytes], tmp_path: Path) -> None:
     folders = os.pathsep.join(str(Path(__file__).parents[i]) for i in (0, 2))
     # Another order of sets and an eager user's settings must not be seen.

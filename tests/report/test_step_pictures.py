@@ -169,6 +169,7 @@ def test_spreading_moves_as_little_as_can_be() -> None:
     assert _apart(np.array([0.0, 1.0]), 10.0, 0.0, 90.0) == pytest.approx([0, 10])
 
 
+@pytest.mark.long
 def test_without_a_rail_there_is_one_space_and_without_moves_no_picture(tmp_path: Path) -> None:
     case = read(tmp_path, FIXED, "MoveJ p_1, v1000, fine, tool0;\nMoveL p_2, v500, fine, tool0;")
     files = stepwise(*case, "part")

@@ -146,6 +146,7 @@ ENDMODULE
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "body",
     [

@@ -61,6 +61,7 @@ def answer(site: Site, target: Target = Target.RAPID, points: int = 8, jobs: int
     return place(site, target, lambda *_: None, Patience(), jobs, points)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("few")
 def test_a_work_object_is_moved_until_the_slow_line_to_it_is_shortest(job: Job) -> None:
     """At 100 mm/s the chord decides, and it is shortest straight above home."""
@@ -92,6 +93,7 @@ def test_a_base_moved_is_a_work_object_moved_the_other_way(job: Job, key: str, v
     )
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("few")
 def test_the_answer_does_not_depend_on_how_many_processes_look_for_it(job: Job) -> None:
     quick = job.paths[0].with_name("quick.mod")
@@ -273,6 +275,7 @@ def test_the_search_ends_when_places_do_not_pay_and_says_after_which_rule(
     assert found.steps is not None
 
 
+@pytest.mark.long
 def test_places_are_cut_by_the_time_and_the_answer_is_what_was_found(job: Job) -> None:
     site = site_of(job, "base", parse_ranges(["x=-0.1..0.1"]))
     for ticks in (0, 10, 20):

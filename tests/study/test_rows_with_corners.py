@@ -66,6 +66,7 @@ def sampled(case: Case, rows: Trajectory) -> tuple[Array, Array, Array, Array, A
     return t, q, qd, qdd, tool, (case.plant.robot.jacobian(q, X_FT)[:, :3] @ qd[..., None])[..., 0]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("row", ROWS)
 def test_the_corners_are_those_of_the_zones(row: str) -> None:
     """Lines that meet at 90 deg: the parabola's middle is sqrt(2) / 4 of the zone from the point. On the arc the TCP

@@ -26,6 +26,7 @@ def timed(name: str, row: str) -> Attempt:
     return attempt(ROWS[row](case_of(name)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["hinge_cell", "everything_once"])
 @pytest.mark.parametrize("row", ROWS)
 def test_it_is_legal_and_slower_than_the_plan_it_stands_on(name: str, row: str) -> None:

@@ -96,6 +96,7 @@ def test_the_lag_is_that_of_another_simulation(tmp_path: Path, seed: int) -> Non
     assert section["lag"]["largest_m"] == pytest.approx(own, rel=0.05)
 
 
+@pytest.mark.long
 def test_a_push_is_answered_by_the_stiffness(tmp_path: Path) -> None:
     """10 N for long move the tool by F/K, and nothing else does."""
     pytest.importorskip("mujoco")

@@ -104,6 +104,7 @@ def column(table: Mapping[str, Any], key: str) -> list[float]:
     return [row[key] for row in table["rows"]]
 
 
+@pytest.mark.long
 def test_the_speed_table_is_the_thesis_within_6_percent(whole: Mapping[str, Experiment]) -> None:
     """Table 6.10 on one space diagonal, and the digest's own simulation of the same."""
     table = whole["speed"].numbers
@@ -331,6 +332,7 @@ def test_every_section_is_printed_with_the_thesis_numbers(whole: Mapping[str, Ex
         assert figure in text
 
 
+@pytest.mark.long
 def test_every_picture_is_drawn_and_written(whole: Mapping[str, Experiment], tmp_path: Path) -> None:
     names = {name for one in whole.values() for name in one.figures}
     assert names == {

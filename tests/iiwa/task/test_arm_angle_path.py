@@ -77,6 +77,7 @@ BUILT = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", BUILT)
 def test_a_course_is_found_where_the_fixed_arm_angle_fails(name: str) -> None:
     degrees, by, turn, seconds, breaks = BUILT[name]
@@ -100,6 +101,7 @@ def test_a_course_is_found_where_the_fixed_arm_angle_fails(name: str) -> None:
     )
 
 
+@pytest.mark.long
 def test_it_is_the_same_every_time() -> None:
     way = line(ROBOT.forward(HOME), np.zeros(3), np.array([0, 0, -3.3]), 3.0)
     a, b = (followed(way, HOME, free=True) for _ in range(2))
@@ -113,6 +115,7 @@ def test_a_fixed_arm_angle_that_passes_is_kept() -> None:
     assert free.notes == ("the arm angle stays at 0.00°: it keeps every position and speed limit",)
 
 
+@pytest.mark.long
 def test_an_arm_angle_goes_on_past_half_a_turn() -> None:
     """The elbow hangs down, so that swivel is 180 deg at the start, on the cut of every angle in (-180, 180]."""
     start = np.radians([0, 20, 0, 80, 0, -60, 150])
@@ -193,6 +196,7 @@ def test_the_start_itself_out_of_range_is_said() -> None:
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [0.5, 1.5])
 def test_a_start_at_full_speed_does_not_keep_a_course_from_being_found(speed: float) -> None:
     """Profile thesis: the accelerations fail at any arm angle, positions and speeds need not."""
@@ -214,7 +218,10 @@ def test_a_course_begins_at_the_start_joints_arm_angle_even_if_another_was_asked
     assert_goes_the_way(answer, way, HOME)
 
 
-@pytest.mark.parametrize(("name", "goal"), [("fast turn", Goal.LIMITS), ("joint_6", Goal.SPEED), ("wrist", Goal.TORQUE)])
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("name", "goal"), [("fast turn", Goal.LIMITS), ("joint_6", Goal.SPEED), ("wrist", Goal.TORQUE)]
+)
 def test_the_chosen_course_is_no_worse_than_the_free_one(name: str, goal: Goal) -> None:
     """By the goal's own measure over the rows, integrals and distances made anew."""
     degrees, by, turn, seconds, _ = BUILT[name]

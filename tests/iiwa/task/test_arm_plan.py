@@ -101,6 +101,7 @@ def test_on_a_small_grid_nothing_is_better() -> None:
     assert blocked < 10
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("goal", Goal)
 @pytest.mark.parametrize("name", WAYS)
 def test_a_chosen_course_is_right_in_every_row(
@@ -273,6 +274,7 @@ def test_a_standing_arm_keeps_its_arm_angle() -> None:
     assert answer.notes[0].startswith("the arm angle stays at 0.00°: ")
 
 
+@pytest.mark.long
 def test_a_way_with_hardly_any_room_is_gone() -> None:
     """joint_7 would have to turn by 225 deg: what the arm angle can take of it ends less than 2 deg from a limit."""
     answer = chosen(line(ROBOT.forward(HOME), np.zeros(3), np.array([0, 0, -3.92]), 6.0, H), HOME, Goal.SPEED)
