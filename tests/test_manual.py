@@ -40,6 +40,7 @@ from trajopt_cli.robot.catalogue import SixAxisFile
 REPOSITORY = Path(__file__).parents[1]
 PAGES = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md"))]
 BLOCK = re.compile(r"((?:<!--[^\n]*-->\n)*)```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LONG = ("backup", "bound", "iiwa", "order", "rail", "terminal", "your-robot")
 RUN = ("bash", "console", "python", "yaml", "rapid", "xml")
 CELL = 'robot: irb140_rail\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}\nrail: {eax: a, stroke: [0, 2]}\n'
 COMMANDS = get_command(app)
@@ -161,7 +162,14 @@ def plans() -> dict[str, tuple[Path, str]]:
     return {}
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if any(blocks(page))], ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, id=page.name, marks=[pytest.mark.long] if page.stem in LONG else [])
+        for page in PAGES
+        if any(blocks(page))
+    ],
+)
 def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
     page: Path, tmp_path: Path, plans: dict[str, tuple[Path, str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

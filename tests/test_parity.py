@@ -79,6 +79,7 @@ def test_a_figure_of_the_page_is_the_one_that_comes_out(name: str, row: str, cal
     assert f"{made.trajectory.duration:.3f}" == figure
 
 
+@pytest.mark.long
 def test_the_generator_of_the_thesis_takes_what_the_page_says() -> None:
     """Without the waits; and its heuristic finds the two functional areas of the text."""
     job = job_of("hinge_line")

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from trajopt_cli.cell.loader import parse_cell
-from trajopt_cli.cli.export import _begins, _driven
+from trajopt_cli.cli.export import _begins
 from trajopt_cli.errors import InputError
 from trajopt_cli.exporters.egm import stream_of
 from trajopt_cli.exporters.recorded import Recorded
@@ -119,12 +117,11 @@ def test_egm_has_every_axis_in_the_place_of_its_letter() -> None:
     np.testing.assert_allclose(stream.q[0], [0, 0, 0, 0, 0, 0, 500, 0, 100])
 
 
-def test_a_follower_has_the_place_of_its_letter_too(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("trajopt_cli.job.cell_of_results", lambda _: parse_cell(GANTRY, "cell.yaml"))
+def test_a_follower_has_the_place_of_its_letter_too() -> None:
     names = ("rail_a", "rail_c", *(f"joint_{i}" for i in range(1, 7)))
     rows = Trajectory(names, np.array([0.0, 0.1]), np.tile([0.5, 0.1, 0, 0, 0, 0, 0, 0], (2, 1)), np.full((2, 8), 0.1))
-    led = _driven(tmp_path, Recorded("m", rows))
-    assert led.trajectory.names[:4] == ("rail_a", "rail_f", "rail_c", "joint_1")
-    stream = stream_of(led)
+    led = plant(GANTRY).with_followers(rows)
+    assert led.names[:4] == ("rail_a", "rail_f", "rail_c", "joint_1")
+    stream = stream_of(Recorded("m", led))
     np.testing.assert_allclose(stream.q[0], [0, 0, 0, 0, 0, 0, 500, 0, 100, 0, 0, -900], atol=1e-9)
     np.testing.assert_allclose(stream.qd[0, 6:], [100, 0, 100, 0, 0, -200], atol=1e-9)

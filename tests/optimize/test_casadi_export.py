@@ -16,6 +16,7 @@ from trajopt_cli.trajectories.route import IkBranch, Route
 ROOT = Path(__file__).parents[2]
 
 
+@pytest.mark.long
 def test_ipopt_and_ours_find_the_same_optimum_of_the_manuals_example(monkeypatch: pytest.MonkeyPatch) -> None:
     text = (ROOT / "docs" / "mathematics.md").read_text(encoding="utf-8")
     (code,) = re.findall(r"```python\n(.*?)```", text, flags=re.S)

@@ -55,6 +55,7 @@ def test_a_point_that_another_axis_frees_is_not_blocked() -> None:
     assert isinstance(optimize(program, plant, Target.STREAM, bounded=False), Plan)
 
 
+@pytest.mark.long
 def test_axes_are_sought_all_over_their_strokes_where_nothing_near_is_clear() -> None:
     """Neither as written, in the wall, nor abreast of the points is there a way around the box."""
     plant, program = case(f"{WALL}, {BOX}", "[600,550,400]")

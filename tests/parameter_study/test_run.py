@@ -162,6 +162,7 @@ def test_a_scheduler_may_go_and_come_back(study: Study, tmp_path: Path) -> None:
     assert (tmp_path / "out" / POINTS).read_bytes() == undisturbed(study, tmp_path / "alone")
 
 
+@pytest.mark.long
 def test_ctrl_c_ends_the_command_and_the_same_command_goes_on(study: Study, client: Client, tmp_path: Path) -> None:
     """True points of two moves; the signal goes to all processes of the command, as a terminal's does."""
     command = [sys.executable, "-m", "trajopt_cli.cli", "study", "run", "study.yaml", "--jobs", "1", "--output", "out"]

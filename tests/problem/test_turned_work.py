@@ -114,6 +114,7 @@ def test_the_tool_draws_on_the_table_as_that_turns(target: Target) -> None:
     np.testing.assert_allclose(phi, phi[0] + share * (phi[-1] - phi[0]), atol=1e-8)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("target", Target)
 def test_the_table_keeps_its_limits_and_is_named_where_it_is_slowest(target: Target) -> None:
     found, tables = plan(target), plan(target).trajectory.tables

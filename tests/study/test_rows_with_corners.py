@@ -85,6 +85,7 @@ def test_the_corners_are_those_of_the_zones(row: str) -> None:
     assert np.linalg.norm(V, axis=1).max() < 2.5 * (1 + 1e-9)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("row", ["toppra", "ruckig", "jerk"])
 def test_every_limit_holds(row: str) -> None:
     case, rows = corners(), made(row)

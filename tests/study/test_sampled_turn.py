@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
+import pytest
 from small_cells import plant_without_rail, rapid
 
 from trajopt_cli.joint_csv import write_csv_text
@@ -37,6 +38,7 @@ def case_of(free: bool) -> Case:
     return Case(program, plant, solve)
 
 
+@pytest.mark.long
 def test_sampled_turns_are_legal_and_between_taught_and_best() -> None:
     case = case_of(True)
     answer, taught = sampled_turn(case), toppra(case)

@@ -46,7 +46,7 @@ _SHARE_CURVE = 500.0  # of the second one; of a share more where the tool's caps
 _SHARPEST = 1e6
 _SHARE_JERK = 5e4  # of the third one, where jerk is limited.
 _TYPICAL_JERK = 100.0  # of a share, or a turn: in its place in the damping of jerks.
-MOST_TURN = 3.0  # rad that a tool is turned from the motion it begins with at most: a pose then tells how far.
+_MOST_TURN = 3.0  # rad that a tool is turned from the motion it begins with at most: a pose then tells how far.
 _WHOLE = 1e-6  # rad that a sector lacks to be none
 _JOINT_RATE, _JOINT_CURVE, _JOINT_JERK = 100.0, 1000.0, 1e5  # of the three derivatives of a joint on a grid.
 
@@ -185,8 +185,8 @@ class Transcription:
         low = high = guess = np.append(waypoint_turn(self.axes, stop, self.iterate.q[k], self.iterate.qd[k]), 0.0)
         if stop.turn is not None and stop.q is None:
             fast = 0.0 if stop.passage is None else _FASTEST
-            low = np.array([max(stop.turn.low, -MOST_TURN), -fast, 0.0])
-            high = np.array([min(stop.turn.high, MOST_TURN), fast, 0.0])
+            low = np.array([max(stop.turn.low, -_MOST_TURN), -fast, 0.0])
+            high = np.array([min(stop.turn.high, _MOST_TURN), fast, 0.0])
         self.waypoint_turn[k] = self.nlp.variables(np.clip(guess, low, high), low, high)
         return self.waypoint_turn[k]
 
@@ -495,7 +495,7 @@ class Transcription:
             return
         bounds = self._most(leg, motion, _SHARE_RATE, _SHARE_CURVE)
         fast, sharp = (np.append(x[layout.rail], [x[layout.arm].max()] * turning)[own] for x in bounds)
-        ranges = zip(self._rail_range(margins.position[1:-1, layout.rail]), (-MOST_TURN, MOST_TURN), strict=True)
+        ranges = zip(self._rail_range(margins.position[1:-1, layout.rail]), (-_MOST_TURN, _MOST_TURN), strict=True)
         low, high = (np.hstack([x, np.full((N - 1, int(turning)), most)])[:, own] for x, most in ranges)
         inner = nlp.variables(np.clip(motion.d[1:-1, own], low, high), low.ravel(), high.ravel())
         out.d[1:-1, own] = inner.reshape(N - 1, m)

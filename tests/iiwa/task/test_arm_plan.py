@@ -139,6 +139,7 @@ def figures_of(q: Array) -> tuple[float, float, float]:
     return float(room), float(speed), float(torque)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", WAYS)
 def test_each_goal_is_best_by_its_own_measure(name: str, answers: dict[tuple[str, Goal], Followed]) -> None:
     way, start = way_of(name)
