@@ -132,6 +132,7 @@ def test_a_rest_that_is_refused_is_not_judged_again_as_it_is(tmp_path: Path) -> 
     assert stream.plan.duration == pytest.approx(rapid.plan.duration)
 
 
+@pytest.mark.long
 def test_legs_that_are_entered_in_motion_are_solved_again_with_less_of_every_limit(tmp_path: Path) -> None:
     """Twice 1 % less: up to 1 / 0.98 times as long. Red where the first legal motion or the RAPID plan comes."""
     found, _ = planned(tmp_path, RAILED)
@@ -142,6 +143,7 @@ def test_legs_that_are_entered_in_motion_are_solved_again_with_less_of_every_lim
     assert stream.report.legal
 
 
+@pytest.mark.long
 def test_what_driving_slower_is_no_cure_for_has_the_first_legal_motion(tmp_path: Path) -> None:
     """Too short a wait, say. Red where the RAPID plan comes without the stream's own first motion being judged."""
     found, _ = planned(tmp_path, RAILED)
@@ -156,6 +158,7 @@ def test_what_driving_slower_is_no_cure_for_has_the_first_legal_motion(tmp_path:
     assert any(note.startswith(said) for note in stream.plan.notes)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("value", "least", "most"), [(3.03, 3, 8), (2.9, 2, 2)])
 def test_what_is_refused_whatever_is_tried_falls_back_and_says_what_is_lost(
     tmp_path: Path, value: float, least: int, most: int

@@ -100,6 +100,7 @@ def test_every_limit_holds(row: str) -> None:
     assert speed[on_line].max() <= 0.5 * (1 + 1e-9)
 
 
+@pytest.mark.long
 def test_toppra_takes_as_long_as_the_plan_that_is_optimal_on_it() -> None:
     assert made("toppra").duration == pytest.approx(fixed_rail_plan(corners()).duration, rel=2e-3)
 
