@@ -40,7 +40,7 @@ from trajopt_cli.robot.catalogue import SixAxisFile
 REPOSITORY = Path(__file__).parents[1]
 PAGES = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md"))]
 BLOCK = re.compile(r"((?:<!--[^\n]*-->\n)*)```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-LONG = ("backup", "bound", "iiwa", "order", "rail", "terminal", "your-robot")
+LONG = ("backup", "bound", "exports", "iiwa", "order", "rail", "terminal", "your-robot")
 RUN = ("bash", "console", "python", "yaml", "rapid", "xml")
 CELL = 'robot: irb140_rail\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}\nrail: {eax: a, stroke: [0, 2]}\n'
 COMMANDS = get_command(app)

@@ -113,6 +113,7 @@ def test_nothing_turns_unless_it_is_free() -> None:
     assert planned(DRILL, Target.RAPID, False).turns == {}
 
 
+@pytest.mark.long
 def test_under_jerk_limits_a_turn_that_helps_a_corner_does_not_hide_that_a_stop_is_faster() -> None:
     """The corner of a spike costs more under jerk than a stop; a hair of a turn saves less than that."""
     body = """MoveJ p_a,v1000,fine,tRound;

@@ -51,6 +51,7 @@ def turns_on_the_line(plan: Plan) -> tuple[Array, Array]:
     return np.arccos(np.clip(R[:, 2, 2], -1, 1)), np.unwrap(np.arctan2(R[:, 1, 0], R[:, 0, 0]))
 
 
+@pytest.mark.long
 def test_a_stream_turns_unevenly_where_a_controller_must_keep_one_turn() -> None:
     plan, taught = planned(ROUND), planned(ROUND, False)
     evenly = optimize(program_of(TILTING), slow_wrist(), Target.RAPID, bounded=False)

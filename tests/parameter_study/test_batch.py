@@ -196,6 +196,7 @@ def test_programs_are_planned_in_processes_and_one_that_fails_is_told(
     assert run(["verify", "results/all_batch/good", "--quiet"]) == 0
 
 
+@pytest.mark.long
 def test_a_cluster_plans_what_this_computer_would(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, client: Client
 ) -> None:

@@ -72,6 +72,7 @@ def by_newton(plant: Plant, X_WF: Array, rng: np.random.Generator) -> Array:
     return np.array(found)
 
 
+@pytest.mark.long
 def test_random_poses_of_another_robot_against_all_that_newtons_method_finds() -> None:
     robot, rng = load_robot("irb1600_6_120"), np.random.default_rng(12)
     plant = plant_without_rail(robot=robot, limits=robot.profile())
