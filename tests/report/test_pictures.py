@@ -16,11 +16,13 @@ import numpy as np
 import pytest
 from drawn_plans import PAUSE, TOOL, Drawn, as_svg, drawn
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from trajopt_cli.report import style
 from trajopt_cli.report.bars import Bar, comparison, comparison_figure, savings, savings_figure
 from trajopt_cli.report.pictures import PICTURES, draw
 from trajopt_cli.report.skeleton import skeleton
+from trajopt_cli.report.style import files, house_style, new_figure, settle
 from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
@@ -247,3 +249,25 @@ def test_too_little_to_compare_is_said() -> None:
         savings([("as written", 9.0)], "Saving")
     with pytest.raises(ValueError, match="at least one row"):
         comparison([], "Rows")
+
+
+def test_what_a_layout_leaves_in_the_last_digits_is_not_in_the_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    def drawn(noise: float) -> dict[str, bytes]:
+        execute = ConstrainedLayoutEngine.execute
+
+        def with_noise(self: ConstrainedLayoutEngine, figure: Figure) -> None:
+            execute(self, figure)
+            for axes in figure.axes:
+                axes.set_position(np.add(axes.get_position().bounds, noise).tolist())
+
+        monkeypatch.setattr(ConstrainedLayoutEngine, "execute", with_noise)
+        with house_style():
+            figure = new_figure(3.0, "heading")
+            for axes in figure.subplots(2):
+                axes.plot([0, 1, 2], [3, 1, 2])
+            settle(figure)
+            made = files("one", figure, "title")
+        monkeypatch.undo()
+        return made
+
+    assert drawn(0.0) == drawn(1e-14)

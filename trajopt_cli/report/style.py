@@ -12,6 +12,7 @@ from io import BytesIO
 from typing import Any, Literal
 
 import matplotlib
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -116,6 +117,8 @@ def settle(figure: Figure) -> None:
     layout.execute(figure)
     figure.set_layout_engine(None)  # "none" would keep a placeholder, for which each file is drawn twice
     for axes in figure.axes:
+        # the solver of the layout leaves other last digits in other processes, and ids in the file are made of them
+        axes.set_position(np.round(axes.get_position(original=True).bounds, 6).tolist())
         axes.apply_aspect()  # otherwise left to the first drawing
 
 
