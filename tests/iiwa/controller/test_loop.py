@@ -462,6 +462,13 @@ def test_every_period_is_timed(robot: SrsRobot) -> None:
     assert found.step_times[:, :4].sum(axis=1) == pytest.approx(found.step_times[:, 4], rel=1e-6)
 
 
+def test_no_period_loads_compiled_loops(robot: SrsRobot, monkeypatch: pytest.MonkeyPatch) -> None:
+    controller = Controller(robot, SETTINGS, HOME)
+    monkeypatch.setattr("trajopt_cli.native.loops.loops", None)
+    found = run(controller, way(robot, 5, (0.001, 0, 0, 0, 0, 0)), Ideal(robot), robot.profile())
+    assert found.stop is None
+
+
 @pytest.mark.parametrize("collecting", [True, False])
 def test_nothing_is_collected_during_a_run_and_the_collector_is_as_before_afterwards(
     robot: SrsRobot, collecting: bool

@@ -46,6 +46,7 @@ class Controller:
         self.arm_angle = float(arm_angle(robot, np.array(q_0), settings.definition)) if given is None else given
         self._X_FT = settings.X_FT
         self._kinematics = self._step_of(robot, settings.X_FT)
+        self._kinematics.force(q_0, (0.0,) * 7)  # loads its loops: in the first period that took 30 ms
         self._dynamics = Dynamics(robot, settings.load)
         sensor = settings.sensor
         self._rigid = sensor is None or sensor.rigid
