@@ -153,3 +153,7 @@ def test_plans_of_another_question_are_refused(tiny: Path, capsys: pytest.Captur
     cell.write_text(cell.read_text() + "jerk_limits: true\n")
     assert run(["sensitivity", str(tiny)]) == 2
     assert "jerk_limits: sensitivity does not know what they cost" in capsys.readouterr().err
+    cell.write_text(cell.read_text().replace("jerk_limits: true\n", "free: {axis: z}\n"))
+    assert run(["sensitivity", str(tiny)]) == 2
+    line = len(cell.read_text().splitlines())
+    assert capsys.readouterr().err.startswith(f"tiny.yaml:{line}: free: ")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from drawn_plans import drawn
 
+from trajopt_cli.cli.compare import _drawn
 from trajopt_cli.findings import Report
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.study.case import Attempt
@@ -45,3 +47,13 @@ def test_compare_draws_the_fastest_legal_plan_of_the_target(target: Target, monk
     files = comparison_pictures(Comparison(job, tuple(rows), "no plan to start from", 0.0), target)
     assert [plan.target for plan in asked] == [target]
     assert set(files) == {"comparison.svg", "comparison.png", "path.svg"}
+
+
+def test_without_a_word_it_is_the_streams_or_that_of_the_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    program = Path("p.mod")
+    assert _drawn(None, program) is Target.STREAM
+    assert _drawn("rapid", program) is Target.RAPID
+    monkeypatch.setattr("trajopt_cli.job.is_results", lambda path: True)
+    monkeypatch.setattr("trajopt_cli.runs.results.read_results", lambda path: SimpleNamespace(target=Target.RAPID))
+    assert _drawn(None, program) is Target.RAPID
+    assert _drawn("stream", program) is Target.STREAM

@@ -15,6 +15,7 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.compared import ComparedRuns
     from trajopt_cli.table import TextTable
 
@@ -118,13 +119,11 @@ def baseline(
     """
     from trajopt_cli.cli.console import print_answer, told
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.job import is_results, read_program_or_results
+    from trajopt_cli.job import read_program_or_results
     from trajopt_cli.pipeline.optimize import held_unasked
     from trajopt_cli.problem.editable import Loops
-    from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.files import check_file, check_writable, write_file
     from trajopt_cli.runs.folder import check_replaceable
-    from trajopt_cli.runs.results import read_results
     from trajopt_cli.runs.transaction import write_files
     from trajopt_cli.study import comparison_record as records
     from trajopt_cli.study.case import RailRule
@@ -163,8 +162,7 @@ def baseline(
     parts = [table, *records.row_lines(rows, files), "", causes, *notes]
     print_answer(as_json, quiet, lambda: record, records.comparison_line(rows), parts)
     if plots is not None:
-        own = read_results(program[0]).target if is_results(program[0]) else Target.STREAM
-        pictures = comparison_pictures(answer, Target(target) if target else own)
+        pictures = comparison_pictures(answer, _drawn(target, program[0]))
         write_files(plots, pictures)
         if not quiet:
             typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
@@ -180,6 +178,17 @@ def baseline(
     told([f"written to {folder}: report.html (open it in a browser) and {count - 1} files more"], as_json, quiet)
     if not any(row["legal"] for row in rows):
         raise typer.Exit(1)
+
+
+def _drawn(target: str | None, program: Path) -> Target:
+    """Whose plan is drawn: as asked for, else as a results folder was made, else the stream's."""
+    from trajopt_cli.job import is_results
+    from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.results import read_results
+
+    if target is None and is_results(program):
+        return read_results(program).target
+    return Target(target or "stream")
 
 
 def _parts(answer: ComparedRuns, everything: bool, diff: bool) -> Iterator[TextTable | str]:

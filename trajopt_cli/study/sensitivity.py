@@ -117,6 +117,9 @@ def sensitivity(
         if binding is not None:
             text = "sensitivity does not know what they cost; leave them out to ask about the other limits"
             raise InputError(f"{key}_limits: {text}", file=job.cell.file)
+    if job.scenario.free:
+        text = "free: sensitivity asks about tools as taught; leave it out to ask about the limits"
+        raise InputError(text, file=job.cell.file, line=job.scenario.free[0].place.line)
     workers, patience = jobs or cores(), patience or Patience()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:

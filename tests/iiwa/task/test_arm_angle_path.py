@@ -219,9 +219,8 @@ def test_a_course_begins_at_the_start_joints_arm_angle_even_if_another_was_asked
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(
-    ("name", "goal"), [("fast turn", Goal.LIMITS), ("joint_6", Goal.SPEED), ("wrist", Goal.TORQUE)]
-)
+@pytest.mark.parametrize("goal", Goal)
+@pytest.mark.parametrize("name", ["fast turn", "joint_6", "wrist"])
 def test_the_chosen_course_is_no_worse_than_the_free_one(name: str, goal: Goal) -> None:
     """By the goal's own measure over the rows, integrals and distances made anew."""
     degrees, by, turn, seconds, _ = BUILT[name]

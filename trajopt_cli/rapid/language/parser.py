@@ -123,11 +123,7 @@ class Parser(StatementParser):
         try:
             items.append(self._item())
         except InputError as error:
-            self.keep(error)
-            self.depth = depth
-            del self._open[blocks:]
-            if self.i == before:
-                self.i += 1
+            if self._put_back(error, before, depth, blocks):
                 self.skip_to_declaration()
             else:
                 self.skip()

@@ -114,12 +114,17 @@ class StatementParser(ExpressionParser):
             if type(node) is Label:
                 self._label_once(node)
         except InputError as error:
-            self.keep(error)
-            self.depth = depth
-            del self._open[blocks:]
-            if self.i == before:
-                self.i += 1
+            self._put_back(error, before, depth, blocks)
             self.skip()
+
+    def _put_back(self, error: InputError, before: int, depth: int, blocks: int) -> bool:
+        """Keep the error and close what it left open; whether it came before anything was read."""
+        self.keep(error)
+        self.depth = depth
+        del self._open[blocks:]
+        stuck = self.i == before
+        self.i += stuck
+        return stuck
 
     def _label_once(self, node: Label) -> None:
         first = self._labels.setdefault(node.name.lower(), node.start)
