@@ -5,7 +5,7 @@
 Every seed is a program of three to six stations under an IRB 140 that hangs from one axis along the world's x, from
 that and one along y, or from these and one along z: MoveJ above, MoveL down, a wait, MoveL up, and home at the end. All
 points are in reach with the first axis alone, and are stops, so that the plain search's motion is one of RAPID, too:
-PLACES on every axis' stroke and the programmed ones, all branches and turns of the arm there, the chain that takes
+PLACES on every axis' stroke and the programmed ones, all branches and turns of the arm there, the route that takes
 least by dynamic programming; joint moves straight in the joints, lines with the axes in proportion, timed by the
 package toppra. It looks at no body and at no cap on the tool but the lines' speed, which makes it no slower.
 """
@@ -114,15 +114,15 @@ def plain(job: Job) -> float:
              for one, a, b in zip(moves, poses, poses[1:], strict=False)]  # fmt: skip
     between = [edges(a, b, job, line) for a, b, line in zip(layers, layers[1:], lines, strict=False)]
     timed: set[tuple[int, int, int]] = set()
-    while True:  # until the best chain's lines take what the search took them to take
+    while True:  # until the best route's lines take what the search took them to take
         cost, back = np.zeros(1), list[IndexArray]()
         for edge in between:
             back.append((cost[:, None] + edge).argmin(axis=0))
             cost = (cost[:, None] + edge).min(axis=0)
-        chain = [int(cost.argmin())]
+        route = [int(cost.argmin())]
         for came in reversed(back):
-            chain.insert(0, int(came[chain[0]]))
-        asked = {(k, chain[k], chain[k + 1]) for k, line in enumerate(lines) if line is not None} - timed
+            route.insert(0, int(came[route[0]]))
+        asked = {(k, route[k], route[k + 1]) for k, line in enumerate(lines) if line is not None} - timed
         if not asked:
             return float(cost.min()) + WAIT * sum(line is None for line in lines[:-1])
         for k, i, j in asked:

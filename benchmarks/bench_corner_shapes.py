@@ -33,7 +33,7 @@ from trajopt_cli.path.corner import Corner  # noqa: E402
 from trajopt_cli.path.of_motion import segment_of  # noqa: E402
 from trajopt_cli.path.segment import Segment  # noqa: E402
 from trajopt_cli.problem.programmed import PlantKinematics  # noqa: E402
-from trajopt_cli.rapid.zones import courses, fly_bys  # noqa: E402
+from trajopt_cli.rapid.zones import fly_bys, moves_with_places  # noqa: E402
 from trajopt_cli.units import MM  # noqa: E402
 
 STEP = 0.02e-3  # m between two looks at the logged path
@@ -65,7 +65,7 @@ def corners(job: Job) -> Iterator[CornerAt]:
     kinematics = PlantKinematics(job.plant)
     zones = fly_bys(job.program, kinematics)
     before: tuple[int, Segment] | None = None
-    for index, motion, start, _, _ in courses(job.program, kinematics):
+    for index, motion, start, _, _ in moves_with_places(job.program, kinematics):
         if not isinstance(motion, PathMove) or start is None:
             before = None
             continue

@@ -4,13 +4,13 @@ Each seed is one program of one kind on a cell of its own: stations at random pl
 without one), served in random order; every second one from seed 3000 on is full of corners, of the kinds of
 bench_corners.py. The peer is what an engineer writes in a day around toppra:
 dynamic programming over rail positions on a uniform grid (and those written), branches and turns at every point; joint
-moves straight in the joints, lines and waits along a rail that shares the way's progress; every edge of the best chain
-timed by toppra, the chain searched anew until none of its edges is an estimate; then twice on finer grids around it.
-Of a program with corners the chain is that of its stops; then the rail's positions are shifted one by one as long as
+moves straight in the joints, lines and waits along a rail that shares the way's progress; every edge of the best route
+timed by toppra, the route searched anew until none of its edges is an estimate; then twice on finer grids around it.
+Of a program with corners the route is that of its stops; then the rail's positions are shifted one by one as long as
 toppra drives the blended path from stop to stop in less. For a stream it may stop at corners beside joint moves.
 Caps on the TCP's acceleration slow a whole leg down until they hold. That answers the question of a RAPID controller;
-for a stream, Ruckig drives the joint moves of the same chain, every axis on its own, where that is faster. Drake, where
-it is installed, says how long the chain takes by its own Toppra. Beside them stand trajopt's plans for both targets.
+for a stream, Ruckig drives the joint moves of the same route, every axis on its own, where that is faster. Drake, where
+it is installed, says how long the route takes by its own Toppra. Beside them stand trajopt's plans for both targets.
 All but Drake's are judged from the rows of a file; seconds are those of the processor, from program to rows.
 """
 
@@ -76,13 +76,13 @@ BENCH = 'robot: irb140\nprofile: default\nstart: {joints: "[0, 0, 0, 0, 30, 0] d
 REPOSITORY = Path(__file__).parents[1]
 Row = dict[str, Any]  # of the table: seed, kind, and the answers by name
 POSITIONS = 25  # of the rail on the first grid
-FINER = ((4, 4), (4, 16))  # positions to either side of the chain's, and into how many parts they split the first grid
+FINER = ((4, 4), (4, 16))  # positions to either side of the route's, and into how many parts they split the first grid
 COARSE, FINE = 25, 401  # points of toppra on an edge of the search, and of the answer
 LATE = 5e-4  # relative, from which one answer is later than another
-AGAIN = 25  # chains between two times that states out of the question are left out
+AGAIN = 25  # routes between two times that states out of the question are left out
 NEARLY = 0.97  # of an estimated time stand for a least one
 BUDGET = 8.0  # s of processor for the peer's search on each grid
-SETTLED = 2e-4  # relative: the chain is that near the least that any could take
+SETTLED = 2e-4  # relative: the route is that near the least that any could take
 SAFE = 1 + 2e-6  # slowing besides: rows of a file are not quite the path
 SHIFTS = (0.06, 0.02, 0.006, 0.002)  # m by which the rail is shifted at points beside corners
 HARDLY, DISTANCE = 1 + 3e-5, 1e-4  # by which a passage is slower besides; s between its nodes that are rows
@@ -364,7 +364,7 @@ class Layer:
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
+class Route:
     """Axes q and branch at every waypoint, and the time that all legs take by toppra."""
 
     time: float
@@ -388,17 +388,17 @@ class Peer:
 
     # ---------------------------------------------------------------------------------------------- states and edges
 
-    def layers(self, chain: list[Array] | None, beside: int, parts: int) -> list[Layer]:
-        """States at all waypoints: on the first grid, or beside a chain (M, k) on a finer one."""
+    def layers(self, route: list[Array] | None, beside: int, parts: int) -> list[Layer]:
+        """States at all waypoints: on the first grid, or beside a route (M, k) on a finer one."""
         place, out = self.axes.layout.place, list[Layer]()
         for first, last in self.problem.stations:
             stops = self.problem.waypoints[first : last + 1]
             fixed = [stop.rail[0] for stop in stops if stop.rail[0] == stop.rail[1]]
             low, high = max((stop.rail for stop in stops), key=lambda rail: rail[1] - rail[0])
             grid = np.linspace(low, high, POSITIONS)
-            if chain is not None:
+            if route is not None:
                 step = (grid[1] - grid[0]) / parts
-                near = np.array([float(place(q)) for q in chain[first : last + 1]])
+                near = np.array([float(place(q)) for q in route[first : last + 1]])
                 grid = (near[:, None] + step * np.arange(-beside, beside + 1)).ravel()
             written = [stop.written for stop in stops]
             grid = np.round(np.clip(np.r_[grid, written], low, high), 9)
@@ -477,8 +477,8 @@ class Peer:
             self.times[key] = np.inf if law is None else law.duration
         return self.times[key]
 
-    def shifted(self, found: Chain) -> Chain:
-        """A chain whose rail positions are better for driving through its corners."""
+    def shifted(self, found: Route) -> Route:
+        """A route whose rail positions are better for driving through its corners."""
         until, layout = process_time() + SHIFTING, self.axes.layout
         q = np.array(found.q)
         times = {run: self.passed(run, q, found.cfx) for run in self.problem.runs}
@@ -503,13 +503,13 @@ class Peer:
                         if sum(new.values()) < sum(times[run] for run in beside) - 1e-6:
                             q, better = other, True
                             times |= new
-        return Chain(sum(times.values()), list(q), found.cfx)
+        return Route(sum(times.values()), list(q), found.cfx)
 
     # -------------------------------------------------------------------------------------------------------- search
 
-    def best(self, layers: list[Layer], found: Chain | None = None) -> Chain | None:
-        """The chain of least time: estimates say too little, and are replaced along each best chain in turn. found: a
-        chain known already, which the answer does not fall behind."""
+    def best(self, layers: list[Layer], found: Route | None = None) -> Route | None:
+        """The route of least time: estimates say too little, and are replaced along each best route in turn. found: a
+        route known already, which the answer does not fall behind."""
         if not all(len(layer.q) for layer in layers):
             return found
         edges = [self.least(k, a, b) for k, (a, b) in enumerate(pairwise(layers))]
@@ -529,11 +529,11 @@ class Peer:
             time = float(sum(T[i, j] for T, (i, j) in zip(edges, pairwise(path), strict=True)))
             if np.isfinite(time) and (found is None or time < found.time):
                 states = list(zip(layers, path, strict=True))
-                found = Chain(time, [x.q[i] for x, i in states], [int(x.cfx[i]) for x, i in states])
+                found = Route(time, [x.q[i] for x, i in states], [int(x.cfx[i]) for x, i in states])
         return found
 
     def _bend(self, layers: list[Layer], edges: list[Array], most: float) -> None:
-        """The sharper estimate for all joint moves that may be part of a chain that takes less than `most`."""
+        """The sharper estimate for all joint moves that may be part of a route that takes less than `most`."""
         before, after = _from_ends(edges)
         for k, T in enumerate(edges):
             if self.problem.legs[k].kind is LegKind.JOINT and np.isfinite(self.problem.legs[k].v_tcp):
@@ -565,7 +565,7 @@ def _from_ends(edges: list[Array]) -> tuple[list[Array], list[Array]]:
 
 
 def _cut(layers: list[Layer], edges: list[Array], most: float) -> tuple[list[Layer], list[Array]]:
-    """Without the states that no chain goes through in less than `most`; those of one such chain remain."""
+    """Without the states that no route goes through in less than `most`; those of one such route remain."""
     before, after = _from_ends(edges)
     keep = [a + b <= most * (1 + 1e-9) for a, b in zip(before, after, strict=True)]
     kept = [Layer(x.q[some], x.label[some], x.cfx[some]) for x, some in zip(layers, keep, strict=True)]
@@ -589,7 +589,7 @@ def peer(job: Job) -> Answers:
         if found is not None:
             found = search.best(search.layers(found.q, beside, parts), found)
     if found is None:
-        return {"toppra": ("no chain", Target.RAPID)}
+        return {"toppra": ("no route", Target.RAPID)}
     runs, corners = problem.runs, any(point.fly_by is not None for point in problem.waypoints)
     if corners:
         found = search.shifted(found)

@@ -5,7 +5,7 @@ one in three has stations with waits of a fixed time in which a rail is free. Bo
 plans them. Each row has the cycle time of each target, how much later it is than the best motion that was told
 on the way or that a rung below has, and what fell back, by kind:
 
-wait, timed: a chain was not driven, as a wait or a line has less time than it takes; singular, range: as it passes a
+wait, timed: a route was not driven, as a wait or a line has less time than it takes; singular, range: as it passes a
 singularity, or leaves what the search looked at; rows: a motion's rows pass a limit, and are mended; judge: it goes
 slower where the judge refused it; first: the plan is the first legal motion; below: that of the rung below; slow: the
 one that stops everywhere; windows: some did not converge; NO PLAN, ILLEGAL: nothing legal.

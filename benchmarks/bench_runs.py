@@ -77,19 +77,19 @@ def measure(points: int, rail: bool, folder: Path) -> None:
     assert isinstance(problem, Problem)
     assert check_reach(axes, problem) is None
     at = until("reach", at)
-    chain = search(axes, problem)
-    assert chain is not None
+    route = search(axes, problem)
+    assert route is not None
     at = until("search", at)
-    chain = refine_rail(axes, problem, chain)
+    route = refine_rail(axes, problem, route)
     at = until("rail", at)
-    draft = timed(axes, problem, chain)
+    iterate = timed(axes, problem, route)
     until("timing", at)
     total, memory = sum(seconds.values()), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     split = "  ".join(f"{phase} {spent:.2f}" for phase, spent in seconds.items())
     print(
         f"{points:6d} points{', rail' if rail else ''}: {total:.2f} s, {total / points * 1e3:.2f} ms a point; {split}"
     )
-    print(f"       motion of {duration(draft):.4f} s in {len(problem.runs)} runs; {memory:.0f} MiB at most so far")
+    print(f"       motion of {duration(iterate):.4f} s in {len(problem.runs)} runs; {memory:.0f} MiB at most so far")
 
 
 def main(words: list[str]) -> None:

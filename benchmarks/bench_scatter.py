@@ -3,7 +3,7 @@
 Each cell is a program of bench_rungs.py with one or two stations, planned as it is and five times with all of its
 targets 0.1 mm elsewhere, in directions fixed by the cell's number. A row has the cycle as it is and the scatter: from
 the fastest of the six plans to the slowest, as a share of the one in the middle. The best plan would move by some
-hundredths of a percent. Besides the plan those of the chain that the search found and of the first legal
+hundredths of a percent. Besides the plan those of the route that the search found and of the first legal
 motion.
 """
 
@@ -48,7 +48,7 @@ def job_of(text: str, cell: str) -> Job:
 
 
 def cycle(job: Job, target: Target) -> tuple[float, float, float]:
-    """Cycle times [s]: of the search's chain, of the first legal motion, of the plan."""
+    """Cycle times [s]: of the search's route, of the first legal motion, of the plan."""
     memory = PlanCache()
     plan = optimize(
         job.program, job.plant, target, bounded=False, changes=may_change(job, Loops.KEEP).changes[target],
@@ -91,7 +91,7 @@ def main() -> None:
         spread = 100 * np.ptp(times, axis=0) / np.median(times, axis=0)
         scatters.append(spread.tolist())
         print(
-            f"{seed} {text.count(chr(10) + 'Move'):3d} moves {times[0, 2]:8.3f} s  of chain, first motion, plan: "
+            f"{seed} {text.count(chr(10) + 'Move'):3d} moves {times[0, 2]:8.3f} s  of route, first motion, plan: "
             + " ".join(f"{one:6.3f}" for one in spread)
             + f" %  {process_time() - begin:5.1f} s  {kind}",
             flush=True,

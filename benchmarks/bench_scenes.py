@@ -287,7 +287,7 @@ def candidates(job: Job, moves: Sequence[int], rng: np.random.Generator, most: i
 
 
 def way_exists(job: Job, seed: int, seconds: float) -> bool:
-    """Whether a chain of free ways was found: stretch by stretch, to one or two of the places that can be reached."""
+    """Whether a route of free ways was found: stretch by stretch, to one or two of the places that can be reached."""
     rng, moves = np.random.default_rng(seed), stretches(job.program)
     ends = [job.plant.start]
     for own in moves:

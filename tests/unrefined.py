@@ -24,7 +24,7 @@ IMPROVED = "trajopt_cli.plan.solve.refine"
 
 def as_it_comes(axes: Axes, legal: InitialPlan, *_: object) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """In place of IMPROVED: the legal motion that the search ends with."""
-    return *merge_via_points(axes, legal.problem, legal.draft, legal.detours), ()
+    return *merge_via_points(axes, legal.problem, legal.iterate, legal.detours), ()
 
 
 @contextmanager

@@ -1,7 +1,7 @@
 """What a robot program asks for, as flat data: moves, waits and signals in program order, each with its place.
 
 SI units. Frames: W world, F flange (tool0), T tool centre point, O work object; X_AB is frame B seen from A, (4, 4).
-Floor 1: no project imports but geometry and notices.
+Floor 1: no project imports but geometry and warnings.
 """
 
 from __future__ import annotations

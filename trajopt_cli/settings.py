@@ -35,32 +35,32 @@ class Settings:
     most_turns: int = 16  # whole turns of a branch that are all looked at. Measured: ABB's arms have 12 at most, six
     # axes of +-360 degrees 64, whose states on a rail fill half a gigabyte for every joint move; of so many only
     searched_turns: int = 6  # those nearest to joints that are given. Measured on six programs of UR arms on a rail: 4,
-    # 8 and 16 find the same chains, in 0.2, 0.3 and 1 s, on one 64 do, in 12 s; 2 miss one by 9 %.
+    # 8 and 16 find the same routes, in 0.2, 0.3 and 1 s, on one 64 do, in 12 s; 2 miss one by 9 %.
     searched_legs: int = 96  # legs that are searched at once; longer programs in windows. Not measured.
     overlapping_legs: int = 12  # of them that are searched again with what comes behind them. Measured on 200 moves of
-    # a pallet: the same chains within 0.0002 % as with 24, in 0.9 of the time.
-    fine_grid: int = 25  # rail positions around the best chain. Not measured (the prototype had 121 over the whole
+    # a pallet: the same routes within 0.0002 % as with 24, in 0.9 of the time.
+    fine_grid: int = 25  # rail positions around the best route. Not measured (the prototype had 121 over the whole
     # stroke).
     near_best: float = 1.04  # labels within this of the best cycle stay in the fine search. Not measured; the search
     # alone was 0.6 to 11.4 % (median 3.2 %) above the optimum in the prototype.
     near_span: float = 3.5  # s of a cycle at most of which that share is taken: what is far away does not matter.
-    # Measured: with 7 the same chains on 50 programs but for one of 200 moves on a fixed rail, 0.004 % shorter, in 1.2
+    # Measured: with 7 the same routes on 50 programs but for one of 200 moves on a fixed rail, 0.004 % shorter, in 1.2
     # times the time.
     slowest_states: int = 20  # states of two waypoints each of which the slowest axes make a leg's table; others are
     # asked where that matters. Measured on 50 moves of a pallet: 0.70 s of search; those slowest in half of them 0.90
     # s, all axes 1.1 s.
 
-    # course: a run's parts between two stops
+    # path: a run's parts between two stops
     end_spacing: float = 0.7  # how much closer together a leg's nodes are beside its stops. Measured on hinge_line: 20
     # nodes in the search for rail positions gave a plan of 12.452 s evenly spaced, of 12.412 s with a curve of 0.6; 40
     # evenly spaced 12.413 s.
     corner_nodes: int = 4  # intervals of each part of a corner's half. Not measured.
 
-    # pace: how fast a course is driven
+    # pace: how fast a path is driven
     sample_step: float = 0.001  # s between two looks at a motion at most. Not measured.
     least_samples: int = 12  # looks at an interval at least. Measured: on 1,000 points of z1 at v100, 8, 12, 20 and 40
     # gave one and the same motion.
-    path_interval_samples: int = 5  # looks at an interval of a course besides both ends; the middle is one. Measured on
+    path_interval_samples: int = 5  # looks at an interval of a path besides both ends; the middle is one. Measured on
     # hinge_cell, corners, bench_irb140, 50 moves of a pallet, 100 points of z1 and a random program: 2, 3, 4, 6 and 12
     # gave the same motions, and 40 looks found no limit passed.
     corner_samples: int = 4  # times as many in a corner, where the tool's speed rises and falls within an interval.
@@ -70,11 +70,11 @@ class Settings:
     # m/s2 were missed.
     most_samples: int = 1000  # within one interval. Not measured.
 
-    # incumbent: a legal motion before any nonlinear program
-    run_nodes: int = 96  # intervals of a leg in a run with corners, of one shorter than LONG_LINE as many fewer.
+    # initial plan: a legal motion before any nonlinear program
+    run_nodes: int = 96  # intervals of a leg in a run with corners, of one shorter than long_line as many fewer.
     # Measured on 300 points of z5 at v1000: 7.1927 s with a quarter of the nodes that 7.1923 s took.
     pair_nodes: int = 20  # intervals of a leg that is timed to compare rail positions. Measured on ten random programs
-    # (benchmarks/bench_chains.py): 32 gave RAPID plans 0.02 % faster on average, 0.1 % at most, in 1.1 times the time.
+    # (benchmarks/bench_routes.py): 32 gave RAPID plans 0.02 % faster on average, 0.1 % at most, in 1.1 times the time.
     refine_step: float = 0.03  # m, the first step: the search's grid. Not measured.
     refine_last: float = 0.0002  # m, the last. Measured: 4e-4 gave one of 30 random programs 0.06 % more time.
     polished_legs: int = 3500  # legs of runs with corners that are timed while the rail is shifted at their points.
@@ -183,20 +183,20 @@ class Settings:
     bound_pairs: int = 100000  # of cells per leg in a window; a finer level is not begun beyond. Measured on 100 moves
     # of a pallet with free axes: 300,000 gave 30.81 s for 30.55 s in five times the time.
 
-    # again: a plan solved again with a change
+    # sensitivity: a plan solved again with a change
     small_change: float = 0.1  # share of a change by which first order is told. Not measured.
     active: float = 0.95  # share of a limit from which a run is timed again when it changes. Not measured.
 
-    # surroundings: clear of obstacles and of itself
-    clearance_margin: float = 0.0001  # m that the planner stays farther away than wanted: CLEAR_STEP and rounding. Not
-    # measured.
+    # collision: clear of obstacles and of itself
+    clearance_margin: float = 0.0001  # m that the planner stays farther away than wanted, for what lies between looks,
+    # and for rounding. Not measured.
 
-    # ways: points by which joint moves lead around what is in their way
+    # via points: points by which joint moves lead around what is in their way
     detour_tries: int = 300  # places near the straight way, and as many anywhere, that a way by one point or two may
     # have. Not measured.
     detour_tree: int = 36  # times that a tree grows before no way counts as found. Not measured.
 
-    # avoid: ways that touch something, in the search
+    # detours: paths that touch something, in the search
     detours_per_motion: int = 5  # times that a way around is looked for in one motion, between different states. Not
     # measured.
     detour_zones: tuple[float | None, ...] = (0.2, 0.1, 0.05, 0.02, 0.01, None)  # m: radii of fly-bys at added points,
@@ -217,10 +217,10 @@ class Settings:
 
     @property
     def worth(self) -> float:
-        """Share of such a span by which other chains may be estimated to take longer to be timed as well, and by which
+        """Share of such a span by which other routes may be estimated to take longer to be timed as well, and by which
         they may take longer after a few rounds of refinement. Measured on 19 programs, most of bench_peers.py: of all
-        chains up to 3 % longer by estimate the four that won were at 0.1 to 0.5 % of their cycles, 9 to 34 ms;
-        benchmarks/bench_chains.py tries other numbers."""
+        routes up to 3 % longer by estimate the four that won were at 0.1 to 0.5 % of their cycles, 9 to 34 ms;
+        benchmarks/bench_routes.py tries other numbers."""
         return (self.near_best - 1) / 4
 
     @property
@@ -250,7 +250,7 @@ class Settings:
 
     @property
     def short_nodes(self) -> int:
-        """The same of a line of LONG_LINE passed at both ends, one at least on shorter ones."""
+        """The same of a line of long_line passed at both ends, one at least on shorter ones."""
         return self.run_nodes // 16
 
     @property
@@ -311,7 +311,7 @@ class Settings:
 
     @property
     def least_start_time(self) -> float:
-        """S of such a leg in the first draft."""
+        """S of such a leg in the first iterate."""
         return 2 * self.row_step
 
     @property
@@ -341,7 +341,7 @@ class Settings:
 
     @property
     def switches_apart(self) -> float:
-        """S between an axis' switches that are not one: ROW_APART and a little."""
+        """S between an axis' switches that are not one: least_row_step and a little."""
         return 1.1 * self.least_row_step
 
     @property

@@ -54,11 +54,11 @@ def _no_clean_plan(*_: object, **__: object) -> None:
 
 def _disconnected(program: object, *_: object, **__: object) -> Infeasible:
     motion = program.motions[0]  # type: ignore[attr-defined]
-    return Infeasible(0, motion.source, "no chain of configurations connects the start with the program's end")
+    return Infeasible(0, motion.source, "no route of configurations connects the start with the program's end")
 
 
 FAILURES: dict[str, tuple[str, Callable[..., object]]] = {
-    "the search finds no chain": ("trajopt_cli.plan.initial_plan.search", _none),
+    "the search finds no route": ("trajopt_cli.plan.initial_plan.search", _none),
     "no law drives a run": ("trajopt_cli.plan.detour_planner.timed", _not_driven),
     "windows fail": ("trajopt_cli.plan.solve.refine", _no_clean_plan),
     "rows are not legal": ("trajopt_cli.plan.solve.with_legal_rows", None),  # but those of the slow plan

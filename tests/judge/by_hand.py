@@ -12,7 +12,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge.program_points import points_of
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.judge.stops import check_stops
 from trajopt_cli.judge.timeline import Timeline, build_timeline
 from trajopt_cli.judge.tool_kinematics import ToolKinematics
@@ -35,7 +35,7 @@ def seen(
 ) -> tuple[Timeline, dict[bytes, ToolKinematics]]:
     """Its points with their rows, as verify finds them. marked: whether to take it for a file with marks."""
     points = points_of(case.program, case.plant)
-    rows = look(case.plant, trajectory, steps, marks=len(points) - 1)
+    rows = judged_rows(case.plant, trajectory, steps, marks=len(points) - 1)
     rows = rows if marked is None else replace(rows, marked=marked)
     frames = {np.asarray(p.X_FT).tobytes(): ToolKinematics(rows, p.X_FT) for p in points}
     return build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid), frames

@@ -18,7 +18,7 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import joints
 from trajopt_cli.judge import samples as rows_module
 from trajopt_cli.judge.joints import axis_accelerations, check_joints
-from trajopt_cli.judge.samples import Rows, look, unseen
+from trajopt_cli.judge.samples import Rows, judged_rows, unseen
 from trajopt_cli.judge.tolerances import JOINT, REST_JOINT
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.problem.plant import Plant
@@ -46,7 +46,7 @@ def rows_of(seed: int, speeds: bool = True, marked: bool = False, n: int = N, pl
     steps = Resolution(
         rng.uniform(1e-6, 2e-5, n), rng.uniform(1e-6, 5e-5, (n, 7)), rng.uniform(1e-6, 2e-4, (n, 7)) * speeds
     )
-    rows = look(plant, Trajectory(plant.limits.names, t, q, qd if speeds else None), steps)
+    rows = judged_rows(plant, Trajectory(plant.limits.names, t, q, qd if speeds else None), steps)
     assert rows.marked == marked
     return rows
 
@@ -280,7 +280,7 @@ def test_least_speeds_at_rows_and_rest() -> None:
                 slow = rows.qd * scale[:, None]
                 slow = np.sign(slow) * (np.abs(slow) + (1 - scale[:, None]) * rows.doubt_v)
                 steps = Resolution(rows.step_t, rows.doubt_q, rows.doubt_v)
-                again = look(PLANT, Trajectory(PLANT.limits.names, rows.t, rows.q, slow), steps)
+                again = judged_rows(PLANT, Trajectory(PLANT.limits.names, rows.t, rows.q, slow), steps)
                 assert again.axes_rest.all() == (factor < 1) == again.axes_rest.any()
 
 
@@ -294,7 +294,7 @@ def test_truncation_is_twice_the_error_of_a_hermite() -> None:
     def truncation(c: float, begin: float = -1.0) -> Array:
         u = np.maximum(t - begin, 0.0)
         q[:, j], qd[:, j] = c * u**4, 4 * c * u**3
-        rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd), None)
+        rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd), None)
         return np.asarray(rows.truncation[:, j])
 
     h = np.diff(t)
@@ -304,8 +304,8 @@ def test_truncation_is_twice_the_error_of_a_hermite() -> None:
     kinked = truncation(50.0, 0.0800001)
     assert kinked[:20].max() < 1e-6
     q[:, j], qd[:, j] = 30 * np.maximum(t - 0.08, 0.0) ** 3, 90 * np.maximum(t - 0.08, 0.0) ** 2  # jerk jumps
-    assert look(PLANT, Trajectory(PLANT.limits.names, t, q, qd), None).truncation[:, j].max() < 1e-6
-    short = look(PLANT, Trajectory(PLANT.limits.names, t[:2], q[:2], qd[:2]), None)
+    assert judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd), None).truncation[:, j].max() < 1e-6
+    short = judged_rows(PLANT, Trajectory(PLANT.limits.names, t[:2], q[:2], qd[:2]), None)
     assert not short.truncation[:].any()
 
 
@@ -371,7 +371,7 @@ def test_a_limit_is_broken_a_hair_beyond_its_tolerance(with_speeds: bool, step: 
     steps = None if step is None else Resolution(0.0, np.full(7, step), np.full(7, step * with_speeds))
 
     def told(plant: Plant) -> dict[str, tuple[float, float, float | None, bool]]:
-        found = check_joints(look(plant, file, steps), lambda _: None)
+        found = check_joints(judged_rows(plant, file, steps), lambda _: None)
         return {f.check: (f.value, f.limit, f.time, f.passed) for f in found if f.subject == "rail"}
 
     wide = limited(velocity=50.0, acceleration=500.0, lower=-10.0, upper=10.0, jerk=5e7)
@@ -404,7 +404,7 @@ def test_the_first_and_the_last_row_are_looked_at() -> None:
     t = np.arange(0, 0.5, 0.005)
     for sign, upper in ((1, 1.5), (1, 1.6), (-1, 1.5), (-1, 1.6)):
         file = rail_file(t, 1.0 + sign * 0.4 * (t - 0.25) / 0.25)
-        rows = look(limited(upper=upper, lower=0.45), file, None)
+        rows = judged_rows(limited(upper=upper, lower=0.45), file, None)
         (found,) = (
             f for f in check_joints(rows, lambda _: None) if f.subject == "rail" and f.check == "joint position"
         )
@@ -445,13 +445,13 @@ def test_coupled_joints_are_held_to_the_range_of_their_sum() -> None:
                 limit = end - (1 if high else -1) * over * (doubt + JOINT * 3.0)
                 one = CoupledRange(("joint_2", "joint_3"), tuple(factors), *sorted((limit, other)))
                 plant = replace(PLANT, limits=replace(PLANT.limits, coupled=(one,)))
-                rows = look(plant, Trajectory(PLANT.limits.names, t, q, qd if speeds_given else None), steps)
+                rows = judged_rows(plant, Trajectory(PLANT.limits.names, t, q, qd if speeds_given else None), steps)
                 assert rows.exact == (speeds_given and marked)
                 found = check_joints(rows, lambda _: None)[0]
                 with pytest.MonkeyPatch.context() as small:
                     small.setattr(rows_module, "PIECE", 16)
                     small.setattr(rows_module, "OVERLAP", 4)
-                    again = look(plant, rows.trajectory, steps)
+                    again = judged_rows(plant, rows.trajectory, steps)
                     assert check_joints(again, lambda _: None)[0] == found
                 assert (found.subject, found.unit) == ("-0.5 joint_2 + 2 joint_3", "rad")
                 assert (found.value, found.limit) == (pytest.approx(end, abs=1e-9), limit)

@@ -26,7 +26,7 @@ from trajopt_cli.judge.continuous_collision import (
     InterpolatedMotion,
     Near,
     Sweep,
-    _Look,
+    _Sample,
 )
 from trajopt_cli.judge.mechanism import Mechanism, mechanism_of
 from trajopt_cli.judge.verify import verify
@@ -369,12 +369,12 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
             t = np.cumsum(rng.uniform(0.01, 0.2, n))
             q = np.cumsum(rng.uniform(-0.3, 0.3, (n, k)), axis=0)
             trajectory = Trajectory(robot.axis_names, t, q, rng.normal(size=(n, k)) * 3)
-            course = InterpolatedMotion(trajectory)
+            motion = InterpolatedMotion(trajectory)
             nodes = np.array([[0, 5], [1, 3], [2, 3], [2.25, 2.5], [3.5, 4], [4.875, 5]], dtype=float)
-            look = _Look(mechanism, course, nodes)
+            sample = _Sample(mechanism, motion, nodes)
             for i, (s_0, s_1) in enumerate(nodes):
-                s = np.r_[look.middle[i], np.linspace(s_0, s_1, 100)]
-                X = link_poses(robot, course.at(s))
+                s = np.r_[sample.middle[i], np.linspace(s_0, s_1, 100)]
+                X = link_poses(robot, motion.at(s))
                 for body in bodies:
                     for since in range(-1, body.frame):
                         seen = X[:, body.frame] if since < 0 else inverse_pose(X[:, since]) @ X[:, body.frame]
@@ -384,7 +384,7 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
                         points = np.concatenate([*(ends + one for one in skin), body.shape.vertices])
                         placed = points @ np.swapaxes(seen[:, :3, :3], 1, 2) + seen[:, None, :3, 3]
                         moved = np.linalg.norm(placed - placed[0], axis=2).max()
-                        bound = look.moved(body, since)[i]
+                        bound = sample.moved(body, since)[i]
                         assert moved <= bound + 1e-12
                         tightest = max(tightest, moved / bound if bound > 1e-9 else 0.0)
         assert tightest > 0.8  # and the bound is no giant
@@ -395,20 +395,20 @@ def test_the_course_is_the_hermite_and_its_swing_holds_it(rng: np.random.Generat
     q, qd = rng.normal(size=(40, 3)), rng.normal(size=(40, 3)) * 5
     names = ("joint_1", "joint_2", "joint_3")
     trajectory = Trajectory(names, t, q, qd)
-    course = InterpolatedMotion(trajectory)
+    motion = InterpolatedMotion(trajectory)
     s = np.sort(rng.uniform(0, 39, 500))
-    times = np.array([course.time(one) for one in s])
-    np.testing.assert_allclose(course.at(s), hermite(trajectory, times)[0], rtol=0, atol=1e-12)
-    assert [course.time(float(i)) for i in (0, 7, 38, 39)] == t[[0, 7, 38, 39]].tolist()
-    np.testing.assert_allclose(course.at(np.array([0.0, 38.0, 39.0])), q[[0, 38, 39]], rtol=0, atol=1e-12)
+    times = np.array([motion.time(one) for one in s])
+    np.testing.assert_allclose(motion.at(s), hermite(trajectory, times)[0], rtol=0, atol=1e-12)
+    assert [motion.time(float(i)) for i in (0, 7, 38, 39)] == t[[0, 7, 38, 39]].tolist()
+    np.testing.assert_allclose(motion.at(np.array([0.0, 38.0, 39.0])), q[[0, 38, 39]], rtol=0, atol=1e-12)
     straight = InterpolatedMotion(Trajectory(names, t, q)).at(s)
     np.testing.assert_allclose(straight, np.column_stack([np.interp(times, t, q[:, i]) for i in range(3)]), atol=1e-12)
     for _ in range(200):
         a, b = sorted(rng.integers(0, 40, 2))
         nodes = np.array([[a, b]], dtype=float) if a < b else np.array([[min(a, 38) + 0.25, min(a, 38) + 0.5]])
-        middle = course.at(nodes.mean(axis=1))
-        dense = course.at(np.linspace(*nodes[0], 400))
-        swing = course.swing(nodes[:, 0], nodes[:, 1], middle)[0]
+        middle = motion.at(nodes.mean(axis=1))
+        dense = motion.at(np.linspace(*nodes[0], 400))
+        swing = motion.swing(nodes[:, 0], nodes[:, 1], middle)[0]
         assert (np.abs(dense - middle[0]).max(axis=0) <= swing + 1e-12).all()
 
 
@@ -417,10 +417,10 @@ def test_the_swing_over_many_rows_is_that_of_the_control_points(rng: np.random.G
     for n in (2, BLOCK, BLOCK + 1, BLOCK + 2, 5 * BLOCK + 3):
         t, q = np.cumsum(rng.uniform(0.01, 0.2, n)), rng.normal(size=(n, 3))
         qd = rng.normal(size=(n, 3)) * 5 if speeds else None
-        course = InterpolatedMotion(Trajectory(("joint_1", "joint_2", "joint_3"), t, q, qd))
+        motion = InterpolatedMotion(Trajectory(("joint_1", "joint_2", "joint_3"), t, q, qd))
         pairs = np.array([(a, b) for a in range(n) for b in range(a + 1, n)], dtype=float)
         here = rng.normal(size=(len(pairs), 3))
-        found = course.swing(*pairs.T, here)
+        found = motion.swing(*pairs.T, here)
         third = np.zeros((2, n - 1, 3)) if qd is None else np.diff(t)[:, None] / 3 * np.stack([qd[:-1], -qd[1:]])
         control = np.stack([q[:-1], q[:-1] + third[0], q[1:] + third[1], q[1:]])
         for (a, b), middle, swing in zip(pairs.astype(int), here, found, strict=True):

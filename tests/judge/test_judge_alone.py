@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.judge.geometry import Line, inverse_pose
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveL, PoseMove
 from trajopt_cli.problem.plan import Target
@@ -54,7 +54,7 @@ def test_the_motion_between_rows_is_the_hermite(rng: np.random.Generator) -> Non
     plant = plant_with_rail()
     t = np.cumsum(rng.uniform(1e-3, 0.2, 30))
     q, qd = rng.normal(size=(30, 7)), 3 * rng.normal(size=(30, 7))
-    rows = look(plant, Trajectory(plant.limits.names, t, q, qd), None)
+    rows = judged_rows(plant, Trajectory(plant.limits.names, t, q, qd), None)
     times, *found = (places[:] for places in rows.hermite_places)
     spline = CubicHermiteSpline(t, q, qd)
     np.testing.assert_allclose(times[:4], t[0] + np.array([0.2, 0.4, 0.6, 0.8]) * (t[1] - t[0]), rtol=1e-15)

@@ -47,7 +47,7 @@ from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.judge import waypoint_matching
 from trajopt_cli.judge.joints import check_joints
 from trajopt_cli.judge.program_points import ProgramPoint
-from trajopt_cli.judge.samples import BLOCK, Boxes, look
+from trajopt_cli.judge.samples import BLOCK, Boxes, judged_rows
 from trajopt_cli.judge.tolerances import DURATION, HELD
 from trajopt_cli.judge.waypoint_matching import Closeness, Event, events_of
 from trajopt_cli.motion import FlyBy, Hold, Motion
@@ -231,7 +231,7 @@ def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
     rows = Trajectory(case.plant.limits.names, t, *at(t))
     middle, step = np.clip(np.linspace(0, T, 3001), 1e-5, T - 1e-5), 1e-5
     true = np.abs(at(middle + step)[1] - at(middle - step)[1])[:, j].max() / (2 * step)
-    seen = replace(look(case.plant, rows, None), marked=True)
+    seen = replace(judged_rows(case.plant, rows, None), marked=True)
     plain = np.abs(np.diff(rows.qd[:, j]) / 1e-3) + np.abs(6 * seen.mismatch[0][:, j] / 1e-3)
     assert plain.max() > true * (1 + 2e-6)
     plant = limited(case.plant, acceleration={j: float(true)})

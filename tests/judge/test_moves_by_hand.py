@@ -20,7 +20,7 @@ from trajopt_cli.judge.demands import check_demands
 from trajopt_cli.judge.lines import check_shapes
 from trajopt_cli.judge.rail import still_from
 from trajopt_cli.judge.rail_hold import check_held
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.motion import Hold, Motion, Settings, Speed
 from trajopt_cli.trajectory import Trajectory
 
@@ -239,7 +239,7 @@ def test_from_when_a_rail_stands_for_long_enough(kind: str) -> None:
         q = np.tile(PLANT.start, (n, 1))
         q[:, 0] += d
         file = Trajectory(PLANT.limits.names, t, q, None)
-        rows = replace(look(PLANT, file, Resolution(0.0, np.full(7, r), np.zeros(7))), marked=marked)
+        rows = replace(judged_rows(PLANT, file, Resolution(0.0, np.full(7, r), np.zeros(7))), marked=marked)
         time, duration, depart = 0.0401, float(rng.choice([0.02, 0.05, 0.1, 0.9])), 35
         tau = 0.0 if marked else 0.004
         slack = 1e-9 + 4 * tau

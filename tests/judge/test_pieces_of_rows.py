@@ -11,7 +11,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import samples as module
 from trajopt_cli.judge.findings import Columns, Series, Worst, axis_unit, digits, finding, worse
-from trajopt_cli.judge.samples import Along, Blocks, Boxes, Pieces, look, windows
+from trajopt_cli.judge.samples import Along, Blocks, Boxes, Pieces, judged_rows, windows
 from trajopt_cli.trajectory import Trajectory
 
 PLANT = plant_with_rail()
@@ -114,13 +114,13 @@ def file(t: Array, q: Array | None = None, qd: Array | None = None) -> Trajector
 def test_steps_are_never_finer_than_numbers_are() -> None:
     """Positions and speeds to 1e-12, times to four units in the last place of the latest."""
     t = 1000.0 + np.arange(5) * 0.01
-    rows = look(PLANT, file(t), None)
+    rows = judged_rows(PLANT, file(t), None)
     assert (rows.doubt_q == 1e-12).all()
     assert (rows.doubt_v == 1e-12).all()
     np.testing.assert_allclose(rows.step_t, 4 * np.finfo(float).eps * t[-1], rtol=1e-12)
     assert rows.doubt_tables is None
     steps = Resolution(np.array([1e-3, 0, 0, 0, 2e-3]), np.r_[1e-6, np.full(6, 1e-15)], np.full(7, 1e-5), None)
-    rows = look(PLANT, file(t), steps)
+    rows = judged_rows(PLANT, file(t), steps)
     assert rows.doubt_q[3].tolist() == [1e-6] + [1e-12] * 6
     assert rows.doubt_v[2].tolist() == [1e-5] * 7
     assert rows.step_t[[0, 4]].tolist() == [1e-3, 2e-3]
@@ -135,16 +135,16 @@ def test_gaps_of_a_standstill_are_no_longer_than_others() -> None:
     q[:, 2] += [0.0, 0.001, 0.002, 0.002, 0.004, 0.004, 0.005]
     qd[:, 2] = [0.0, 0.1, 0.0, 0.0, 0.2, 0.2, 0.0]
     median = np.median([0.01, 0.012, 0.014, 0.7, 0.01])
-    np.testing.assert_allclose(look(PLANT, file(t, q, qd), None).gaps, [0.01, 0.012, median, 0.014, 0.7, 0.01])
-    np.testing.assert_allclose(look(PLANT, file(t, q), None).gaps, np.diff(t))
+    np.testing.assert_allclose(judged_rows(PLANT, file(t, q, qd), None).gaps, [0.01, 0.012, median, 0.014, 0.7, 0.01])
+    np.testing.assert_allclose(judged_rows(PLANT, file(t, q), None).gaps, np.diff(t))
     for way, speed, still in ((0.9e-12, 0.0, True), (2e-12, 0.0, False), (0.0, 1.9e-12, True), (0.0, 2.1e-12, False)):
         moved, fast = q.copy(), qd.copy()
         moved[3:, 5] += way
         fast[3, 5] = speed
-        assert (look(PLANT, file(t, moved, fast), None).gaps[2] < 0.1) == still
-    at_rest = look(PLANT, file(t, None, np.zeros((7, 7))), None)
+        assert (judged_rows(PLANT, file(t, moved, fast), None).gaps[2] < 0.1) == still
+    at_rest = judged_rows(PLANT, file(t, None, np.zeros((7, 7))), None)
     assert at_rest.gaps.tolist() == [0.0] * 6
-    short = look(PLANT, file(np.cumsum([0.0, 0.02, 0.001]), None, np.zeros((3, 7))), None)
+    short = judged_rows(PLANT, file(np.cumsum([0.0, 0.02, 0.001]), None, np.zeros((3, 7))), None)
     assert short.gaps.tolist() == [0.0, 0.0]
 
 
@@ -156,7 +156,7 @@ def test_a_marked_file_is_a_grid_with_rows_in_it(doubt: float) -> None:
     def marked(inner: list[float], marks: int = 1, ends: float = 0.5) -> bool:
         t = np.cumsum([0.0, ends, *inner, ends])
         steps = Resolution(doubt, np.full(7, 1e-9), np.zeros(7))
-        return look(PLANT, file(t), steps, marks).marked
+        return judged_rows(PLANT, file(t), steps, marks).marked
 
     g, near = 0.01, 2e-5 + 2 * doubt
     assert not marked([g] * 10)
@@ -172,13 +172,13 @@ def test_a_marked_file_is_a_grid_with_rows_in_it(doubt: float) -> None:
     assert not marked([g] * 3 + [g - near + 1e-7] + [0.004] * 7)
     assert marked([g] * 3 + [g - near + 1e-7] + [0.004] * 6)
     assert not marked([])
-    assert look(PLANT, file(np.arange(2) * 0.01), None).marked is False
+    assert judged_rows(PLANT, file(np.arange(2) * 0.01), None).marked is False
 
 
 def test_turning_is_the_acceleration_of_speeds_alone() -> None:
     rng = np.random.default_rng(94)
     q, qd = PLANT.start + rng.uniform(-1, 1, (30, 7)), rng.normal(size=(30, 7))
-    rows = look(PLANT, file(np.arange(30) * 0.01, q, qd), None)
+    rows = judged_rows(PLANT, file(np.arange(30) * 0.01, q, qd), None)
     wanted = forward_acceleration(PLANT.robot, q, qd, np.zeros_like(qd))
     np.testing.assert_allclose(rows.turning[:], wanted, atol=1e-9)
     inner = rows.hermite_places

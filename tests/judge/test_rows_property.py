@@ -13,7 +13,7 @@ from legal_motion import plant_with_rail
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge.joints import check_joints
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.trajectory import Trajectory
 
 PLANT = plant_with_rail()
@@ -79,7 +79,7 @@ def test_no_rows_of_a_legal_motion_are_called_too_fast(
         t, q, qd = (np.round(x, digits) for x in (t, q, qd))
         r = 10.0**-digits
         resolution = Resolution(r, np.full(7, r), np.full(7, r if speeds else 0.0))
-    rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), resolution)
+    rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), resolution)
     bad = [f for f in check_joints(rows, lambda _: None) if not f.passed and f.check != "joint position"]
     assert not bad, [f.message for f in bad]
 
@@ -95,7 +95,7 @@ def rail_rows(t: Array, d: Array, v: Array | None) -> Trajectory:
 
 
 def failed(trajectory: Trajectory) -> dict[str, float]:
-    rows = look(PLANT, trajectory, None)
+    rows = judged_rows(PLANT, trajectory, None)
     return {f.check: f.value for f in check_joints(rows, lambda _: None) if not f.passed and f.subject == "rail"}
 
 
@@ -156,5 +156,5 @@ def test_the_hermite_is_judged_at_both_ends(side: int) -> None:
     if side < 0:
         t, d, speed = t[-1] - t[::-1], d[::-1], -speed[::-1]
     trajectory = rail_rows(t, d, speed)
-    assert look(PLANT, trajectory, None).exact
+    assert judged_rows(PLANT, trajectory, None).exact
     assert failed(trajectory) == {"joint acceleration": pytest.approx(v / h + 6 * more / h, rel=0.02)}

@@ -36,7 +36,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge.positioners import TurnedFrame, check_columns
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.judge.tool_kinematics import ToolKinematics
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import MoveExtJ
@@ -64,7 +64,7 @@ def random_rows(marked: bool = True, n: int = 40) -> tuple[Trajectory, Resolutio
 def turned_rows(marked: bool = True) -> tuple[TurnedFrame, ToolKinematics, Array, Array]:
     """The tool in the world and over the work; angles of the units (n, 2) since the move's start, and their speeds."""
     trajectory, steps = random_rows(marked)
-    rows = look(plant_with_rail(), trajectory, steps)
+    rows = judged_rows(plant_with_rail(), trajectory, steps)
     assert rows.exact == marked
     world = ToolKinematics(rows, X_FT)
     assert trajectory.tables is not None

@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import caps
 from trajopt_cli.judge import tolerances as tol
-from trajopt_cli.judge.samples import look
+from trajopt_cli.judge.samples import judged_rows
 from trajopt_cli.judge.tool_kinematics import ToolKinematics, angular_acceleration
 from trajopt_cli.trajectory import Trajectory
 
@@ -43,7 +43,7 @@ def frame_of(tool: str, speeds: bool, marked: bool) -> ToolKinematics:
     steps = Resolution(
         rng.uniform(1e-6, 2e-5, N), rng.uniform(1e-6, 2e-5, (N, 7)), rng.uniform(1e-6, 1e-4, (N, 7)) * speeds
     )
-    rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), steps)
+    rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), steps)
     assert (rows.marked, rows.exact) == (marked, marked and speeds)
     return ToolKinematics(rows, TOOLS[tool])
 

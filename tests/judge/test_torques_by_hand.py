@@ -16,7 +16,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.judge import torques
 from trajopt_cli.judge.mechanism import Forces, mechanism_of
-from trajopt_cli.judge.samples import Rows, look
+from trajopt_cli.judge.samples import Rows, judged_rows
 from trajopt_cli.judge.timeline import Timeline
 from trajopt_cli.motion import NO_EXTERNAL_AXES, Load, MoveAbsJ, Program, Settings, Source, Span, Tool, Written
 from trajopt_cli.trajectory import Trajectory
@@ -47,7 +47,7 @@ def rows_of(speeds: bool, marked: bool) -> Rows:
     steps = Resolution(
         rng.uniform(1e-6, 2e-5, N), rng.uniform(1e-6, 2e-5, (N, 6)), rng.uniform(1e-5, 1e-3, (N, 6)) * speeds
     )
-    rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), steps)
+    rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd if speeds else None), steps)
     assert (rows.marked, rows.exact) == (marked, marked and speeds)
     return rows
 

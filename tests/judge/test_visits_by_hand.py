@@ -18,9 +18,9 @@ from trajopt_cli.judge import samples as rows_module
 from trajopt_cli.judge import tolerances as tol
 from trajopt_cli.judge import waypoint_matching
 from trajopt_cli.judge.program_points import ProgramPoint, path_to
-from trajopt_cli.judge.samples import Rows, look
+from trajopt_cli.judge.samples import Rows, judged_rows
 from trajopt_cli.judge.tool_kinematics import ToolKinematics
-from trajopt_cli.judge.waypoint_matching import Closeness, events_of, looking, passages, worth_a_look
+from trajopt_cli.judge.waypoint_matching import Closeness, candidate_rows, closeness_at, events_of, passages
 from trajopt_cli.motion import FlyBy, MoveExtJ
 from trajopt_cli.trajectory import Trajectory
 
@@ -40,7 +40,7 @@ def around(seed: int, marked: bool, n: int = 150) -> Rows:
     slow = 10.0 ** rng.uniform(-8, 0 if not marked else -4, (n, 7)) * rng.integers(0, 2, (n, 1))
     q, qd = PLANT.start + small * rng.choice([-1, 1], (n, 7)), slow * rng.choice([-1, 1], (n, 7))
     steps = Resolution(0.0, 10.0 ** rng.uniform(-8, -5, (n, 7)), 10.0 ** rng.uniform(-8, -6, (n, 7)))
-    rows = look(PLANT, Trajectory(PLANT.limits.names, t, q, qd), steps)
+    rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd), steps)
     assert rows.marked == marked
     return rows
 
@@ -69,7 +69,7 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
     stop, rows = STOPS[kind], around(41, marked)
     frame = ToolKinematics(rows, stop.X_FT)
     which = np.arange(0, len(rows.t), 2)
-    found = looking(rows, frame, stop, rapid)(which)
+    found = closeness_at(rows, frame, stop, rapid)(which)
     alpha = float(PLANT.limits.acceleration[1:].sum())
     sets: dict[str, list[bool]] = {name: [] for name in ("near", "tight", "rests", "rail_met", "stands")}
     for k, i in enumerate(which):
@@ -107,8 +107,8 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
         np.testing.assert_array_equal(getattr(found, name), values, err_msg=name)
         if name != "stands" or rapid:
             assert stop.rail is None or 0 < sum(values) < len(values) or name == "rail_met", name
-    kept = worth_a_look(rows, frame, stop)
-    every = looking(rows, frame, stop, rapid)(np.arange(len(rows.t)))
+    kept = candidate_rows(rows, frame, stop)
+    every = closeness_at(rows, frame, stop, rapid)(np.arange(len(rows.t)))
     assert set(np.flatnonzero(every.near)) <= set(kept)
     if kind.startswith("pose"):
         X_WT = PLANT.robot.forward(rows.q) @ TOOL
@@ -160,7 +160,7 @@ def wander(seed: int, n: int = 400) -> tuple[Rows, ToolKinematics]:
     t = np.r_[0.0, np.cumsum(rng.choice([0.002, 0.008, 0.02], n - 1))]
     q = np.tile(PLANT.start, (n, 1))
     q[:, 0] = 0.5 + 0.06 * np.sin(3 * t) + 0.02 * np.sin(11 * t)
-    rows = look(PLANT, Trajectory(PLANT.limits.names, t, q), Resolution(0.0, np.full(7, 1e-6), np.zeros(7)))
+    rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q), Resolution(0.0, np.full(7, 1e-6), np.zeros(7)))
     return rows, ToolKinematics(rows, TOOL)
 
 

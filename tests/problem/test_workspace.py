@@ -91,18 +91,18 @@ def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton
     name: str | int, tmp_path: Path
 ) -> None:
     """The wrist centre, or axis 4 where it is parallel to axis 3, and the lines of axes 2 and 3 by pin."""
-    chain = some_arm(name)
-    chain.ranges[1:3] = [
-        (m - h, m + h) for (a, b), h in zip(chain.ranges[1:3], (1.0, 1.8), strict=True) for m in [(a + b) / 2]
+    route = some_arm(name)
+    route.ranges[1:3] = [
+        (m - h, m + h) for (a, b), h in zip(route.ranges[1:3], (1.0, 1.8), strict=True) for m in [(a + b) / 2]
     ]
-    robot = chain.load(tmp_path)
+    robot = route.load(tmp_path)
     limits, rng = robot.profile(), np.random.default_rng(3)
     plant = Plant(robot, limits, robot.tcp, limits.lower, (), False, False, frozenset())
     outlines = [MplPath(outline) for outline in sections(plant)]
     q = rng.uniform(limits.lower, limits.upper, (150, 6))
     q = q[branch_margins(robot.arm, q)[1] > 0] if robot.linkage else q
     model, inside = robot.pin_model, []
-    data, X_WO = model.createData(), robot.X_WO0
+    data, X_WC = model.createData(), robot.X_WC0
     for row in q:
         u = pin.computeJointJacobians(model, data, urdf_joints(robot, row))[3:].T
         p = np.array([data.oMi[i].translation for i in range(1, 7)])
@@ -111,8 +111,8 @@ def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton
         wrist = np.linalg.solve(sum(across[first:]), sum(A @ o for A, o in zip(across[first:], p[first:], strict=True)))
         end = p[3] if first == 4 else wrist  # what axes 2 and 3 alone carry
         # in the canonical base: axis 1 is z, and axis 2 points left of the arm's plane
-        left = X_WO[:3, :3].T @ u[1]
-        w = X_WO[:3, :3].T @ (end - X_WO[:3, 3])
+        left = X_WC[:3, :3].T @ u[1]
+        w = X_WC[:3, :3].T @ (end - X_WC[:3, 3])
         ahead = np.cross(left, [0, 0, 1]) @ w * np.sign(robot.arm.signs[1])
         inside.append(
             any(outline.contains_point((ahead, w[2]), radius=s) for outline in outlines for s in (-2e-3, 2e-3))

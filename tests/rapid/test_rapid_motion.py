@@ -210,10 +210,10 @@ def test_an_arc_through_three_points_of_a_circle_is_that_circle(  # type: ignore
         x, y, z = rotation_from_wxyz(where[1]) @ local + where[0]
         return float(x), float(y), float(z)
 
-    course = circle_through(point(0), point(via * angle), point(angle))
-    assert course is not None
-    assert course.angle == pytest.approx(angle, abs=1e-5)
-    assert np.linalg.norm(np.subtract(point(0), course.centre)) == pytest.approx(size, rel=1e-4)
+    circle = circle_through(point(0), point(via * angle), point(angle))
+    assert circle is not None
+    assert circle.angle == pytest.approx(angle, abs=1e-5)
+    assert np.linalg.norm(np.subtract(point(0), circle.centre)) == pytest.approx(size, rel=1e-4)
 
 
 def test_three_points_on_a_line_are_no_circle_but_a_warning() -> None:

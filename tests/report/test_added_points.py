@@ -39,7 +39,7 @@ def planned() -> tuple[Program, Plan]:
 
 
 @cache
-def course() -> PlanSeries:
+def series() -> PlanSeries:
     return follow(*planned()[:1], PLANT, planned()[1], "around")
 
 
@@ -48,12 +48,12 @@ def tool_at(q: Array) -> Array:
 
 
 def test_the_points_are_on_the_course() -> None:
-    assert [leg.name for leg in course().legs] == ["pVia_10", "pVia_20", "p_in", "p_low", "jVia_30", "j_home"]
-    assert course().added.tolist() == [True, True, False, False, True, False]
-    assert course().passed.tolist() == [True, False, False, False, False, False]
+    assert [leg.name for leg in series().legs] == ["pVia_10", "pVia_20", "p_in", "p_low", "jVia_30", "j_home"]
+    assert series().added.tolist() == [True, True, False, False, True, False]
+    assert series().passed.tolist() == [True, False, False, False, False, False]
     for k, q in ((0, ONE), (1, TWO), (4, ONE)):
-        np.testing.assert_allclose(course().points[k], tool_at(q), atol=1e-7)
-    assert len(course().corners) == 1
+        np.testing.assert_allclose(series().points[k], tool_at(q), atol=1e-7)
+    assert len(series().corners) == 1
 
 
 def test_a_point_that_the_program_has_is_its_own_whatever_its_comment_says() -> None:
@@ -68,8 +68,8 @@ def test_a_point_that_the_program_has_is_its_own_whatever_its_comment_says() -> 
 
 def test_pictures_mark_them_unlike_the_programs_own() -> None:
     with style.house_style():
-        figure = in_space.path(course())
-        over_time.tcp_speed(course())
+        figure = in_space.path(series())
+        over_time.tcp_speed(series())
     marked = {}
     for axes in figure.axes:
         assert isinstance(axes, Axes)

@@ -28,7 +28,7 @@ PASSED = [True, True, False, True, False]  # by move
 
 
 @cache
-def course() -> PlanSeries:
+def series() -> PlanSeries:
     program, plant = rapid(BODY), plant_with_rail()
     plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan
@@ -37,7 +37,7 @@ def course() -> PlanSeries:
 
 def points() -> Array:
     """Where the program's moves lead to, in order [m]."""
-    moves = [motion for motion in course().program.motions if hasattr(motion, "X_WT")]
+    moves = [motion for motion in series().program.motions if hasattr(motion, "X_WT")]
     return np.array([motion.X_WT[:3, 3] for motion in moves])  # type: ignore[union-attr]
 
 
@@ -45,7 +45,7 @@ def points() -> Array:
 def drawn() -> dict[str, Figure]:
     pictures = {"path": in_space.path, "workspace": in_space.workspace, "tcp_speed": over_time.tcp_speed}
     with style.house_style():
-        return {name: picture(course()) for name, picture in pictures.items()}
+        return {name: picture(series()) for name, picture in pictures.items()}
 
 
 def curves(axes: Axes, gid: str) -> list[Array]:
@@ -55,11 +55,11 @@ def curves(axes: Axes, gid: str) -> list[Array]:
 
 def test_nothing_of_the_motion_is_left_out() -> None:
     """All kinds together are the whole path, each of its samples in one of them, ends shared."""
-    shown = np.zeros(len(course().t), dtype=int)
-    for part, _ in in_space._parts(course()):
+    shown = np.zeros(len(series().t), dtype=int)
+    for part, _ in in_space._parts(series()):
         shown[part] += 1
     assert shown.min() == 1
-    assert (shown > 1).sum() <= 2 * len(course().legs) + 2 * len(course().corners)
+    assert (shown > 1).sum() <= 2 * len(series().legs) + 2 * len(series().corners)
 
 
 def test_an_arc_is_drawn_as_an_arc_and_corners_within_their_zones() -> None:
@@ -68,8 +68,8 @@ def test_an_arc_is_drawn_as_an_arc_and_corners_within_their_zones() -> None:
     centre = np.add(points()[2][:2], [0, 0.04])
     np.testing.assert_allclose(np.linalg.norm(arc[:, ::-1] - centre, axis=1), 0.04, atol=1e-5)
     assert len(curves(above, "line")) == 3
-    for corner, point, radius in zip(course().corners, points()[PASSED], (0.03, 0.01, 0.01), strict=True):
-        tool = course().X_WT[corner, :3, 3]
+    for corner, point, radius in zip(series().corners, points()[PASSED], (0.03, 0.01, 0.01), strict=True):
+        tool = series().X_WT[corner, :3, 3]
         away = np.linalg.norm(tool - point, axis=1)
         assert away[1:-1].max() <= radius * (1 + 1e-5)
         assert away.max() < radius + 2e-3  # the samples beside the zone, a millisecond on
@@ -84,7 +84,7 @@ def test_points_that_are_passed_are_hollow_and_stand_where_they_are_programmed(
     stops, passed = (line for line in axes.lines if line.get_marker() == "o")
     assert passed.get_markerfacecolor() == "white"
     assert stops.get_markerfacecolor() != "white"
-    start = course().X_WT[:1, :3, 3]
+    start = series().X_WT[:1, :3, 3]
     for line, places in (
         (stops, np.vstack([start, points()[~np.array(PASSED)]])),
         (passed, points()[np.array(PASSED)]),
@@ -103,14 +103,14 @@ def test_over_time_a_point_that_is_passed_is_a_dotted_line_in_the_middle_of_its_
     (axes,) = drawn()["tcp_speed"].axes
     (dotted,) = [one for one in axes.collections if one.get_gid() == "passed"]
     times = [segment[0, 0] for segment in dotted.get_segments()]
-    moves = [motion for motion in course().plan.motions if motion.t_1 > motion.t_0]
+    moves = [motion for motion in series().plan.motions if motion.t_1 > motion.t_0]
     assert times == [moves[i].t_1 for i in (0, 1, 4)]
-    speed = np.linalg.norm(course().V_WT[:, :3], axis=1)
-    assert min(speed[course().at(time)] for time in times) > 0.02
+    speed = np.linalg.norm(series().V_WT[:, :3], axis=1)
+    assert min(speed[series().at(time)] for time in times) > 0.02
 
 
 def test_the_arm_is_shown_where_it_stops() -> None:
-    labels = [name for _, name, _ in arm._stations(course())]
+    labels = [name for _, name, _ in arm._stations(series())]
     assert labels[0] == "start"
     assert [label.split(",")[0] for label in labels[1:]] == ["Offs(p_in…"]
 

@@ -51,8 +51,8 @@ def test_a_surface_is_cut_at_the_edge_of_what_is_shown() -> None:
 def test_path_and_arm_show_them() -> None:
     program, plan = planned()
     with_bodies, without = (follow(program, replace(PLANT, obstacles=one), plan, "") for one in (PLANT.obstacles, ()))
-    pictures = [in_space.path(course) for course in (with_bodies, without)]
-    for course, figure, count in zip((with_bodies, without), pictures, (3, 0), strict=True):
+    pictures = [in_space.path(series) for series in (with_bodies, without)]
+    for series, figure, count in zip((with_bodies, without), pictures, (3, 0), strict=True):
         world, carriage = figure.axes[0], figure.axes[1]
         drawn = [one for one in world.patches if isinstance(one, Polygon) and one.get_gid() == "obstacle"]
         assert len(drawn) == 2 * count  # filled, and their outlines
@@ -60,7 +60,7 @@ def test_path_and_arm_show_them() -> None:
         legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
         labels = [text.get_text() for one in legends for text in one.get_texts()]
         assert ("obstacles" in labels) == bool(count)
-        space = arm(course)
+        space = arm(series)
         faces = [one for one in space.axes[0].collections if one.get_gid() == "obstacle"]
         assert len(faces) == count
         arms = [one for one in space.axes[0].collections if one.get_gid() == "bodies"]

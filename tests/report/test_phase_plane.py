@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from trajopt_cli.cli import run
-from trajopt_cli.report.phase_plane import course, phase_figure
+from trajopt_cli.report.phase_plane import fastest_curve, phase_figure
 from trajopt_cli.report.style import house_style
 
 PROGRAM = str(Path(__file__).parents[2] / "programs" / "hinge_line.mod")
@@ -16,7 +16,7 @@ PROGRAM = str(Path(__file__).parents[2] / "programs" / "hinge_line.mod")
 
 @pytest.mark.parametrize(("D", "V", "A"), [(0.5, 10.0, 2.0), (-0.5, 10.0, 2.0), (0.5, 0.4, 2.0), (-1.2, 0.3, 5.0)])
 def test_a_course_switches_on_the_curve_and_keeps_its_speed(D: float, V: float, A: float) -> None:
-    s, v = course(D, V, A)
+    s, v = fastest_curve(D, V, A)
     assert (s[0], v[0]) == (-D, 0)
     assert (s[-1], v[-1]) == pytest.approx((0, 0), abs=1e-12)
     peak = min(V, np.sqrt(A * abs(D)))

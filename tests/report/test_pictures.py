@@ -28,7 +28,7 @@ from trajopt_cli.trajectories.plan_series import PlanSeries, follow
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
 
 
-def course(case: Drawn) -> PlanSeries:
+def series(case: Drawn) -> PlanSeries:
     return follow(case.program, case.plant, case.plan, "cell")
 
 
@@ -36,7 +36,7 @@ def course(case: Drawn) -> PlanSeries:
 def figure(picture: str, rail: bool = True) -> Figure:
     """A picture of a plan; nobody changes it."""
     with style.house_style():
-        made = PICTURES[picture](course(RAIL if rail else BARE))
+        made = PICTURES[picture](series(RAIL if rail else BARE))
     assert made is not None
     return made
 
@@ -151,7 +151,7 @@ def test_the_tcps_speed_is_the_change_of_its_place() -> None:
 
 
 def test_seen_from_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_rails() -> None:
-    c = course(RAIL)
+    c = series(RAIL)
     world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure("effector").axes[1:3])
     rail = c.qd[:, 0] * 1e3
     assert np.allclose(world[1] - carriage[1], rail, atol=1e-9)  # the rail runs along y
@@ -162,7 +162,7 @@ def test_seen_from_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_ra
 
 
 def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths() -> None:
-    c = course(BARE)
+    c = series(BARE)
     (axes,) = figure("workspace", rail=False).axes[:1]
     (wrist,) = [line for line in axes.lines if line.get_gid() == "wrist"]
     arm, limits = BARE.plant.robot.arm, BARE.plant.limits

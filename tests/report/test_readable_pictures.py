@@ -13,7 +13,7 @@ from drawn_plans import Drawn, drawn, many
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Text
-from test_corner_pictures import course as corners
+from test_corner_pictures import series as corners
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.problem.plan import Target
@@ -37,7 +37,7 @@ def case_of(name: str) -> Drawn:
 
 
 @cache
-def course(name: str) -> PlanSeries:
+def series(name: str) -> PlanSeries:
     if name == "corners":
         return corners()
     case = case_of(name)
@@ -50,14 +50,14 @@ def written(case: str) -> Steps:
         path = Path(__file__).parents[2] / "programs" / case
         program, plant = read_program(path.with_suffix(".mod"), Scenario()), build_plant(load_cell(f"{path}.yaml"))
     else:
-        program, plant = course(case).program, course(case).plant
+        program, plant = series(case).program, series(case).plant
     return steps_of(program, plant, analyse(program, plant), LONG)
 
 
 @cache
 def figure(case: str, picture: str) -> Figure | None:
     with house_style():
-        made = PICTURES[picture](course(case)) if picture in PICTURES else STEP_PICTURES[picture](written(case))
+        made = PICTURES[picture](series(case)) if picture in PICTURES else STEP_PICTURES[picture](written(case))
         if made is not None:
             made.draw_without_rendering()
         return made
@@ -182,9 +182,9 @@ def test_the_title_says_whose_plan_it_is(case: str) -> None:
     for picture in PICTURES:
         made = figure(case, picture) if (case, picture) in EVERY else None
         if made is not None:
-            told = [text.get_text() for text in made.texts if wanted[course(case).plan.target] in text.get_text()]
+            told = [text.get_text() for text in made.texts if wanted[series(case).plan.target] in text.get_text()]
             assert len(told) == 1, picture
-            assert told[0].endswith(f"cycle {course(case).plan.duration:.3f} s")
+            assert told[0].endswith(f"cycle {series(case).plan.duration:.3f} s")
 
 
 def test_without_a_rail_nothing_speaks_of_one() -> None:
@@ -213,7 +213,7 @@ def test_a_heading_loses_no_more_letters_than_it_must() -> None:
 
 def test_directions_are_the_ways_the_tool_goes() -> None:
     """Each arrow of `path` lies on the path and points along the tool's velocity there."""
-    c = course("rail")
+    c = series("rail")
     made = figure("rail", "path")
     assert made is not None
     for panel, up in ((made.axes[0], 2), (made.axes[2], 0)):
@@ -231,7 +231,7 @@ def test_directions_are_the_ways_the_tool_goes() -> None:
 def test_the_rail_is_drawn_from_end_to_end_and_the_carriage_where_the_base_is() -> None:
     made = figure("rail", "path")
     assert made is not None
-    limits, base = course("rail").plant.limits, course("rail").plant.robot.X_WB0[:3, 3]
+    limits, base = series("rail").plant.limits, series("rail").plant.robot.X_WB0[:3, 3]
     (rail,) = [line for line in made.axes[0].lines if line.get_gid() == "ground"]
     assert rail.get_xdata() == pytest.approx(1e3 * (base[1] + np.array([limits.lower[0], limits.upper[0]])))
     (carriage,) = [line for line in made.axes[1].lines if line.get_gid() == "ground"]

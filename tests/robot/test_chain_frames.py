@@ -41,7 +41,7 @@ def test_frames_and_directions_change_nothing_but_the_joints_signs(name, tmp_pat
         assert ours == pytest.approx(theirs, abs=1e-9)  # beside axis 5, lengths are counted along it
         q = rng.uniform(-3, 3, (30, 6))
         np.testing.assert_allclose(arm.forward(q * signs), plain.forward(q), rtol=0, atol=1e-9)
-        np.testing.assert_allclose(arm.arm.X_BO, plain.arm.X_BO, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(arm.arm.X_BC, plain.arm.X_BC, rtol=0, atol=1e-9)
         # axis 5 has no direction of its own: turned round, t4, t5 and t6 are those of the other side
         ours, theirs = ([confdata(robot, row).cfx for row in rows] for robot, rows in ((arm, q * signs), (plain, q)))
         five = 1 if signs[4] < 0 else 0
@@ -57,13 +57,13 @@ def test_up_and_forward_are_where_the_axes_lie(tmp_path):
         [pose(rotation_about([1, 0, 0], np.pi), [0, 0, 0]) @ arm.origins[0], *arm.origins[1:]], arm.axes, arm.flange
     )
     found = down.load(tmp_path, name="down").arm
-    np.testing.assert_allclose(found.X_BO[:3, 2], [0, 0, -1], rtol=0, atol=1e-12)
-    np.testing.assert_allclose(found.X_BO[:3, 0], [1, 0, 0], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.X_BC[:3, 2], [0, 0, -1], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.X_BC[:3, 0], [1, 0, 0], rtol=0, atol=1e-12)
     behind = Chain(
         [pose(rotation_about([0, 0, 1], np.pi), [0, 0, 0]) @ arm.origins[0], *arm.origins[1:]], arm.axes, arm.flange
     )
     found = behind.load(tmp_path, name="behind").arm
-    np.testing.assert_allclose(found.X_BO[:3, :3], np.diag([-1.0, -1, 1]), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.X_BC[:3, :3], np.diag([-1.0, -1, 1]), rtol=0, atol=1e-12)
     for shift, turn in ((0.8, 0.0), (-0.6, 0.0), (0.0, np.pi)):
         hung = KNOWN[
             "irb4600"
@@ -71,11 +71,11 @@ def test_up_and_forward_are_where_the_axes_lie(tmp_path):
         hung.origins[0] = pose(np.eye(3), [0, 0, shift])
         hung.origins[1] = pose(rotation_about([0, 1, 0], turn), [0.175, 0, 0.495 - shift])
         found = hung.load(tmp_path, name="hung").arm
-        np.testing.assert_allclose(found.X_BO, np.eye(4), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(found.X_BC, np.eye(4), rtol=0, atol=1e-12)
         assert found.lengths == pytest.approx(arm.load(tmp_path).arm.lengths, abs=1e-9)
     level = KNOWN["irb1200"]()  # axis 2 stands on axis 1: forward is where the wrist centre is
     level.origins[0] = pose(rotation_about([0, 0, 1], np.pi / 2), [0, 0, 0])
-    np.testing.assert_allclose(level.load(tmp_path, name="level").arm.X_BO[:3, 0], [0, 1, 0], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(level.load(tmp_path, name="level").arm.X_BC[:3, 0], [0, 1, 0], rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -114,6 +114,6 @@ def test_the_elbow_is_given_about_its_own_middle(tmp_path):
 
 def test_nobody_changes_an_arm(tmp_path):
     arm = KNOWN["irb4600"]().load(tmp_path).arm
-    for name in ("signs", "offsets", "middles", "X_BO", "X_KF", "wrist"):
+    for name in ("signs", "offsets", "middles", "X_BC", "X_KF", "wrist"):
         with pytest.raises(ValueError, match="read-only"):
             getattr(arm, name)[0] = 2.0

@@ -264,13 +264,13 @@ def test_the_rate_of_joint_1_is_greatest_where_the_wrist_centre_is_nearest(rail:
     """In an interval with that place inside, by its distance r and the rail's share across axis 1: share / r; in one
     beside it, by what is nearest there."""
     robot = on_rail(KNOWN["irb1200"](), rail).load(tmp_path)
-    e = robot.X_WO0[:3, :3].T @ robot.rail_axes_W[0]
+    e = robot.X_WC0[:3, :3].T @ robot.rail_axes_W[0]
     share, nearest = float(np.hypot(e[0], e[1])), 0.4
     assert share > 0.5
     across = np.array([-e[1], e[0], 0]) / share
     R = rotation_about([0.6, 0, 0.8], 1.0)
     w = nearest * across + [0, 0, 0.6]
-    X = robot.X_WO0 @ pose(R, w + robot.arm.c4 * R[:, 2])
+    X = robot.X_WC0 @ pose(R, w + robot.arm.c4 * R[:, 2])
     nodes = np.array([-0.15, 0.12, 0.3])
     found = robot.enclose(X, nodes, robot.profile()).rate
     turn = -share / nearest * np.sign(across[0] * e[1] - across[1] * e[0])

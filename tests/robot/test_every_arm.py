@@ -173,7 +173,7 @@ def test_expressions_are_the_numbers_on_every_branch(arm):
             near = wanted + rng.uniform(-0.98, 0.98, 6) * np.pi
             found, elbow, wrist = inverse_of(X_BF[:3, 3], X_BF[:3, :3], arm.expressions.branch(cfx), near)
             np.testing.assert_allclose(np.ravel(found), wanted, rtol=0, atol=1e-9)
-            walls = arm.walls(wanted)
+            walls = arm.singularity_margins(wanted)
             assert np.abs(elbow).max() == pytest.approx(walls[0], abs=1e-9)
             assert float(wrist) == pytest.approx(walls[1], abs=1e-9)
 
@@ -182,7 +182,7 @@ def test_singularity_measures_make_the_determinant(arm):
     q = configurations(arm, 200)
     product = singularity(arm, q).prod(axis=1) * arm.arm.c2 * arm.arm.upper
     np.testing.assert_allclose(product, np.abs(np.linalg.det(arm.jacobian(q))), rtol=0, atol=1e-12)
-    elbow, wrist = arm.walls(q)
+    elbow, wrist = arm.singularity_margins(q)
     square = arm.arm.b**2 / (arm.arm.b**2 + singularity(arm, q)[:, 2] ** 2)
     np.testing.assert_allclose(elbow**2, np.maximum(1 - singularity(arm, q)[:, 1] ** 2, square**2), rtol=0, atol=1e-12)
     np.testing.assert_allclose(wrist, singularity(arm, q)[:, 0], rtol=0, atol=1e-13)
@@ -198,7 +198,7 @@ def test_what_is_out_of_reach_is_said_in_the_arms_own_lengths(arm):
 
     def at(*place):
         moved = X.copy()
-        moved[:3, 3] += arm.X_WO0[:3, 3] + arm.X_WO0[:3, :3] @ place - wrist
+        moved[:3, 3] += arm.X_WC0[:3, 3] + arm.X_WC0[:3, :3] @ place - wrist
         return arm.why_unreachable(moved, None, limits)
 
     reach = canonical.c2 + canonical.upper

@@ -60,7 +60,7 @@ def test_the_robots_ship_and_load():
         assert one.canonical_joints
         assert one.canonical_flange
         assert not one.converted
-        np.testing.assert_array_equal(one.X_BO, np.eye(4))
+        np.testing.assert_array_equal(one.X_BC, np.eye(4))
         np.testing.assert_array_equal(rail.turns[:2], [[0] * 6, [0, 0, 0, 0, 0, -2 * np.pi]])
 
 

@@ -22,7 +22,7 @@ def some_axes(robot: RobotModel, n: int) -> Array:
     rng, limits = np.random.default_rng(3), robot.profile()
     low, high = limits.lower[robot.layout.arm], limits.upper[robot.layout.arm]
     arm = rng.uniform(low, high, (8 * n, robot.layout.joints))
-    elbow, wrist = robot.walls(arm)
+    elbow, wrist = robot.singularity_margins(arm)
     arm = arm[(elbow < 0.9) & (wrist > 0.2)][:n]
     assert len(arm) == n
     return robot.layout.join(rng.uniform(0, 1, n), arm)
@@ -71,7 +71,7 @@ def test_expressions_say_what_pin_says(robot: RobotModel) -> None:
         X_BF = inverse_pose(robot.base(rail)) @ X
         joints, elbow, wrist = inverse(X_BF[:3, 3], X_BF[:3, :3], robot.expressions.branch(number), arm + 0.5)
         np.testing.assert_allclose(np.ravel(joints), arm, rtol=0, atol=1e-9)
-        assert (np.abs(elbow).max(), float(wrist)) == pytest.approx(robot.walls(arm), abs=1e-9)
+        assert (np.abs(elbow).max(), float(wrist)) == pytest.approx(robot.singularity_margins(arm), abs=1e-9)
 
 
 def test_the_jacobian_is_the_slope_of_pins_poses(robot: RobotModel) -> None:

@@ -169,15 +169,17 @@ def test_a_programmed_time_beside_a_fly_by_is_a_speed(row: str, body: str) -> No
 
 
 def test_a_course_between_its_nodes_is_what_its_derivatives_say() -> None:
-    """Derivatives against central differences of the positions, and nodes as the course has them."""
+    """Derivatives against central differences of the positions, and nodes as the path has them."""
     given = fixed_rail(corners())
     assert not isinstance(given, Infeasible)
     run = next(run for run in given.runs if run.by_parts)
     assert run.path is not None
-    path, course, h = SmoothPath.of(run), run.path, 1e-4
+    path, sampled, h = SmoothPath.of(run), run.path, 1e-4
     i = np.arange(len(path.kept))
-    np.testing.assert_allclose(path.at(i, np.zeros(len(i))), course.along.q[course.first[path.kept]], atol=1e-9)
-    np.testing.assert_allclose(path.at(i, np.ones(len(i)), 2), course.along.ddq[course.first[path.kept] + 1], atol=1e-6)
+    np.testing.assert_allclose(path.at(i, np.zeros(len(i))), sampled.along.q[sampled.first[path.kept]], atol=1e-9)
+    np.testing.assert_allclose(
+        path.at(i, np.ones(len(i)), 2), sampled.along.ddq[sampled.first[path.kept] + 1], atol=1e-6
+    )
     for order in (1, 2, 3):
         middle = np.full(len(i), 0.4)
         around = path.at(i, middle + h, order - 1) - path.at(i, middle - h, order - 1)

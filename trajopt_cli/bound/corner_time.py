@@ -8,7 +8,7 @@ in their ranges (bound_loops.raise_times), whose speed and acceleration have lim
 - else the tool's place along its chord, and across it in the plane in which its velocity turns: a component of a
   vector is no longer than the vector, whatever way the tool takes in zones and on joint moves;
 - without a rail the first three joints, whose places and rates at a gate follow from pose, signs and speed.
-The least sum over all chains of states is the bound.
+The least sum over all routes of states is the bound.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of
+from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, parts_time, ramps_of, tool_parts
 from trajopt_cli.geometry import Array
 from trajopt_cli.native.loops import loops
 from trajopt_cli.path.segment import POINT
@@ -63,7 +63,7 @@ def _gates(problem: Problem, first: int, last: int) -> tuple[list[Gate], list[li
     ends = [(first, first), (last, last - 1)]
     start, end = (Gate(k, leg, problem.waypoints[k].X_WF, np.zeros(6), np.zeros(3)) for k, leg in ends)
     gates, ways, chords = [start], [list[TcpPart]()], [0.0]  # the last: what each way's chords take [s]
-    for part in [*course(problem, first, last), end]:
+    for part in [*tool_parts(problem, first, last), end]:
         if isinstance(part, TcpPart):
             ways[-1].append(part)
             chords[-1] += part.length / part.speed

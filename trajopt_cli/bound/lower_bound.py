@@ -20,7 +20,7 @@ from itertools import pairwise
 import numpy as np
 
 from trajopt_cli.bound.corner_time import corner_time
-from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, course, parts_time, ramps_of, tool_time
+from trajopt_cli.bound.tcp_time_bound import Gate, TcpPart, parts_time, ramps_of, tool_parts, tool_time
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.native.loops import loops
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -72,7 +72,7 @@ class _Run:
 
 
 @dataclass(frozen=True, eq=False)
-class _Chain:
+class _RelaxedRoute:
     """All places in order, what is asked between each and the next (one less), and between the stops of runs that have
     gates (numbers of two places)."""
 
@@ -84,7 +84,7 @@ class _Chain:
 def lower_bound(axes: Axes, problem: Problem, incumbent: float, cut: Callable[[], None] = lambda: None) -> float:
     """No legal motion of this problem and target is faster [s].
 
-    incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
+    incumbent: a legal cycle time. Cells through which no route is faster than the value aimed at are dropped; when none
     are left, that value is the bound, whatever the incumbent's quality. cut: called where the time for it was over
     before; the bound is what was proved by then.
     """
@@ -94,7 +94,7 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float, cut: Callable[[]
         return min(sum(_run_alone(axes, problem, *ends, floor) for ends, floor in runs), incumbent)
     proved = [min(sum(least), incumbent)]
     try:
-        return _refined(axes, problem, incumbent, _chain(axes, problem, least), proved)
+        return _refined(axes, problem, incumbent, _route(axes, problem, least), proved)
     except Stopped:
         cut()
         return max(proved)
@@ -117,26 +117,26 @@ def _run_alone(axes: Axes, problem: Problem, first: int, last: int, floor: float
     return float(max(floor, corner_time(axes, problem, first, last), np.max(times)))
 
 
-def _refined(axes: Axes, problem: Problem, incumbent: float, chain: _Chain, proved: list[float]) -> float:
+def _refined(axes: Axes, problem: Problem, incumbent: float, route: _RelaxedRoute, proved: list[float]) -> float:
     """The bound of all cells; what is proved on the way to it is added."""
     settings = axes.settings
-    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {}, proved)
-    zeros = [np.zeros(0)] * len(chain.places)
-    if len(chain.hops) <= settings.bound_legs:
-        return refinement.of(chain, 0, None, zeros, incumbent, settings.bound_aim * incumbent)[0]
+    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in route.places], {}, proved)
+    zeros = [np.zeros(0)] * len(route.places)
+    if len(route.hops) <= settings.bound_legs:
+        return refinement.of(route, 0, None, zeros, incumbent, settings.bound_aim * incumbent)[0]
     # long programs in windows: what is ahead of each window is known from the first level
-    cells, ahead = refinement.ahead(chain)
+    cells, ahead = refinement.ahead(route)
     least = [float(np.min(x, initial=np.inf)) for x in ahead]
     if not np.isfinite(least[0]):
         return incumbent
     proved.append(min(least[0], incumbent))
     begin, spent, best = 0, ahead[0] * 0.0, least[0]
-    while begin < len(chain.hops):
-        end = _cut(chain, begin, settings.bound_window)
+    while begin < len(route.hops):
+        end = _cut(route, begin, settings.bound_window)
         share = (least[begin] - least[end]) / least[0]
         aims = (best + max(share * (aim - least[0]), 0.0) for aim in (incumbent, settings.bound_aim * incumbent))
         keys = cells[begin].key, cells[end].key
-        _, reached = refinement.of(_part(chain, begin, end), begin, (keys, spent), ahead[begin : end + 1], *aims)
+        _, reached = refinement.of(_part(route, begin, end), begin, (keys, spent), ahead[begin : end + 1], *aims)
         assert reached is not None
         begin, spent = end, reached
         best = max(best, float(np.min(spent + ahead[end])))
@@ -144,17 +144,17 @@ def _refined(axes: Axes, problem: Problem, incumbent: float, chain: _Chain, prov
     return min(best, incumbent)
 
 
-def _cut(chain: _Chain, begin: int, window: int) -> int:
-    """Where a window of the chain ends: at a stop, at least so many legs on."""
-    for end in range(begin + window, len(chain.hops)):
-        if chain.places[end].gate is None and not any(i < end < j for i, j in chain.direct):
+def _cut(route: _RelaxedRoute, begin: int, window: int) -> int:
+    """Where a window of the route ends: at a stop, at least so many legs on."""
+    for end in range(begin + window, len(route.hops)):
+        if route.places[end].gate is None and not any(i < end < j for i, j in route.direct):
             return end
-    return len(chain.hops)
+    return len(route.hops)
 
 
-def _part(chain: _Chain, begin: int, end: int) -> _Chain:
-    direct = {(i - begin, j - begin): run for (i, j), run in chain.direct.items() if begin <= i and j <= end}
-    return _Chain(chain.places[begin : end + 1], chain.hops[begin:end], direct)
+def _part(route: _RelaxedRoute, begin: int, end: int) -> _RelaxedRoute:
+    direct = {(i - begin, j - begin): run for (i, j), run in route.direct.items() if begin <= i and j <= end}
+    return _RelaxedRoute(route.places[begin : end + 1], route.hops[begin:end], direct)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,26 +168,26 @@ class _Refinement:
     cache: dict[bytes, Enclosure]
     proved: list[float]
 
-    def _cells(self, chain: _Chain, first: int, level: int, keep: Sequence[IndexArray | None]) -> list[_Cells]:
+    def _cells(self, route: _RelaxedRoute, first: int, level: int, keep: Sequence[IndexArray | None]) -> list[_Cells]:
         return [
             _cells(self.axes, self.problem, place, self.grids[first + i], level, keep[i], self.cache)
-            for i, place in enumerate(chain.places)
+            for i, place in enumerate(route.places)
         ]
 
-    def ahead(self, chain: _Chain) -> tuple[list[_Cells], list[Array]]:
+    def ahead(self, route: _RelaxedRoute) -> tuple[list[_Cells], list[Array]]:
         """The cells of the first level, and the least time from each to the end."""
-        cells = self._cells(chain, 0, 0, [None] * len(chain.places))
-        ahead, ends = [np.zeros(len(cells[-1].key))], {i: j for i, j in chain.direct}
-        for k in reversed(range(len(chain.hops))):
-            ahead.append(_least(self.axes, self.problem, chain.hops[k], cells[k], cells[k + 1], ahead[-1]))
+        cells = self._cells(route, 0, 0, [None] * len(route.places))
+        ahead, ends = [np.zeros(len(cells[-1].key))], {i: j for i, j in route.direct}
+        for k in reversed(range(len(route.hops))):
+            ahead.append(_least(self.axes, self.problem, route.hops[k], cells[k], cells[k + 1], ahead[-1]))
             if (j := ends.get(k)) is not None:
-                beyond, run = ahead[len(chain.hops) - j], chain.direct[k, j]
+                beyond, run = ahead[len(route.hops) - j], route.direct[k, j]
                 straight = _least(self.axes, self.problem, run, cells[k], cells[j], beyond)
                 ahead[-1] = np.maximum(ahead[-1], straight)
         return cells, ahead[::-1]
 
     def of(
-        self, chain: _Chain, first: int, ends: tuple[tuple[IndexArray, IndexArray], Array] | None,
+        self, route: _RelaxedRoute, first: int, ends: tuple[tuple[IndexArray, IndexArray], Array] | None,
         known: Sequence[Array], aim: float, lower_aim: float,
     ) -> tuple[float, Array | None]:  # fmt: skip
         """A bound, at most the aim, on the time of all motions through some places, the first of which has a number.
@@ -197,8 +197,8 @@ class _Refinement:
         first level at the last place. Without ends nothing is spent, and nothing comes behind.
         """
         axes, problem, settings = self.axes, self.problem, self.axes.settings
-        keep: list[IndexArray | None] = [None] * len(chain.places)
-        ahead: list[Array | None] = [None] * len(chain.places)
+        keep: list[IndexArray | None] = [None] * len(route.places)
+        ahead: list[Array | None] = [None] * len(route.places)
         dead = np.isinf(known[-1]) if ends is not None else np.zeros(0, dtype=bool)
 
         def left(aim: float) -> Array:
@@ -209,7 +209,7 @@ class _Refinement:
         start = aim if ends is None else float(np.min(ends[1] + known[0]))
         best = 0.0 if ends is None else start
         for level in range(settings.bound_levels if axes.layout.has_rail else 1):  # only rails have anything to halve
-            cells = self._cells(chain, first, level, keep)
+            cells = self._cells(route, first, level, keep)
             if any(not len(c.key) for c in cells):
                 return aim, reached
             pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
@@ -226,7 +226,7 @@ class _Refinement:
             else:
                 spent = _coarse_values(cells[0], level, ends[0][0], ends[1])
                 beyond = _coarse_values(cells[-1], level, ends[0][1], known[-1])
-            forward, backward = _costs(axes, problem, chain, cells, parents, aim, spent, beyond)
+            forward, backward = _costs(axes, problem, route, cells, parents, aim, spent, beyond)
             best = max(best, min(float(np.min(forward[-1] + beyond)), aim))
             if ends is None:
                 self.proved.append(best)
@@ -269,19 +269,19 @@ def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead:
 
 
 def _costs(
-    axes: Axes, problem: Problem, chain: _Chain, cells: list[_Cells], parents: list[Array], aim: float, spent: Array,
-    beyond: Array,
+    axes: Axes, problem: Problem, route: _RelaxedRoute, cells: list[_Cells], parents: list[Array], aim: float,
+    spent: Array, beyond: Array,
 ) -> tuple[list[Array], list[Array]]:  # fmt: skip
     """Least time to every cell of every place, spent at those of the first, and from there on, beyond the last."""
-    starts = {j: i for i, j in chain.direct}
+    starts = {j: i for i, j in route.direct}
     forward = [spent]
     edges, direct = [], {}
-    for k, run in enumerate(chain.hops):
+    for k, run in enumerate(route.hops):
         T = _edge(axes, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
         edges.append(T)
         forward.append(_least_sums("fill_reached", T, forward[-1], len(T.T)))
         if (i := starts.get(k + 1)) is not None:
-            run = chain.direct[i, k + 1]
+            run = route.direct[i, k + 1]
             T = _edge(axes, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
             direct[i] = k + 1, T
             forward[-1] = np.maximum(forward[-1], _least_sums("fill_reached", T, forward[i], len(T.T)))
@@ -302,12 +302,12 @@ def _least_sums(name: str, T: Array, other: Array, n: int) -> Array:
     return out
 
 
-def _chain(axes: Axes, problem: Problem, least: Sequence[float]) -> _Chain:
+def _route(axes: Axes, problem: Problem, least: Sequence[float]) -> _RelaxedRoute:
     """The problem as places and what is asked between them. least: of each run, what the tool takes [s]."""
     places, hops, direct = [_Place(0, None, problem.waypoints[0].rail)], [], {}
     for (first, last), floor in zip(problem.runs, least, strict=True):
         begin, parts = len(places) - 1, list[TcpPart]()
-        for part in course(problem, first, last) if axes.layout.has_rail else ():  # else corner_time knows all
+        for part in tool_parts(problem, first, last) if axes.layout.has_rail else ():  # else corner_time knows all
             if isinstance(part, TcpPart):
                 parts.append(part)
                 continue
@@ -323,7 +323,7 @@ def _chain(axes: Axes, problem: Problem, least: Sequence[float]) -> _Chain:
         else:
             hops.append(_between(axes, problem, parts, *places[-2:]))
             direct[begin, len(places) - 1] = run
-    return _Chain(places, hops, direct)
+    return _RelaxedRoute(places, hops, direct)
 
 
 def _run(axes: Axes, problem: Problem, first: int, last: int, floor: float) -> _Run:

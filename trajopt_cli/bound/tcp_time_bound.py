@@ -41,7 +41,7 @@ class Gate:
     velocity: Array
 
 
-def course(problem: Problem, first: int, last: int) -> Iterator[TcpPart | Gate]:
+def tool_parts(problem: Problem, first: int, last: int) -> Iterator[TcpPart | Gate]:
     """What the tool does from the stop `first` to the next one, `last`, in order, as far as the program fixes it."""
     for leg in problem.legs[first:last]:
         yield from _leg(problem, leg)
@@ -52,7 +52,7 @@ def course(problem: Problem, first: int, last: int) -> Iterator[TcpPart | Gate]:
 def tool_time(problem: Problem, first: int, last: int) -> float:
     """Least time [s] from the stop `first` to the next one, `last`, that the tool needs on any legal motion."""
     legs = problem.legs[first:last]
-    parts = [part for part in course(problem, first, last) if isinstance(part, TcpPart)]
+    parts = [part for part in tool_parts(problem, first, last) if isinstance(part, TcpPart)]
     duration = legs[0].duration if len(legs) == 1 else None
     return max(duration or 0.0, sum(leg.least for leg in legs), parts_time(parts, *ramps_of(legs)))
 

@@ -288,8 +288,8 @@ class CollisionScene:
         return 0 if scene is None else len(scene.units)
 
     def distances(self, q: Array, index: int | IndexArray, turns: Array | None = None) -> Array:
-        """The least distance (m,) at axes q (m, n) during motions index, less what is wanted and CLEAR_MARGIN; infinite
-        where there is nothing."""
+        """The least distance (m,) at axes q (m, n) during motions index, less what is wanted and clearance_margin;
+        infinite where there is nothing."""
         out = np.full(len(q), np.inf)
         for scene, rows in self._by_scene(len(q), index, turns):
             for part in _parts(rows, self._settings.batch // 2):
@@ -305,8 +305,8 @@ class CollisionScene:
         return out
 
     def free_between(self, q_0: Array, q_1: Array, index: int | IndexArray) -> BoolArray:
-        """Whether (m,) straight ways in the space of the axes, from q_0 to q_1 (m, n), are free all along; what moves
-        less than CLEAR_STEP between two looks counts as one place."""
+        """Whether (m,) straight ways in the space of the axes, from q_0 to q_1 (m, n), are free all along; places are
+        looked at so close that no body moves far between two of them."""
         first = 2 * np.arange(len(q_0))
         return self.ways_free(np.stack([q_0, q_1], axis=1).reshape(-1, q_0.shape[1]), first, first + 1, index)
 

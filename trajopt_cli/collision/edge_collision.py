@@ -1,8 +1,8 @@
 """What the search knows of ways that touch something: which pairs of states it has looked at, and the points by which
 joint moves lead around.
 
-The search asks only about what its best chain uses, and about pairs that would be about as good; so it is asked again
-until nothing in the best chain is new.
+The search asks only about what its best route uses, and about pairs that would be about as good; so it is asked again
+until nothing in the best route is new.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _HELD = 1e-9  # m of a rail that stands
 
 
 class EdgeCollision:
-    """straight: why joint moves, by motion, can have no points added. ended: the motion at whose end no chain arrives
+    """straight: why joint moves, by motion, can have no points added. ended: the motion at whose end no route arrives
     that touches nothing, once a search has found none; None where that is not known."""
 
     def __init__(self, axes: Axes, around: CollisionScene, straight: Mapping[int, str]):
@@ -48,7 +48,7 @@ class EdgeCollision:
 
     @property
     def stuck(self) -> int | None:
-        """The motion that stands in the way of a plan, once no chain was found: the first one that no way around is
+        """The motion that stands in the way of a plan, once no route was found: the first one that no way around is
         known for; None where that is not known."""
         return min(self._missed - self._led, default=self.ended)
 
@@ -77,7 +77,7 @@ class EdgeCollision:
     def settle(
         self, problem: Problem, k: int, edge: CheckedPairs, a: States, b: States, through: Array, pair: tuple[int, int]
     ) -> None:  # fmt: skip
-        """Looks at pairs of states of leg k, first of all at one. through (n_a, n_b): the least cost of a chain through
+        """Looks at pairs of states of leg k, first of all at one. through (n_a, n_b): the least cost of a route through
         each pair that is known."""
         checkpoint()
         open_ = np.where(edge.known, np.inf, through)

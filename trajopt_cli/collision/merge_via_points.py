@@ -22,7 +22,7 @@ _APART = 1e-9  # share of a motion's time: breaks nearer than this are one up to
 
 
 def merge_via_points(
-    axes: Axes, problem: Problem, draft: Iterate, detours: Sequence[Detour]
+    axes: Axes, problem: Problem, iterate: Iterate, detours: Sequence[Detour]
 ) -> tuple[Problem, Iterate]:
     """The problem without the waypoints that detours added, and the same motion; those given where none is left out.
     Points stay where the joint move does not lead from stop to stop."""
@@ -30,13 +30,13 @@ def merge_via_points(
     ends = [k for k in range(len(problem.waypoints)) if k not in points]
     kept: list[int] = []
     for first, last in pairwise(ends):
-        of_joints = all(isinstance(one, JointNodes | JointProfiles) for one in _parts(draft.legs[first:last]))
+        of_joints = all(isinstance(one, JointNodes | JointProfiles) for one in _parts(iterate.legs[first:last]))
         alone = of_joints and not (problem.passes(first) or problem.passes(last))
         kept += [first, *(() if alone else range(first + 1, last))]
     kept.append(ends[-1])
     new = {k: i for i, k in enumerate(kept)}
     if len(kept) == len(problem.waypoints):
-        return problem, draft
+        return problem, iterate
     own = replace(
         problem,
         waypoints=tuple(problem.waypoints[k] for k in kept),
@@ -44,9 +44,9 @@ def merge_via_points(
         stations=tuple((new[first], new[last]) for first, last in problem.stations if first in new),
         ties=tuple(tuple(new[k] for k in group) for group in problem.ties),
     )
-    legs = tuple(_concatenated(axes, draft.legs[first:last]) for first, last in pairwise(kept))
-    qdd = None if draft.qdd is None else draft.qdd[kept]
-    return own, Iterate(draft.q[kept], draft.qd[kept], tuple(draft.cfx[k] for k in kept), legs, qdd)
+    legs = tuple(_concatenated(axes, iterate.legs[first:last]) for first, last in pairwise(kept))
+    qdd = None if iterate.qdd is None else iterate.qdd[kept]
+    return own, Iterate(iterate.q[kept], iterate.qd[kept], tuple(iterate.cfx[k] for k in kept), legs, qdd)
 
 
 def detours_left(problem: Problem, detours: Sequence[Detour]) -> tuple[Detour, ...]:

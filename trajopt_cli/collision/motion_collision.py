@@ -20,29 +20,29 @@ from trajopt_cli.trajectories.unit_shares import unit_shares, units_of
 _CHECK_STEP = 5e-3
 
 
-def touching(axes: Axes, problem: Problem, draft: Iterate) -> tuple[int, ...]:
+def touching(axes: Axes, problem: Problem, iterate: Iterate) -> tuple[int, ...]:
     """The numbers of the legs whose motion is not clear, in order; none where there is nothing to touch."""
     around = collision_scene_of(problem)
     if around is None:
         return ()
-    numbers = [k for k, motion in enumerate(draft.legs) if motion is not None]
-    q, first, last, turns = _courses(axes, problem, draft, numbers)
+    numbers = [k for k, motion in enumerate(iterate.legs) if motion is not None]
+    q, first, last, turns = _sampled(axes, problem, iterate, numbers)
     index = np.array([problem.legs[k].motion for k in numbers])
     free = around.ways_free(q, first, last, index, turns)
     return tuple(k for k, clear in zip(numbers, free, strict=True) if not clear)
 
 
-def clear(axes: Axes, problem: Problem, draft: Iterate) -> bool:
-    """Whether a draft touches nothing."""
-    return not touching(axes, problem, draft)
+def clear(axes: Axes, problem: Problem, iterate: Iterate) -> bool:
+    """Whether an iterate touches nothing."""
+    return not touching(axes, problem, iterate)
 
 
-def hit_on(axes: Axes, problem: Problem, draft: Iterate, k: int) -> Hit | None:
-    """The worst that leg k of a draft touches."""
-    around, motion = collision_scene_of(problem), draft.legs[k]
+def hit_on(axes: Axes, problem: Problem, iterate: Iterate, k: int) -> Hit | None:
+    """The worst that leg k of an iterate touches."""
+    around, motion = collision_scene_of(problem), iterate.legs[k]
     if around is None or motion is None:
         return None
-    q, _, _, turns = _courses(axes, problem, draft, [k])
+    q, _, _, turns = _sampled(axes, problem, iterate, [k])
     return worst(around, q, problem.legs[k].motion, turns)
 
 
@@ -63,12 +63,12 @@ def _dense(q: Array) -> Array:
     return np.concatenate([*steps, q[-1:]])
 
 
-def _courses(
-    axes: Axes, problem: Problem, draft: Iterate, numbers: Sequence[int]
+def _sampled(
+    axes: Axes, problem: Problem, iterate: Iterate, numbers: Sequence[int]
 ) -> tuple[Array, IndexArray, IndexArray, Array | None]:
-    """Places (N, n) along a draft's legs of these numbers, one after the other, the first and last row of each, and how
-    far units have turned there (N, U), None where none turns."""
-    settings, motions = axes.settings, [motion for k in numbers if (motion := draft.legs[k]) is not None]
+    """Places (N, n) along an iterate's legs of these numbers, one after the other, the first and last row of each, and
+    how far units have turned there (N, U), None where none turns."""
+    settings, motions = axes.settings, [motion for k in numbers if (motion := iterate.legs[k]) is not None]
     # at their breaks, and often enough between them for straight ways in between
     looks = (sample_times(one, _CHECK_STEP, 1, settings.most_samples)[0] for one in motions)
     times = [np.clip(t, 0.0, one.T) for t, one in zip(looks, motions, strict=True)]

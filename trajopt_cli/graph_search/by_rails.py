@@ -31,12 +31,12 @@ _SHARES = (0.5, 0.0, 1.0, 0.25, 0.75)  # of each stroke: where rails are held to
 Refine = Callable[[Axes, Problem, Route], Route]
 
 
-def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine, most: float = np.inf) -> Route:
-    """A chain that is refined with each rail sought in turn, the others held where the chain has them. most: what it
+def by_rails(axes: Axes, problem: Problem, route: Route, refine: Refine, most: float = np.inf) -> Route:
+    """A route that is refined with each rail sought in turn, the others held where the route has them. most: what it
     takes [s] at most after any turn; what takes longer is left."""
     if axes.layout.r < 2:
-        return refine(axes, problem, chain)
-    best, since = chain, 0
+        return refine(axes, problem, route)
+    best, since = route, 0
     for turn in range(_ROUNDS * axes.layout.r):
         i = turn % axes.layout.r
         found = refine(axes.seeking(i), problem.seeking(i, best.q), best)
@@ -50,7 +50,7 @@ def by_rails(axes: Axes, problem: Problem, chain: Route, refine: Refine, most: f
 
 def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
     """As of graph_search.search, of any number of rails: from schedules on which they stand as written, and abreast of
-    the points, the best chain that is found; where there is none, the first one from places all over their strokes."""
+    the points, the best route that is found; where there is none, the first one from places all over their strokes."""
     if axes.layout.r < 2:
         return search_one(axes, problem, avoid)
     best: Route | None = None
@@ -60,11 +60,11 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
                 best = found if best is None or found.cost < best.cost else best
                 break
     if best is None:
-        chains = (search_one(one, own, avoid) for one, own in one_sought(axes, problem))
-        best = next((found for found in chains if found is not None), None)
+        routes = (search_one(one, own, avoid) for one, own in one_sought(axes, problem))
+        best = next((found for found in routes if found is not None), None)
     if best is None or not any(point.free for point in problem.waypoints):
         return best
-    return by_rails(axes, problem, best, lambda one, own, chain: search_one(one, own, avoid) or chain)
+    return by_rails(axes, problem, best, lambda one, own, route: search_one(one, own, avoid) or route)
 
 
 def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:

@@ -356,17 +356,17 @@ def _without_contacts(
     return [kept(stop, motions, held) for stop, motions, held in zip(stops, beside, at, strict=True)], nodes
 
 
-def _admissible(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
+def _admissible(axes: Axes, point: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
     """Where joints q (L, n, m) at rail positions d (n,) may be those of a waypoint."""
     ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1) & axes.couplings.arm(axes.layout.arm).within(q)
-    if stop.rail[0] == stop.rail[1]:
-        ok &= np.abs(d - stop.rail[0]) < 1e-12
-    if stop.conf is not None:
-        there = all(abs(held - own) < 1e-12 for held, own in zip(stop.held, stop.also, strict=True))
-        at = (np.abs(d - stop.written) < 1e-12) & there
-        ok[:, at] &= axes.robot.admits(stop.conf, q[:, at])
-    if stop.q is not None:
-        ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
+    if point.rail[0] == point.rail[1]:
+        ok &= np.abs(d - point.rail[0]) < 1e-12
+    if point.conf is not None:
+        there = all(abs(held - own) < 1e-12 for held, own in zip(point.held, point.also, strict=True))
+        at = (np.abs(d - point.written) < 1e-12) & there
+        ok[:, at] &= axes.robot.admits(point.conf, q[:, at])
+    if point.q is not None:
+        ok &= np.all(np.abs(q - point.q[axes.layout.arm]) < 1e-6, axis=-1)
     return np.asarray(ok)
 
 
@@ -564,13 +564,12 @@ def _why_unreachable(axes: Axes, problem: Problem, X_WF: Array, rail: Array) -> 
     return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
 
 
-def _confdata_or_singular(problem: Problem, stop: Waypoint, rail: Array) -> str:
+def _confdata_or_singular(problem: Problem, point: Waypoint, rail: Array) -> str:
     """Why a waypoint is not to be had though its pose is in reach."""
-    if stop.conf is None:
+    if point.conf is None:
         return "too near a singularity"
-    return (
-        f"not with confdata {shown(stop.conf)}; {listed(reachable_confdata(problem.plant, stop.X_WF, rail, stop.conf))}"
-    )
+    others = listed(reachable_confdata(problem.plant, point.X_WF, rail, point.conf))
+    return f"not with confdata {shown(point.conf)}; {others}"
 
 
 def _remedy(problem: Problem, k: int) -> str:

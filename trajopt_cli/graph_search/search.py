@@ -32,14 +32,14 @@ _WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only m
 _SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time.
 _CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration.
 _LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for that.
-_AVOID_ROUNDS = 60  # times that the best chain is looked at and, where it is not clear, searched again.
-_AVOID_WORSE = 1.3  # times the best chain's cost beyond which pairs are not looked at beforehand.
+_AVOID_ROUNDS = 60  # times that the best route is looked at and, where it is not clear, searched again.
+_AVOID_WORSE = 1.3  # times the best route's cost beyond which pairs are not looked at beforehand.
 _PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint.
-# per window of the search that are told of. Measured on 35 programs (benchmarks/bench_chains.py --worth 0.015 --parts
+# per window of the search that are told of. Measured on 35 programs (benchmarks/bench_routes.py --worth 0.015 --parts
 # 20): of 408 parts 14 were kept, 10 of them among the first ten, most often the fourth.
 _OTHER_PARTS = 10
 _ELSEWHERE = 1.5  # times the coarse grid's spacing from which on a rail position is another one.
-_SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search looks at.
+_SEARCH_WINDOW = 0.1  # m beside the best route at least that the fine search looks at.
 
 _LEAST = 1e-12  # s, s2: of a leg that goes nowhere
 
@@ -374,7 +374,7 @@ def _edges(
 def _best(
     layers: list[_Layer], edges: Sequence[Edge], ties: Ties, states: Sequence[Array], candidates: int
 ) -> tuple[float, list[int], list[Array]]:
-    """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept.
+    """Cost and states of the best route, and the least cost from the start to every state where no tie is kept.
     states: as best_tied has them."""
     forward, back = _forward(layers, edges)
     if ties:
@@ -391,7 +391,7 @@ def _best_clear(
     axes: Axes, problem: Problem, tables: list[IkTable], where: list[int], layers: list[_Layer],
     edges: Sequence[Edge], avoid: EdgeChecks | None,
 ) -> tuple[float, list[int], list[Array]]:  # fmt: skip
-    """The same of chains that touch nothing: what is not known of the best one is looked at, until nothing is left.
+    """The same of routes that touch nothing: what is not known of the best one is looked at, until nothing is left.
     Infinite and [] where that has no end."""
     common = shared(axes, problem.waypoints, [layer.q for layer in layers], problem.ties)
     tied = problem.ties, common, problem.plant.settings.tie_candidates
@@ -430,7 +430,7 @@ def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], 
 
 
 def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Array], limit: float) -> list[Array]:
-    """The least cost from every state to the end; infinite where the best chain through it costs more than limit, that
+    """The least cost from every state to the end; infinite where the best route through it costs more than limit, that
     from the start being forward."""
     backward = [np.zeros(len(layers[-1].q))]
     for edge, spent in zip(reversed(edges), reversed(forward[:-1]), strict=True):
@@ -442,10 +442,10 @@ def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Arr
     return backward[::-1]
 
 
-def best_chain(
+def best_route(
     q: list[Array], edges: list[Array], ties: Ties, common: Sequence[Array], candidates: int
 ) -> tuple[float, list[int]]:
-    """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes. common: as shared gives it
+    """The least cost, and which of the axes q (m, n) of every waypoint the best route takes. common: as shared gives it
     of them."""
     none = np.zeros(0, dtype=np.intp)
     layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
@@ -453,11 +453,11 @@ def best_chain(
 
 
 def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Route | None:
-    """The best chain found, or None when no chain of waypoints is connected on the grid. avoid: what must not be
-    touched; then joint moves of the chain lead around it by the points that avoid knows.
+    """The best route found, or None when no route of waypoints is connected on the grid. avoid: what must not be
+    touched; then joint moves of the route lead around it by the points that avoid knows.
 
     Long programs are searched in windows, each from where the one before it is certain enough; a long cycle begins and
-    ends where the best chain around that passes it.
+    ends where the best route around that passes it.
     """
     settings, final = axes.settings, len(problem.legs)
     if problem.ties == ((0, final),) and final > settings.searched_legs:
@@ -483,22 +483,22 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
             if end < final
             else final
         )
-        chain = _search(axes, window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
-        if chain is None:
+        route = _search(axes, window(problem, begin, end, parts[-1].q[-1] if parts else None), avoid)
+        if route is None:
             return None
-        parts.append(_head(chain, sure - begin))
+        parts.append(_head(route, sure - begin))
         if sure == final:
             return _joined(parts)
         begin = sure
 
 
 def _seam(axes: Axes, problem: Problem, avoid: EdgeChecks | None) -> tuple[Array, IkBranch] | None:
-    """Where a cycle begins and ends on the best chain from some legs before that to as many behind it."""
+    """Where a cycle begins and ends on the best route from some legs before that to as many behind it."""
     n, some = len(problem.legs), 2 * axes.settings.overlapping_legs
     last = next(k for _, k in problem.stations if k >= some)
     first = max((k for _, k in problem.stations if k <= n - some), default=last)
-    chain = _search(axes, problem.around_end(first, last), avoid)
-    return None if chain is None else (chain.q[n - first], chain.labels[n - first])
+    route = _search(axes, problem.around_end(first, last), avoid)
+    return None if route is None else (route.q[n - first], route.labels[n - first])
 
 
 def window(problem: Problem, first: int, last: int, q: Array | None, q_end: Array | None = None) -> Problem:
@@ -516,23 +516,23 @@ def window(problem: Problem, first: int, last: int, q: Array | None, q_end: Arra
     return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
 
 
-def _head(chain: Route, n: int) -> Route:
-    """The first n legs of a chain."""
-    times = chain.times[:n]
-    others = tuple(one for one in chain.others if one.last <= n)
-    return Route(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)), others)
+def _head(route: Route, n: int) -> Route:
+    """The first n legs of a route."""
+    times = route.times[:n]
+    others = tuple(one for one in route.others if one.last <= n)
+    return Route(route.q[: n + 1], route.w[: n + 1], route.labels[: n + 1], times, float(np.sum(times)), others)
 
 
-def _joined(chains: Sequence[Route]) -> Route:
-    """Chains each of which begins where the one before it ends."""
-    first, *others = chains
+def _joined(routes: Sequence[Route]) -> Route:
+    """Routes each of which begins where the one before it ends."""
+    first, *others = routes
     if not others:
         return first
     q, w = (np.concatenate([getattr(first, x), *(getattr(one, x)[1:] for one in others)]) for x in ("q", "w"))
-    times = np.concatenate([one.times for one in chains])
+    times = np.concatenate([one.times for one in routes])
     labels = first.labels + tuple(label for one in others for label in one.labels[1:])
-    begins = np.cumsum([0, *(len(one.times) for one in chains)]).tolist()
-    parts = [replace(part, first=part.first + k) for k, one in zip(begins, chains, strict=False) for part in one.others]
+    begins = np.cumsum([0, *(len(one.times) for one in routes)]).tolist()
+    parts = [replace(part, first=part.first + k) for k, one in zip(begins, routes, strict=False) for part in one.others]
     return Route(q, w, labels, times, float(np.sum(times)), tuple(sorted(parts, key=lambda part: part.more)))
 
 
@@ -642,8 +642,8 @@ def _search(
 
 
 def _other_parts(axes: Axes, problem: Problem, best: Route, others: Sequence[Route]) -> tuple[OtherPart, ...]:
-    """The stations side by side in which other chains, the best of them first, are on another branch than the best
-    chain, in another turn, or at another place of the rail."""
+    """The stations side by side in which other routes, the best of them first, are on another branch than the best
+    route, in another turn, or at another place of the rail."""
     layout, found = axes.layout, dict[bytes, OtherPart]()
     apart = _ELSEWHERE * axes.settings.coarse_spacing
     for other in others:
@@ -665,7 +665,7 @@ def _other_parts(axes: Axes, problem: Problem, best: Route, others: Sequence[Rou
 def _windows(
     axes: Axes, problem: Problem, tables: list[IkTable], where: list[int], coarse: Route
 ) -> list[tuple[float, float]]:
-    """The rail's range [m] of every station's fine search: near the coarse chain; one range for stations that share a
+    """The rail's range [m] of every station's fine search: near the coarse route; one range for stations that share a
     tie or a rail that is held, so that their grids have positions in common."""
     windows = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
@@ -707,8 +707,8 @@ def _matches_kept(fine: IkTable, i: int, coarse: IkTable, keep: set[int]) -> boo
 
 
 def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[IkTable]) -> list[IkTable]:
-    """The tables with, of every branch in more than MOST_TURNS whole turns, the SEARCH_TURNS nearest to joints that are
-    given: where the cycle begins, and joint targets. All where none are given."""
+    """The tables with, of every branch in more than most_turns whole turns, the searched_turns nearest to joints
+    that are given: where the cycle begins, and joint targets. All where none are given."""
     settings = axes.settings
     given = [point.q[axes.layout.arm] for point in problem.waypoints if point.q is not None]
     known: dict[int, IkTable] = {}

@@ -2,7 +2,7 @@
 
 Each station keeps what it does; between them the rail and the configuration are free. With the states of the search at
 the stations' ends this is a travelling salesman's problem whose cities have states: dynamic programming over subsets
-(Held and Karp, 1962, A dynamic programming approach to sequencing problems) finds the best of few (EXACT_STATIONS).
+(Held and Karp, 1962, A dynamic programming approach to sequencing problems) finds the best of few (exact_stations).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The best chain where some waypoints must be in one state: targets that a loop or a routine reaches several times.
+"""The best route where some waypoints must be in one state: targets that a loop or a routine reaches several times.
 
 Waypoints that are tied are one node; the legs between nodes are tables of times. A node with one or two neighbours is
 taken out exactly, its best state kept for each of theirs; loops and calls in a row leave nothing else. What remains of
@@ -29,10 +29,10 @@ Ties = tuple[tuple[int, ...], ...]
 def best_tied(
     states: Sequence[Array], edges: Sequence[Array], through: Sequence[Array], ties: Ties, candidates: int
 ) -> tuple[float, list[int]]:
-    """Cost and state per waypoint of the best chain that keeps the ties; infinite and [] where there is none.
+    """Cost and state per waypoint of the best route that keeps the ties; infinite and [] where there is none.
 
     states (n_k, m): of every state of waypoint k what tied ones must have in common (shared). edges (n_k, n_k+1):
-    times. through (n_k,): the least cost of an untied chain through each state, which is a lower bound on that of a
+    times. through (n_k,): the least cost of an untied route through each state, which is a lower bound on that of a
     tied one: states far beyond the best are looked at only when nothing better is found. candidates: states of a
     waypoint that coordinate descent tries.
     """

@@ -24,7 +24,7 @@ _STRAIGHT = 1e-9  # sine of joint 5 up to which the wrist is straight
 def walled(axes: Axes, arm: Array, most: float | None = None) -> BoolArray:
     """Whether joints (..., m) stand too near a singularity for a line, or to choose the rail there. most: how far the
     elbow may be stretched."""
-    elbow, wrist = axes.robot.walls(arm)
+    elbow, wrist = axes.robot.singularity_margins(arm)
     return np.asarray((elbow > (axes.settings.elbow if most is None else most)) | (wrist < axes.settings.wrist))
 
 
@@ -81,7 +81,7 @@ class SingularStart:
     def beginnings(self, axes: Axes, d: Array) -> Array:
         """Joints (b, n, m) in which each branch would begin, whole turns as given, where the rail goes to each place d
         (n,) in proportion to the line; NaN where a branch does not begin at all."""
-        elbow, wrist = axes.robot.walls(self.arm)
+        elbow, wrist = axes.robot.singularity_margins(self.arm)
         if self.leg is not None and (wrist < axes.settings.wrist or elbow > _STRETCHED):
             return self._leaving(axes, d)
         out = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
@@ -92,7 +92,7 @@ class SingularStart:
 
     def _leaving(self, axes: Axes, d: Array) -> Array:
         """The line's joints just behind its start, continued back to it by a parabola through three places outside the
-        walls; NaN where a branch is not outside soon."""
+        singularity margins; NaN where a branch is not outside soon."""
         assert self.leg is not None
         shares = 2.0 ** np.arange(-_NEAREST, 3) / (axes.settings.line_samples - 1)
         X_WF = self.problem.seen_along(self.leg, shares)
@@ -106,7 +106,8 @@ class SingularStart:
             if i + 2 < len(shares):
                 q = np.unwrap(arm[place, cfx, i : i + 3], axis=0)
                 out[place, cfx] = (8 * q[0] - 6 * q[1] + q[2]) / 3  # Lagrange's at 0 of places s, 2s, 4s
-        if axes.robot.walls(self.arm)[1] > _STRAIGHT:  # beside the singularity: on the other branch the line crosses it
+        # beside the singularity: on the other branch the line crosses it
+        if axes.robot.singularity_margins(self.arm)[1] > _STRAIGHT:
             own = self._nearest_turns(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
             out[:, ~(np.abs(own - self.arm).max(axis=1) <= _LEAVING)] = np.nan
         return np.swapaxes(self._nearest_turns(out), 0, 1)
@@ -124,7 +125,7 @@ class SingularStart:
             for name, turn in zip(names, least, strict=True)
             if abs(turn) > _LEAVING
         ]
-        wrist = axes.robot.walls(self.arm)[1] < axes.settings.wrist
+        wrist = axes.robot.singularity_margins(self.arm)[1] < axes.settings.wrist
         i, where = (4, "in the wrist singularity") if wrist else (2, "with the arm stretched or folded")
         return (
             f" starts {where} ({names[i]} = {np.degrees(self.arm[i]):.3g}°) and leaves it with {' and '.join(turns)}:"

@@ -174,17 +174,17 @@ def _batches(x: IndexArray) -> Iterator[IndexArray]:
     yield from (x[i : i + _AT_ONCE] for i in range(0, len(x), _AT_ONCE))
 
 
-class _Look:
+class _Sample:
     """The robot in the middle of intervals (m, 2) of s, and how far its axes go from there within them."""
 
     def __init__(
-        self, mechanism: Mechanism, course: InterpolatedMotion, nodes: Array, tables: Turntables | None = None
+        self, mechanism: Mechanism, motion: InterpolatedMotion, nodes: Array, tables: Turntables | None = None
     ):
         s_0, s_1 = nodes.T
         middle = (s_0 + s_1) / 2
         self.middle = np.where(s_1 - s_0 > 1, np.floor(middle), middle)
-        q = course.at(self.middle)
-        swing = course.swing(s_0, s_1, q)
+        q = motion.at(self.middle)
+        swing = motion.swing(s_0, s_1, q)
         k = len(mechanism.names)
         self._tables, self._theta, self._swing = tables, q[:, k:], swing[:, k:]
         q, swing = q[:, :k], swing[:, :k]
@@ -238,26 +238,26 @@ class _Placed:
         self._pair, self._radius = _pair(near.body.shape, shape), outline(near.body.shape)[1]
         self._X_SO, self._low, self._high = _box(shape)
 
-    def moved(self, look: _Look) -> Array:
+    def moved(self, sample: _Sample) -> Array:
         """How far (m,) the bodies' points move against each other at most."""
         if self._other is not None and self._other.frame > FLANGE:
-            return look.moved(self._body, -1) + look.moved(self._other, -1)
-        return look.moved(self._body, -1 if self._other is None else self._other.frame)
+            return sample.moved(self._body, -1) + sample.moved(self._other, -1)
+        return sample.moved(self._body, -1 if self._other is None else self._other.frame)
 
-    def bound(self, look: _Look, rows: IndexArray) -> Array:
+    def bound(self, sample: _Sample, rows: IndexArray) -> Array:
         """No more than the distance in the middle of the intervals rows: that of boxes in the other's axes, and where
         the boxes overlap, which says nothing of a depth, minus infinity."""
-        X_SW = self._X_SO[None] if self._other is None else self._X_SO @ look.X_LW[rows, self._other.frame]
-        points = look.points(self._body)[rows] @ np.swapaxes(X_SW[:, :3, :3], 1, 2) + X_SW[:, None, :3, 3]
+        X_SW = self._X_SO[None] if self._other is None else self._X_SO @ sample.X_LW[rows, self._other.frame]
+        points = sample.points(self._body)[rows] @ np.swapaxes(X_SW[:, :3, :3], 1, 2) + X_SW[:, None, :3, 3]
         over = points.min(axis=1) - self._radius - self._high
         under = self._low - points.max(axis=1) - self._radius
         apart = lengths(np.maximum(np.maximum(over, under), 0.0))
         return np.where(apart > 0, apart, -np.inf)
 
-    def distances(self, look: _Look, rows: IndexArray, solid: bool = False) -> Array:
+    def distances(self, sample: _Sample, rows: IndexArray, solid: bool = False) -> Array:
         """Signed distances in the middle of the intervals rows; solid: meshes filled."""
-        X_WA = look.X_WL[rows, self._body.frame]
-        X_OA = X_WA if self._other is None else look.X_LW[rows, self._other.frame] @ X_WA
+        X_WA = sample.X_WL[rows, self._body.frame]
+        X_OA = X_WA if self._other is None else sample.X_LW[rows, self._other.frame] @ X_WA
         return self._pair.distances(X_OA, solid)
 
 
@@ -278,18 +278,18 @@ def _box(shape: Shape) -> tuple[Array, Array, Array]:
 
 
 class Sweep:
-    """A robot's bodies along a course: the least distance of a group of pairs, and when it is first too small."""
+    """A robot's bodies along a motion: the least distance of a group of pairs, and when it is first too small."""
 
     def __init__(self, mechanism: Mechanism, trajectory: Trajectory, tables: Turntables | None = None):
         self._mechanism, self._tables = mechanism, tables
         self._trajectory = trajectory if tables is None else trajectory.whole
 
     @cached_property
-    def _course(self) -> InterpolatedMotion:
+    def _motion(self) -> InterpolatedMotion:
         return InterpolatedMotion(self._trajectory)
 
-    def _look(self, nodes: Array) -> _Look:
-        return _Look(self._mechanism, self._course, nodes, self._tables)
+    def _sample(self, nodes: Array) -> _Sample:
+        return _Sample(self._mechanism, self._motion, nodes, self._tables)
 
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
@@ -303,20 +303,22 @@ class Sweep:
                 return replace(best, proven=False)
             middle = np.empty(len(nodes))
             for part in _batches(np.arange(len(nodes))):
-                look = self._look(nodes[part])
-                middle[part] = look.middle
+                sample = self._sample(nodes[part])
+                middle[part] = sample.middle
                 bounds = []
                 for column, pair in enumerate(pairs):
                     rows = np.flatnonzero(alive[part, column])
                     if len(rows):
-                        bounds.append((column, rows, pair.bound(look, rows), pair.moved(look)[rows]))
+                        bounds.append((column, rows, pair.bound(sample, rows), pair.moved(sample)[rows]))
                 for column, rows, bound, moved in sorted(bounds, key=lambda entry: float(entry[2].min())):
                     near = bound - moved < _enough(best, wanted)
                     alive[part[rows[~near]], column] = False
-                    distance = pairs[column].distances(look, rows[near])
+                    distance = pairs[column].distances(sample, rows[near])
                     if len(distance) and distance.min() < best.distance:
                         i = int(np.argmin(distance))
-                        best = Closest(group[column], float(distance[i]), self._course.time(look.middle[rows[near][i]]))
+                        best = Closest(
+                            group[column], float(distance[i]), self._motion.time(sample.middle[rows[near][i]])
+                        )
                     alive[part[rows[near]], column] = distance - moved[near] < _enough(best, wanted)
             nodes, alive = _halved(nodes, middle, alive)
         return best
@@ -334,23 +336,23 @@ class Sweep:
                 return None if first is None else replace(first, proven=False)
             middle = np.empty(len(nodes))
             for part in _batches(np.arange(len(nodes))):
-                look = self._look(nodes[part])
-                middle[part] = look.middle
+                sample = self._sample(nodes[part])
+                middle[part] = sample.middle
                 for column, pair in enumerate(pairs):
                     rows = np.flatnonzero(alive[part, column] & (nodes[part, 0] < before))
                     alive[part, column] = False
-                    moved = pair.moved(look)[rows]
-                    near = pair.bound(look, rows) - moved < limit
+                    moved = pair.moved(sample)[rows]
+                    near = pair.bound(sample, rows) - moved < limit
                     rows, moved = rows[near], moved[near]
-                    distance = pair.distances(look, rows)
+                    distance = pair.distances(sample, rows)
                     # An interval that moves less than OVERLOOKED is one moment: its beginning.
                     moment = moved <= OVERLOOKED
-                    s = np.where(moment, nodes[part[rows], 0], look.middle[rows])
+                    s = np.where(moment, nodes[part[rows], 0], sample.middle[rows])
                     below = np.flatnonzero(distance < limit)
                     if len(below) and s[below].min() < before:
                         i = below[np.argmin(s[below])]
                         before = float(s[i])
-                        first = Closest(group[column], float(distance[i]), self._course.time(before))
+                        first = Closest(group[column], float(distance[i]), self._motion.time(before))
                     alive[part[rows], column] = (distance - moved < limit) & ~moment
             alive &= nodes[:, :1] < before
             nodes, alive = _halved(nodes, middle, alive)
@@ -362,16 +364,16 @@ class Sweep:
         out = []
         starts = [[first for first, _ in near.spans or ((0, 0),)] for near in group]
         for row in sorted({first for own in starts for first in own}):
-            look = self._look(np.full((1, 2), float(row)))
+            sample = self._sample(np.full((1, 2), float(row)))
             for near, pair, own in zip(group, pairs, starts, strict=True):
                 if row in own:
-                    distance = float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0])
-                    out.append((float(row), Closest(near, distance, self._course.time(float(row)))))
+                    distance = float(pair.distances(sample, np.zeros(1, dtype=np.intp), solid=True)[0])
+                    out.append((float(row), Closest(near, distance, self._motion.time(float(row)))))
         return out
 
     def _whole(self, group: Sequence[Near]) -> tuple[Array, BoolArray]:
-        """The course cut where a span begins or ends; alive are the pieces in the spans of each pair."""
-        last = self._course.last
+        """The motion cut where a span begins or ends; alive are the pieces in the spans of each pair."""
+        last = self._motion.last
         spans = [near.spans or ((0, last),) for near in group]
         cuts = np.array(sorted({0, last, *(row for own in spans for span in own for row in span)}), dtype=np.float64)
         nodes = np.column_stack([cuts[:-1], cuts[1:]])

@@ -291,11 +291,11 @@ def path_to(X_WF_before: Array, point: ProgramPoint) -> Path:
     return wanted_path(move, X_0, turned_back(turned_under(move), point.X_WT), X_0[None, :3, :3])
 
 
-def stays(stop: ProgramPoint, X_WF_before: Array) -> bool:
+def stays(point: ProgramPoint, X_WF_before: Array) -> bool:
     """Whether the move is a line to the pose where it starts: the TCP rests, only the redundant axis moves."""
-    if not isinstance(stop.move, MoveL) or stop.X_WF is None or turned_under(stop.move):
+    if not isinstance(point.move, MoveL) or point.X_WF is None or turned_under(point.move):
         return False
-    X, Y = X_WF_before @ stop.X_FT, stop.X_WF @ stop.X_FT
+    X, Y = X_WF_before @ point.X_FT, point.X_WF @ point.X_FT
     angle = angle_between(X[:3, :3], Y[:3, :3])
     return bool(np.linalg.norm(X[:3, 3] - Y[:3, 3]) < _SAME_POINT and angle < _SAME_POINT)
 
@@ -308,11 +308,11 @@ def _programmed_rail(plant: Machine, extax: ExternalAxes) -> tuple[float, ...] |
     return tuple(nan if value is None else value * MM for value in values)
 
 
-def obeys_programmed_speed(stop: ProgramPoint, plant: Machine) -> bool:
+def obeys_programmed_speed(point: ProgramPoint, plant: Machine) -> bool:
     """Whether the move's programmed TCP speed and reorientation cap it.
 
     A programmed time replaces the speed; external axes alone know only v_leax (RAPID reference: MoveL \\T, MoveExtJ).
     """
-    if stop.move is None or stop.duration is not None or isinstance(stop.move, MoveExtJ):
+    if point.move is None or point.duration is not None or isinstance(point.move, MoveExtJ):
         return False
-    return not (plant.free_speed and isinstance(stop.move, MoveJ | MoveAbsJ))
+    return not (plant.free_speed and isinstance(point.move, MoveJ | MoveAbsJ))

@@ -15,9 +15,9 @@ from trajopt_cli.motion import MoveExtJ
 Indices = NDArray[np.intp]
 
 
-def rail_beside(rows: Rows, at: Indices, stop: ProgramPoint) -> tuple[Array, Array]:
-    """The rails' positions (m, r) [m] nearest to a stop in the half gaps beside rows at (m,), and their grants; NaN for
-    one that the stop leaves open.
+def rail_beside(rows: Rows, at: Indices, point: ProgramPoint) -> tuple[Array, Array]:
+    """The rails' positions (m, r) [m] nearest to a point in the half gaps beside rows at (m,), and their grants;
+    NaN for one that the point leaves open.
 
     A rail may run on while the tool stops between two rows. Between them it is off their chord by A h^2/8 at most.
     Where joints or the rail itself are the target every axis stands, and a row shows where.
@@ -25,17 +25,17 @@ def rail_beside(rows: Rows, at: Indices, stop: ProgramPoint) -> tuple[Array, Arr
     r = rows.mechanism.rails
     d, step, most = rows.q[:, :r], rows.doubt_q[:, :r], rows.accelerations.most[:r]
     here, free = d[at], most * rows.open_time[at][:, None] ** 2 / 2
-    stands = stop.arm is not None or isinstance(stop.move, MoveExtJ)
-    if rows.marked or stands or stop.rail is None:
+    stands = point.arm is not None or isinstance(point.move, MoveExtJ)
+    if rows.marked or stands or point.rail is None:
         return here, JOINT_TARGET + step[at] / 2 + free
     before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(rows.t) - 1)
     edges = np.stack([here, (here + d[before]) / 2, (here + d[after]) / 2])
     doubt = np.maximum(np.maximum(step[before], step[at]), step[after])
     granted = JOINT_TARGET + doubt / 2 + free
-    return np.clip(np.array(stop.rail), edges.min(axis=0), edges.max(axis=0)), granted
+    return np.clip(np.array(point.rail), edges.min(axis=0), edges.max(axis=0)), granted
 
 
-def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]:
+def rail_positions(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]:
     """Times (m,), the rails' positions (m, r) and the doubt about them from row first to row last: the rows, and what
     lies between them where that is known."""
     part, r = slice(first, last + 1), rows.mechanism.rails
@@ -63,7 +63,7 @@ def still_from(rows: Rows, time: float, duration: float, depart: int) -> float:
     begins = begins[rows.t[begins] + duration <= rows.t[depart] + slack]
     if not len(begins):
         return time
-    t, d, doubt = rail_course(rows, first, depart)
+    t, d, doubt = rail_positions(rows, first, depart)
     # what was begun at a row may have begun up to a gap before it, and ended so much earlier
     ends = rows.t[begins] + duration - 2 * rows.open_time[begins]
     a = np.searchsorted(t, rows.t[begins])

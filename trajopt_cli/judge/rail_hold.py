@@ -9,7 +9,7 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.judge.findings import finding
-from trajopt_cli.judge.rail import rail_course, still_from
+from trajopt_cli.judge.rail import rail_positions, still_from
 from trajopt_cli.judge.samples import Rows
 from trajopt_cli.judge.timeline import Timeline, Visit, outside_zones, rows_of_run
 from trajopt_cli.judge.tolerances import DWELL, HELD
@@ -87,7 +87,7 @@ def _within(rows: Rows, begin: float, duration: float, depart: int) -> tuple[int
 
 def _still(rows: Rows, part: tuple[int, int], name: str, why: Hold, source: Source | None) -> Finding:
     """The way of the rail from its least to its greatest position; its time is where it is farthest from the first."""
-    t, d, doubt = rail_course(rows, *part)
+    t, d, doubt = rail_positions(rows, *part)
     paths = (d - doubt).max(axis=0) - (d + doubt).min(axis=0)
     i = int(np.argmax(paths))
     path = max(float(paths[i]), 0.0)

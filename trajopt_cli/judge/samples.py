@@ -433,7 +433,7 @@ class Boxes:
         return found[self.off(P, found) <= size + self.room[found]]
 
 
-def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:
+def judged_rows(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:
     """Rows as the judge uses them; resolution None: every digit is there. marks: how many a marked file has at least,
     one for every move."""
     eps = float(np.finfo(np.float64).eps)

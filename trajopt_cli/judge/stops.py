@@ -134,14 +134,14 @@ def _meanwhile(rows: Rows, line: Timeline, i: int) -> NDArray[np.intp]:
 
 def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i: int) -> Finding:
     """Whether the stop was reached, and at rest; else the closest the file comes to it before the next stop."""
-    stop, look = visit.point, visit.match.look
-    assert look is not None
+    stop, closeness = visit.point, visit.match.closeness
+    assert closeness is not None
     unit, subject = ("m", "TCP") if stop.X_WF is not None and stop.arm is None else ("rad", "arm")
     if isinstance(stop.move, MoveExtJ):
         unit, subject = "m", rows.plant.limits.names[0]
     if visit.event is None:
         between = _meanwhile(rows, line, i)
-        close = look(np.arange(between[0], min(between[-1] + 2, len(rows.t))))
+        close = closeness(np.arange(between[0], min(between[-1] + 2, len(rows.t))))
         nearest = int(np.argmin(close.distance))
         row = int(close.at[nearest])
         axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)
@@ -158,7 +158,7 @@ def _reached(rows: Rows, visit: Visit, frame: ToolKinematics, line: Timeline, i:
     value = float(frame.least_speed[visit.arrive])
     turning = float(frame.least_turning[visit.arrive])
     seen = "" if rows.marked else f" (rows {2 * rows.open_time[visit.arrive]:.3g} s apart show rest to this)"
-    rests = bool(look(np.array([visit.arrive])).rests[0])
+    rests = bool(closeness(np.array([visit.arrive])).rests[0])
     if not rests and value <= granted:
         return finding("stop rest", "TCP", turning, REST_ANGULAR, "rad/s", False, time=float(rows.t[visit.arrive]),
                        source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip

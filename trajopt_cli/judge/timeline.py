@@ -15,7 +15,7 @@ from trajopt_cli.judge.rail import Indices, still_from
 from trajopt_cli.judge.samples import Rows, unseen
 from trajopt_cli.judge.tolerances import DWELL, LINE_POSITION
 from trajopt_cli.judge.tool_kinematics import ToolKinematics
-from trajopt_cli.judge.waypoint_matching import Event, Match, events_of, looking, off_passed, worth_a_look
+from trajopt_cli.judge.waypoint_matching import Event, Match, candidate_rows, closeness_at, events_of, off_passed
 from trajopt_cli.motion import Source, Wait
 
 
@@ -199,13 +199,13 @@ def _first_stop(rows: Rows, frame: ToolKinematics, start: ProgramPoint, rapid: b
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
     here = replace(start, index=-1, move=None, source=None, arm=None, rail=None, optional=False)
-    look = looking(rows, frame, here, rapid)
-    events = events_of(look(worth_a_look(rows, frame, here)))
+    closeness = closeness_at(rows, frame, here, rapid)
+    events = events_of(closeness(candidate_rows(rows, frame, here)))
     event = events[0] if events and events[0].first == 0 else Event(0, 0, np.array([], dtype=np.intp), 0)
     depart = event.end if len(event.good) else 0
     holds = _holds(rows, here, float(rows.t[0]), depart, rapid)
     ready = holds[-1].end if holds else float(rows.t[0])
-    m = Match(here, look, event, ())
+    m = Match(here, closeness, event, ())
     return Visit(m, event, False, 0, depart, ready, start.X_WF, holds)
 
 
@@ -238,11 +238,11 @@ def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid:
     return Visit(m, event, stay, arrive, depart, ready, X_WF, holds)
 
 
-def _holds(rows: Rows, stop: ProgramPoint, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
+def _holds(rows: Rows, point: ProgramPoint, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
     """Let every wait take its time from `time` on, and go on until every axis stands where that is wanted. One that
-    holds the rail begins when the rail has come to rest: a stop may last longer than its waits."""
+    holds the rail begins when the rail has come to rest: a point may last longer than its waits."""
     out = []
-    for _, wait in stop.holds:
+    for _, wait in point.holds:
         if wait.hold is not None and rows.mechanism.has_rail:
             time = still_from(rows, time, wait.duration, depart)
         end, rests = time + wait.duration, None

@@ -37,11 +37,11 @@ def check_torques(program: Program, line: Timeline) -> list[Finding]:
         return []
     carried = _Carried(program, line)
     found = [Series(float(top)) for top in limit]
-    look = _exact if rows.exact else _mean_torques
+    sample = _exact if rows.exact else _mean_torques
     for part in windows(0, len(rows.t) - 1):
-        looks = [*look(rows, carried, *part)]
+        samples = [*sample(rows, carried, *part)]
         for j, series in enumerate(found):
-            series.add((times, values[:, j]) for times, values in looks)
+            series.add((times, values[:, j]) for times, values in samples)
     out = []
     for name, series in zip(rows.plant.limits.names, found, strict=True):
         if np.isfinite(series.worst.limit):
@@ -100,7 +100,7 @@ def _exact(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
     open_a = rows.hermite_rounding[between] + rows.truncation[between]
     n, number = len(INNER), np.arange(first, last)
     inner = slice(first * n, last * n)
-    looks = [
+    samples = [
         (t[:-1], q[:-1], v[:-1], mean + swing, number),
         (t[1:], q[1:], v[1:], mean - swing, number),
         (*(places[inner] for places in rows.hermite_places), np.repeat(number, n)),
@@ -108,7 +108,7 @@ def _exact(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
     changes = [forces.changes(q[:-1], v[:-1], mean) for forces in carried.forces]
     off_q, off_v = (np.maximum(one[first:last], one[first + 1 : last + 1]) for one in (rows.doubt_q, rows.doubt_v))
     doubts = [_doubt(change, off_q, off_v, open_a) for change in changes]
-    for times, at, rate, change, i in looks:
+    for times, at, rate, change, i in samples:
         torque = [
             np.abs(forces.torques(at, rate, change)) - doubt[i - first]
             for forces, doubt in zip(carried.forces, doubts, strict=True)

@@ -25,7 +25,7 @@ from trajopt_cli.judge.positioners import check_columns, check_tables, turned_fr
 from trajopt_cli.judge.program_points import may_drop, points_of
 from trajopt_cli.judge.rail_hold import check_held
 from trajopt_cli.judge.resolution import check_resolution, granted_clearance, grid_resolution
-from trajopt_cli.judge.samples import PIECE, look
+from trajopt_cli.judge.samples import PIECE, judged_rows
 from trajopt_cli.judge.scene import legs_of, shape_of
 from trajopt_cli.judge.stops import check_stops
 from trajopt_cli.judge.timeline import build_timeline
@@ -66,7 +66,7 @@ def verify(
     _check_rows(given.whole)
     check_columns(program, trajectory, dropped or (), plant)
     points = points_of(program, plant, dropped or (), optional=dropped is None)
-    rows = look(plant, trajectory, resolution, marks=len(points) - 1)
+    rows = judged_rows(plant, trajectory, resolution, marks=len(points) - 1)
     rapid = target is Target.RAPID
     frames = {
         key: ToolKinematics(rows, X_FT) for key, X_FT in {np.asarray(p.X_FT).tobytes(): p.X_FT for p in points}.items()

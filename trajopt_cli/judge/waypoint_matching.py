@@ -70,7 +70,7 @@ class Closeness:
     rail: Array | None = None
 
 
-Look = Callable[[NDArray[np.intp]], Closeness]
+ClosenessAt = Callable[[NDArray[np.intp]], Closeness]
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,53 +98,53 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """What a point found in the file. event None: it was never near. events: all of it and of points alike. look: how
-    near any rows are to it, None for a point that is passed."""
+    """What a point found in the file. event None: it was never near. events: all of it and of points alike. closeness:
+    how near any rows are to it, None for a point that is passed."""
 
     point: ProgramPoint
-    look: Look | None
+    closeness: ClosenessAt | None
     event: Event | None
     events: tuple[Event, ...]
 
 
-def looking(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool) -> Look:
-    """How near rows are to one stop. rapid: every axis must stand there."""
-    return lambda at: _closeness(rows, frame, stop, rapid, at)
+def closeness_at(rows: Rows, frame: ToolKinematics, point: ProgramPoint, rapid: bool) -> ClosenessAt:
+    """How near rows are to one point. rapid: every axis must stand there."""
+    return lambda at: _closeness(rows, frame, point, rapid, at)
 
 
-def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: bool, at: NDArray[np.intp]) -> Closeness:
+def _closeness(rows: Rows, frame: ToolKinematics, point: ProgramPoint, rapid: bool, at: NDArray[np.intp]) -> Closeness:
     tau, q = rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
     rail_met, rail = np.ones(len(at), dtype=bool), q[:, : rows.mechanism.rails] if rows.mechanism.has_rail else None
     off_rail = np.zeros(len(at))
-    if stop.rail is not None:
-        beside, most = rail_beside(rows, at, stop)
-        rail_met = np.all(~(np.abs(beside - stop.rail) > most), axis=1)  # of one left open nothing is wanted
-        off_rail = np.nan_to_num(np.abs(q[:, : len(stop.rail)] - stop.rail)).max(axis=1)
+    if point.rail is not None:
+        beside, most = rail_beside(rows, at, point)
+        rail_met = np.all(~(np.abs(beside - point.rail) > most), axis=1)  # of one left open nothing is wanted
+        off_rail = np.nan_to_num(np.abs(q[:, : len(point.rail)] - point.rail)).max(axis=1)
     near: Mask
     tight: Mask
-    if isinstance(stop.move, MoveExtJ):
+    if isinstance(point.move, MoveExtJ):
         doubt = rows.doubt_q[at, : rows.mechanism.rails].max(axis=1)
         near, tight = rail_met & rests, off_rail <= JOINT_TARGET + doubt / 2
         return Closeness(at, off_rail / JOINT_TARGET, near, tight, rests, rail_met, stands, rail)
-    if stop.arm is not None:
+    if point.arm is not None:
         granted = JOINT_TARGET + rows.doubt_q[at] / 2 + rows.accelerations.most * tau[:, None] ** 2 / 2
-        off = np.abs(q[:, -6:] - stop.arm)
+        off = np.abs(q[:, -6:] - point.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
-        if stop.X_WF is None:  # the arm may keep its posture all through moves of the rail
+        if point.X_WF is None:  # the arm may keep its posture all through moves of the rail
             near &= rests
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
         distance = np.maximum(off.max(axis=1), np.where(rail_met, 0.0, off_rail)) / JOINT_TARGET
         return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
-    assert stop.X_WF is not None
-    X_WT = stop.X_WF @ stop.X_FT
+    assert point.X_WF is not None
+    X_WT = point.X_WF @ point.X_FT
     d_p = np.maximum(lengths(frame.p[at] - X_WT[:3, 3]) - frame.doubt_p[at], 0.0)
-    d_R = np.maximum(off_taught(frame.rotations(at), X_WT[:3, :3], stop.free) - frame.doubt_R[at], 0.0)
+    d_R = np.maximum(off_taught(frame.rotations(at), X_WT[:3, :3], point.free) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
-    if stop.free is not None:  # any turn will do, but one: as in the row before or behind, or at rest by its speeds
+    if point.free is not None:  # any turn will do, but one: as in the row before or behind, or at rest by its speeds
         R = frame.rotations(at)
         near_by = [np.clip(at + step, 0, len(rows.t) - 1) for step in (-1, 1)]
         apart = [np.where(k == at, np.inf, angle_between(R, frame.rotations(k))) for k in near_by]
@@ -154,13 +154,13 @@ def _closeness(rows: Rows, frame: ToolKinematics, stop: ProgramPoint, rapid: boo
     return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
 
 
-def worth_a_look(rows: Rows, frame: ToolKinematics, stop: ProgramPoint) -> NDArray[np.intp]:
-    """The rows that may be near a stop: no more is looked at in a long file."""
-    if isinstance(stop.move, MoveExtJ):
+def candidate_rows(rows: Rows, frame: ToolKinematics, point: ProgramPoint) -> NDArray[np.intp]:
+    """The rows that may be near a point: no more is looked at in a long file."""
+    if isinstance(point.move, MoveExtJ):
         return np.arange(len(rows.t))
-    if stop.arm is not None:
-        return rows.blocks.rows(rows.arm_boxes.near(stop.arm))
-    P, a = stop.X_WT[:3, 3], rows.plant.tcp.acceleration
+    if point.arm is not None:
+        return rows.blocks.rows(rows.arm_boxes.near(point.arm))
+    P, a = point.X_WT[:3, 3], rows.plant.tcp.acceleration
     at = rows.blocks.rows(frame.stop_boxes.near(P))
     granted = STOP_POSITION + a * rows.open_time[at] ** 2 / 2 + frame.doubt_p[at]
     near: Mask = lengths(frame.p[at] - P) <= granted + ROUNDING
@@ -302,7 +302,7 @@ def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Arr
 
 def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[ProgramPoint], rapid: bool) -> list[Match]:
     """Every point after the start with its event; see the module's docstring for the rule."""
-    known: dict[tuple[object, ...], tuple[Look | None, tuple[Event, ...]]] = {}
+    known: dict[tuple[object, ...], tuple[ClosenessAt | None, tuple[Event, ...]]] = {}
     found = []
     for point in points[1:]:
         key = tuple(
@@ -315,8 +315,8 @@ def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[Prog
             if point.fly_by is not None:
                 known[full] = None, passages(rows, frame, point)
             else:
-                look = looking(rows, frame, point, rapid)
-                known[full] = look, events_of(look(worth_a_look(rows, frame, point)))
+                closeness = closeness_at(rows, frame, point, rapid)
+                known[full] = closeness, events_of(closeness(candidate_rows(rows, frame, point)))
         found.append(known[full])
     events = [own for _, own in found]
     chosen = _align(points[1:], events)
@@ -326,8 +326,8 @@ def match(rows: Rows, frames: dict[bytes, ToolKinematics], points: Sequence[Prog
         if _total(points[1:], other) > _total(points[1:], chosen):
             events, chosen = cut, other
     return [
-        Match(point, look, event, own)
-        for point, (look, _), own, event in zip(points[1:], found, events, chosen, strict=True)
+        Match(point, closeness, event, own)
+        for point, (closeness, _), own, event in zip(points[1:], found, events, chosen, strict=True)
     ]
 
 

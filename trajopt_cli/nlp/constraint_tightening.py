@@ -12,7 +12,9 @@ from trajopt_cli.trajectories.dense_check import Ratios
 from trajopt_cli.trajectories.iterate import Margins
 from trajopt_cli.trajectories.leg_trajectories import LegMotion, PathLeg
 
-_PUSHED = 0.001  # share of its acceleration from which the rail drives the arm. Measured as DAMPING_DWELL.
+_PUSHED = (
+    0.001  # share of its acceleration from which the rail drives the arm. Measured as _DAMPING_DWELL of transcription.
+)
 _AMPLE = 1.5  # times the excess taken off a dwell's push.
 _LEAST_PUSH = 0.1  # share that one round leaves of a push at least.
 

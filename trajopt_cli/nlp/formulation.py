@@ -1,6 +1,6 @@
 """The timing problem as mathematics, top to bottom. docs/mathematics.md names the symbols and says what holds where.
 
-    min   sum T  over all legs                            + DAMPING / 2 * accelerations^2 where the time does not care
+    min   sum T  over all legs                            + damping / 2 * accelerations^2 where the time does not care
     s.t.  dynamics      x_1 = x_0 + h x_0' + h^2/2 x'',   x_1' = x_0' + h x''       exact, x'' constant per interval
           path          arm = IK(X(s), d) on a fixed branch, within reach, off singularities, within ranges
           limits        |qd| <= V,  |qdd| <= A,  tool within its caps               at both ends of every interval
@@ -135,11 +135,11 @@ class Formulation:
     # ---- path: where the arm is, and what it may do there
 
     def _resting(self, p: SimpleNamespace, d: ca.SX) -> Reached:
-        """Joints and walls where the flange rests in the path's first pose, rail and turn at d."""
+        """Joints and singularity margins where the flange rests in the path's first pose, rail and turn at d."""
         return self._inverse(_REST.flange(p.path, 0.0), d, p)
 
     def _inverse(self, flange: Flange, d: ca.SX, p: SimpleNamespace) -> Reached:
-        """Joints and walls with the flange on its way, rail and turn at d."""
+        """Joints and singularity margins with the flange on its way, rail and turn at d."""
         position, rotation = flange
         if self._turning:
             rotation = flange.rotation @ rotated(p.axis, d[-1])
@@ -152,7 +152,7 @@ class Formulation:
         return d[:-1, 0] if self._turning else d
 
     def _walls(self, at: Reached) -> list[tuple[ca.SX, float, float]]:
-        """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
+        """|sin q3| <= settings.elbow, |sin q5| >= settings.wrist on the branch's side."""
         settings = self.axes.settings
         return [(at.elbow, -settings.elbow, settings.elbow), (at.wrist, settings.wrist, INF)]
 
@@ -179,8 +179,8 @@ class Formulation:
             z, p = {**z, "e": ()}, {**p, **self._weight(sides)}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            node, walls = self._motion(place, sides, tied, z, p)
-            out = [*walls, *(row for limit in self._shared for row in limit.node_rows(True, node, p))]
+            node, margins = self._motion(place, sides, tied, z, p)
+            out = [*margins, *(row for limit in self._shared for row in limit.node_rows(True, node, p))]
             return out + (self._effort(node, z, p) if weighed else [])
 
         return self._relation(("node", place, len(sides), weighed, tied), z, p, rows)
@@ -214,7 +214,7 @@ class Formulation:
         return {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}, p
 
     def _motion(self, place, sides, tied, z, p):  # type: ignore[no-untyped-def]
-        """What limits are asked with, and the walls of the inverse kinematics."""
+        """What limits are asked with, and the singularity margins of the inverse kinematics."""
         ends = len(sides) == 1
         if place == JOINTS:
             acc, jerks = self._accelerations(z, sides, "a")
@@ -322,7 +322,7 @@ class Formulation:
         return self._relation(("elapsed",), z, {}, lambda z, p: [(z.t_1 - z.t_0 - z.T, 0.0, 0.0)])
 
     def law_interval(self, columns: int) -> Relation:
-        """An interval of a course driven with rates r_0, r_1 at its ends, u = (r_1^2 - r_0^2) / 2 step: |slope u +
+        """An interval of a path driven with rates r_0, r_1 at its ends, u = (r_1^2 - r_0^2) / 2 step: |slope u +
         bend r^2| <= 1 of `columns` limits at both ends, the time it takes t_1 - t_0 = 2 step / (r_0 + r_1), and its
         effort: the time times the mean of a u^2 + 2 b u r^2 + c r^4 at both ends, squared is (a, b, c)."""
         z: Shapes = {"r_0": (), "r_1": (), "t_0": (), "t_1": (), "e": ()}
@@ -451,8 +451,8 @@ class Formulation:
 
 
 def _carried(place, x, dx, ddxs, dddxs):  # type: ignore[no-untyped-def]
-    """Joints place(x) with their walls, and their derivatives by tau where x has dx, and each of ddxs: q' = J x',
-    q'' = J x'' + x'^T H x'; and that one's own derivative at the first of ddxs and each of dddxs."""
+    """Joints place(x) with their singularity margins, and their derivatives by tau where x has dx, and each of ddxs:
+    q' = J x', q'' = J x'' + x'^T H x'; and that one's own derivative at the first of ddxs and each of dddxs."""
     X, dX, ddX = (ca.SX.sym(name, x.numel()) for name in ("X", "dX", "ddX"))
     at = place(X)
     J = ca.jacobian(at.q, X)

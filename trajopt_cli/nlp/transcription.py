@@ -31,8 +31,8 @@ from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectories.limits.limit import INF
 
 _MOST_ZONES = 0.6  # and at most.
-# s of a joint move on a grid up to which it has DAMPING; a slower one has more in proportion. Measured on joint moves
-# of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to 125 that is 0.05 to 0.1 % slower.
+# s of a joint move on a grid up to which it has settings.damping; a slower one has more in proportion. Measured on
+# joint moves of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to 125, 0.05 to 0.1 % slower.
 _DAMPED_AS_MUCH = 1.25
 
 _FASTEST = 50.0  # m/s or rad/s: no tool goes along a path so fast.
@@ -118,20 +118,20 @@ def path_rate(axes: Axes, passage: Passage, q: Array, qd: Array) -> float:
     return max(float(way @ (axes.jacobian(q, passage.X_FT) @ qd) / (way @ way)), 0.0)
 
 
-def waypoint_turn(axes: Axes, stop: Waypoint, q: Array, qd: Array) -> tuple[float, float]:
+def waypoint_turn(axes: Axes, point: Waypoint, q: Array, qd: Array) -> tuple[float, float]:
     """By how much the tool is turned from a waypoint's pose at axes q (n,) with velocities qd [rad], and how fast."""
-    if (room := stop.turn) is None:
+    if (room := point.turn) is None:
         return 0.0, 0.0
     X_WF, tool = axes.forward(q), axes.jacobian(q, room.X_FT) @ qd
-    if (passage := stop.passage) is not None and passage.way is not None:
+    if (passage := point.passage) is not None and passage.way is not None:
         tool = tool - path_rate(axes, passage, q, qd) * passage.way.twist(np.zeros(1))[0]
-    return room.angle(stop.X_WF, X_WF), float(tool[3:] @ (X_WF[:3, :3] @ room.axis_F))
+    return room.angle(point.X_WF, X_WF), float(tool[3:] @ (X_WF[:3, :3] @ room.axis_F))
 
 
-def coordinates(axes: Axes, leg: Leg, stop: Waypoint, q: Array, qd: Array) -> Array:
+def coordinates(axes: Axes, leg: Leg, point: Waypoint, q: Array, qd: Array) -> Array:
     """Where at an end of a leg the rail is, and the tool's turn if it has one."""
     rail = q[axes.layout.rail]
-    return rail if leg.turn is None else np.append(rail, waypoint_turn(axes, stop, q, qd)[0])
+    return rail if leg.turn is None else np.append(rail, waypoint_turn(axes, point, q, qd)[0])
 
 
 def _axis_parameters(room: TurnRoom | None) -> dict[str, Array]:

@@ -58,8 +58,8 @@ def cycle_data(plant: Plant, one: Shown, program: int, coarse: float = 1.0) -> d
     plan = one.plan
     ends = np.array([time for motion in plan.motions for time in (motion.t_0, motion.t_1)])
     times = sample_times(plan.trajectory, plant.limits, ends, coarse)
-    course = follow(one.program, plant, plan, one.name, times)
-    legs = _legs(course) if course.legs else _rests(plan.trajectory)
+    series = follow(one.program, plant, plan, one.name, times)
+    legs = _legs(series) if series.legs else _rests(plan.trajectory)
     return {
         "name": one.name,
         "target": plan.target.value,
@@ -67,12 +67,12 @@ def cycle_data(plant: Plant, one: Shown, program: int, coarse: float = 1.0) -> d
         "bound": plan.lower_bound,
         "program": program,
         "t": block(times - plan.trajectory.t[0]),
-        "q": block(course.q),
-        "qd": block(course.qd),
-        "qdd": block(course.qdd),
-        "speed": block(np.linalg.norm(course.V_WT[:, :3], axis=1)),
+        "q": block(series.q),
+        "qd": block(series.qd),
+        "qdd": block(series.qdd),
+        "speed": block(np.linalg.norm(series.V_WT[:, :3], axis=1)),
         "legs": legs,
-        "programmed": _programmed(course),
+        "programmed": _programmed(series),
         "dips": [
             [dip.start - plan.trajectory.t[0], dip.start + dip.duration - plan.trajectory.t[0]]
             for stretch in one.stretches
@@ -106,13 +106,13 @@ def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | N
     rail. Of a long program the first MOST_REACHES poses."""
     if plant.layout.r != 1:
         return None
-    course = follow(program, plant, plan, "", plan.trajectory.t[[0, -1]])
+    series = follow(program, plant, plan, "", plan.trajectory.t[[0, -1]])
     indices = {id(program.motions[m.index]): m.index for m in plan.motions}
     known: dict[bytes, list[list[float]]] = {}
     ranges: dict[int, list[list[float]]] = {}
     asked: dict[int, float] = {}
     left_out = 0
-    for leg in course.moves:
+    for leg in series.moves:
         if leg.added:
             continue
         index = indices[id(leg.motion)]
@@ -160,12 +160,12 @@ def kind_of(motion: object) -> str:
     return "joint"
 
 
-def _legs(course: PlanSeries) -> dict[str, list[Any]]:
-    ends = {motion.t_1: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
-    legs = [leg for leg in course.legs if not leg.added]  # points that are added are part of the way to their motion's
+def _legs(series: PlanSeries) -> dict[str, list[Any]]:
+    ends = {motion.t_1: motion for motion in series.plan.motions if motion.t_1 > motion.t_0}
+    legs = [leg for leg in series.legs if not leg.added]  # points that are added are part of the way to their motion's
     planned = [ends[leg.t_1] for leg in legs]
-    told = {detour.motion: way_told(len(detour.points), detour.around) for detour in course.plan.detours}
-    start = float(course.plan.trajectory.t[0])
+    told = {detour.motion: way_told(len(detour.points), detour.around) for detour in series.plan.detours}
+    start = float(series.plan.trajectory.t[0])
     return {
         "index": [motion.index for motion in planned],
         "from": [motion.t_0 - start for motion in planned],
@@ -200,12 +200,12 @@ def _rests(rows: Trajectory) -> dict[str, list[Any]]:
     }
 
 
-def _programmed(course: PlanSeries) -> list[list[float]]:
+def _programmed(series: PlanSeries) -> list[list[float]]:
     """From, to [s] and the TCP speed [m/s] that the program gives, at most the cap."""
-    start, cap = float(course.plan.trajectory.t[0]), course.plant.tcp.speed
+    start, cap = float(series.plan.trajectory.t[0]), series.plant.tcp.speed
     out = []
-    for leg in course.legs:
-        speed = programmed_speed(course.plant, leg.motion)
+    for leg in series.legs:
+        speed = programmed_speed(series.plant, leg.motion)
         if speed is not None:
             out.append([leg.t_0 - start, leg.t_1 - start, min(speed, cap)])
     return out

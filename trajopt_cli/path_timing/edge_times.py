@@ -24,7 +24,7 @@ from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes
 
 _SLACK = 1 + 0.0001  # times its least time that a wait must have, for limits are not used to the last hair.
-_LATE = 1000.0  # times what a leg would pass its programmed time by, added to the chain's.
+_LATE = 1000.0  # times what a leg would pass its programmed time by, added to the route's.
 _JERK_ROOM = 1.1  # times what a straight path takes at least that a wait must have.
 _FLIPPED = 1.0  # rad, m by which axes in the middle of such a line may be elsewhere than at its ends.
 

@@ -1,4 +1,4 @@
-"""A legal motion before any nonlinear program: every run of a chain timed by TOPP.
+"""A legal motion before any nonlinear program: every run of a route timed by TOPP.
 
 The axes of a leg share one progress, as a RAPID controller drives them; so the motion serves both targets.
 """
@@ -33,7 +33,7 @@ Runs = dict[bytes, tuple[dict[int, LegMotion], Sequence[Leg]]]  # motions of run
 
 
 class NotDriven(Exception):
-    """A run of a chain that no law drives: run, its first waypoint and last. least: the time [s] that a leg would take
+    """A run of a route that no law drives: run, its first waypoint and last. least: the time [s] that a leg would take
     which the program gives less; singular: where the run passes a singularity; None where that is not why."""
 
     def __init__(self, run: tuple[int, int], least: float | None = None, singular: Unresolved | None = None):
@@ -41,16 +41,16 @@ class NotDriven(Exception):
         self.run, self.least, self.singular = run, least, singular
 
 
-def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None) -> Iterate:
-    """Every run timed along its coordinated path, at the chain's rail positions and configurations, as fast as all
+def timed(axes: Axes, problem: Problem, route: Route, known: Runs | None = None) -> Iterate:
+    """Every run timed along its coordinated path, at the route's rail positions and configurations, as fast as all
     limits allow. known: runs of this plant that were timed before; those timed here are added. Raises NotDriven."""
     legs: list[LegMotion | None] = [None] * len(problem.legs)
-    cfx = tuple(label.cfx for label in chain.labels)
+    cfx = tuple(label.cfx for label in route.labels)
     known = {} if known is None else known
-    names = [run_name(problem, run, chain.q, cfx) for run in problem.runs]
+    names = [run_name(problem, run, route.q, cfx) for run in problem.runs]
     asked = {name: run for name, run in zip(names, problem.runs, strict=True) if name not in known}  # equal ones once
     failures = {}
-    for (name, run), found in zip(asked.items(), _fastest(axes, problem, [*asked.values()], chain.q, cfx), strict=True):
+    for (name, run), found in zip(asked.items(), _fastest(axes, problem, [*asked.values()], route.q, cfx), strict=True):
         if isinstance(found, NotDriven):
             failures[name] = found
         else:
@@ -60,7 +60,7 @@ def timed(axes: Axes, problem: Problem, chain: Route, known: Runs | None = None)
             raise failures[name]
         for k, motion in known[name][0].items():
             legs[first + k] = motion
-    return Iterate(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
+    return Iterate(route.q, np.zeros_like(route.q), cfx, tuple(legs))
 
 
 def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> bytes:
@@ -211,6 +211,6 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
     return out
 
 
-def duration(draft: Iterate) -> float:
-    """Cycle time [s] of a draft."""
-    return float(sum(motion.T for motion in draft.legs if motion is not None))
+def duration(iterate: Iterate) -> float:
+    """Cycle time [s] of an iterate."""
+    return float(sum(motion.T for motion in iterate.legs if motion is not None))

@@ -1,6 +1,6 @@
-"""A motion timed anew on its own course: how long it takes where the true limits are others than it was planned with.
+"""A motion timed anew on its own path: how long it takes where the true limits are others than it was planned with.
 
-The course is the motion's rows, and the parameter is their time: the motion itself has the rate 1, and nothing is
+The path is the motion's rows, and the parameter is their time: the motion itself has the rate 1, and nothing is
 singular where all axes rest. What the program times, as waits and moves with \\T, lasts at least as long as it says. A
 limit of jerk is not asked, for it has no rows on a path.
 """
@@ -24,9 +24,9 @@ from trajopt_cli.trajectories.leg_trajectories import Sample
 from trajopt_cli.trajectories.limits import limits_of
 from trajopt_cli.trajectory import Trajectory
 
-_STEP = 5e-3  # s between places of a course at least, besides rows at which an acceleration jumps
+_STEP = 5e-3  # s between places of a path at least, besides rows at which an acceleration jumps
 _PLACES = (
-    8000  # of a long course, about. Measured on 400 joint moves of 218 s: ends within 0.15 % of those with all, in a
+    8000  # of a long path, about. Measured on 400 joint moves of 218 s: ends within 0.15 % of those with all, in a
 )
 # quarter of the time.
 _JUMP = 1e-2  # share of an axis' acceleration by which it changes at a row that is such a jump
@@ -36,7 +36,7 @@ _FASTEST = 1e3  # rate that stands for no bound
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class MotionPath:
     """Rows of a motion that rests at both ends, with speeds. axes, legs: those it was planned with; ends (L,): when
     each leg is over, from the first row on [s]."""
 
@@ -75,7 +75,7 @@ class Course:
 
     @cached_property
     def _nodes(self) -> IndexArray:
-        """The rows that are places of the course; those where all axes rest are there twice."""
+        """The rows that are places of the path; those where all axes rest are there twice."""
         t, qd, (begin, end) = self.rows.t - self.rows.t[0], self.rows.qd, self._bends
         assert qd is not None
         kept = np.diff(np.floor(t / max(_STEP, t[-1] / _PLACES)), prepend=-1.0) > 0
@@ -112,7 +112,7 @@ class Course:
 
     @cached_property
     def _along(self) -> PathDerivatives:
-        """The course where intervals begin and then where they end."""
+        """The path where intervals begin and then where they end."""
         first, last, (begin, end) = self._nodes[:-1], self._nodes[1:], self._bends
         at, top = np.append(first, last), len(begin) - 1
         assert self.rows.qd is not None

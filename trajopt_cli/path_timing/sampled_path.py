@@ -613,7 +613,7 @@ def _with_tool(
 
     u = np.concatenate(fractions)
     q, arm, twist, bend, dd, ddd = at(u)
-    numb = axes.robot.walls(arm)[1] < _NUMB
+    numb = axes.robot.singularity_margins(arm)[1] < _NUMB
     place = q
     if numb.any():  # there a derivative is what it is a little farther on
         place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))

@@ -126,7 +126,7 @@ def plan_all(
 
     Returns:
         The answers by target, a stream that cannot be done alone; the program as written, or why it cannot be driven;
-        what the chain takes [s] that the rapid plan began with.
+        what the route takes [s] that the rapid plan began with.
     """
     from trajopt_cli.plan import PlanCache, first_legal, out_of_order
 

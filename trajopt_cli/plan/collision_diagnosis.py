@@ -142,10 +142,10 @@ def collision_answer(axes: Axes, failure: NoClearPath, runs: Runs | None = None)
     """The answer no where every motion that was found touches something: what the best one does, where its end was
     tried, and which zones would do where it is in a corner."""
     settings = axes.settings
-    assert failure.draft is not None
+    assert failure.iterate is not None
     problem, k = failure.problem, failure.legs[0]
     leg = problem.legs[k]
-    motion, hit = problem.motion(leg.motion), hit_on(axes, problem, failure.draft, k)
+    motion, hit = problem.motion(leg.motion), hit_on(axes, problem, failure.iterate, k)
     said = "touches something" if hit is None else f"cannot be driven clear: {hit.said}"
     first, last = next(one for one in problem.stations if one[0] <= k + 1 <= one[1])
     d = grid_in_reach(axes, problem, first, last, settings.coarse_grid, settings.coarse_spacing)
@@ -166,14 +166,14 @@ def _rail_positions(d: Array, name: str) -> str:
 def _zones_that_do(axes: Axes, failure: NoClearPath, runs: Runs | None) -> str:
     """The largest standard zones, in words, with which the motion that touches something would not; none where its
     corners are not why."""
-    problem, chain = failure.problem, failure.chain
+    problem, route = failure.problem, failure.route
     beside = [problem.waypoints[leg + i] for leg in failure.legs for i in (0, 1)]
     corners: dict[int, tuple[Move, float]] = {}
     for point in beside:
         move = problem.motion(point.motion)
         if point.fly_by is not None and not point.fly_by.in_place and isinstance(move, Move) and not move.detour:
             corners[point.motion] = move, point.fly_by.radius
-    if chain is None or not corners:
+    if route is None or not corners:
         return ""
 
     def smaller(size: float | None) -> dict[int, float | None]:
@@ -183,7 +183,7 @@ def _zones_that_do(axes: Axes, failure: NoClearPath, runs: Runs | None) -> str:
         other = _with_zones(problem, smaller(size))
         try:
             both = {other.coupling: other, Coupling.COORDINATED: coordinated(other)}
-            ways = [timed_clear(axes, one, chain, runs) for one in both.values()]
+            ways = [timed_clear(axes, one, route, runs) for one in both.values()]
         except NotDriven:
             return False
         return all(isinstance(way, Iterate) for way in ways)

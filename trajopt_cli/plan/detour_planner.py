@@ -1,4 +1,4 @@
-"""Legal motions that touch nothing: chains that the search finds clear, with points before joint moves where the
+"""Legal motions that touch nothing: routes that the search finds clear, with points before joint moves where the
 straight way is not.
 
 The points become motions of the program. Their zones are the largest that stay clear, of those that a controller has.
@@ -31,59 +31,59 @@ _TUNE_FIRST = 80  # the same in the first turn.
 Detoured = Callable[[frozenset[int], Sequence[Detour]], Problem]
 """The problem of the program with points, without the motions that are left out."""
 Shifted = Callable[[Problem, Route], list[Route]]
-"""Chains near a chain that may be faster."""
+"""Routes near a route that may be faster."""
 
 
 @dataclass(frozen=True, eq=False)
 class ClearPlan:
-    """A motion that touches nothing, its problem and chain, and the points of the program that it has."""
+    """A motion that touches nothing, its problem and route, and the points of the program that it has."""
 
     problem: Problem
-    chain: Route
-    draft: Iterate
+    route: Route
+    iterate: Iterate
     detours: tuple[Detour, ...]
 
 
 class NoClearPath(Exception):
-    """Every motion that was found touches something; legs: numbers of those of the best one that do, with the chain it
-    was timed from. Without either, no chain was found that touches nothing, and legs are where it ends."""
+    """Every motion that was found touches something; legs: numbers of those of the best one that do, with the route it
+    was timed from. Without either, no route was found that touches nothing, and legs are where it ends."""
 
     def __init__(
-        self, problem: Problem, legs: tuple[int, ...], draft: Iterate | None = None, chain: Route | None = None
+        self, problem: Problem, legs: tuple[int, ...], iterate: Iterate | None = None, route: Route | None = None
     ):
         super().__init__(legs)
-        self.problem, self.legs, self.draft, self.chain = problem, legs, draft, chain
+        self.problem, self.legs, self.iterate, self.route = problem, legs, iterate, route
 
 
 def clear_motions(
     axes: Axes, bound: Problem, problem: Problem, straight: Mapping[int, str], groups: Sequence[Sequence[int]],
     detoured: Detoured, shifted: Shifted, runs: Runs | None,
 ) -> Iterator[ClearPlan]:  # fmt: skip
-    """Motions that touch nothing, in no order; none where no chain does and nobody knows where that ends. bound: the
+    """Motions that touch nothing, in no order; none where no route does and nobody knows where that ends. bound: the
     problem with one progress for all axes. straight: why joint moves can have no points; groups: those that must have
     the same. Raises NotDriven and NoClearPath."""
     settings = axes.settings
     around = collision_scene_of(problem)
     assert around is not None
     avoid = EdgeCollision(axes, around, straight)
-    chain = search(axes, bound, avoid)
-    if chain is None:
+    route = search(axes, bound, avoid)
+    if route is None:
         if avoid.stuck is not None:
             raise NoClearPath(problem, tuple(k for k, leg in enumerate(problem.legs) if leg.motion == avoid.stuck))
         return
     points: dict[int, Array] = {}
     for k, leg in enumerate(bound.legs):
         if leg.kind is LegKind.JOINT:
-            way = avoid.way(leg, chain.q[k], chain.q[k + 1])
-            assert way is not None  # the search settles what its chain uses
+            way = avoid.way(leg, route.q[k], route.q[k + 1])
+            assert way is not None  # the search settles what its route uses
             if len(way):
                 points[leg.motion] = way
     names = {
-        leg.motion: names_on(around, chain.q[k : k + 2], leg.motion)
+        leg.motion: names_on(around, route.q[k : k + 2], leg.motion)
         for k, leg in enumerate(bound.legs)
         if leg.motion in points
     }
-    ends = {leg.motion: chain.q[k : k + 2] for k, leg in enumerate(bound.legs) if leg.kind is LegKind.JOINT}
+    ends = {leg.motion: route.q[k : k + 2] for k, leg in enumerate(bound.legs) if leg.kind is LegKind.JOINT}
     for group in groups:
         ways = [(points[motion], names[motion]) for motion in group if motion in points]
         if ways:
@@ -105,7 +105,7 @@ def clear_motions(
             for motion, way in sorted(points.items())
         )
         with_points = detoured(problem.dropped, detours) if detours else problem
-        return with_points, _route_with_points(axes, with_points, bound, chain, points), detours
+        return with_points, _route_with_points(axes, with_points, bound, route, points), detours
 
     tuned = not points.keys() - shared
     for _ in range(len(settings.detour_zones) * max(len(radii), 1) + 1):
@@ -137,12 +137,12 @@ def clear_motions(
 
 
 def _tune(
-    axes: Axes, avoid: EdgeCollision, problem: Problem, chain: Route, points: dict[int, Array], shared: Collection[int]
+    axes: Axes, avoid: EdgeCollision, problem: Problem, route: Route, points: dict[int, Array], shared: Collection[int]
 ) -> bool:  # fmt: skip
     """Moves points to where their runs with their corners are quicker, as long as the straight ways beside stay clear;
     whether any moved."""
-    random, q = np.random.default_rng(36), chain.q.copy()
-    cfx = tuple(label.cfx for label in chain.labels)
+    random, q = np.random.default_rng(36), route.q.copy()
+    cfx = tuple(label.cfx for label in route.labels)
     gained = False
     places = [
         (k + 1, motion, number) for motion, number, k in _numbered_points(problem, points) if motion not in shared
@@ -183,22 +183,22 @@ def _serves_all(around: CollisionScene, way: Array, members: Sequence[tuple[int,
     return all(around.way_free(np.concatenate([ends[:1], way, ends[1:]]), motion) for motion, ends in members)
 
 
-def timed_clear(axes: Axes, problem: Problem, chain: Route, runs: Runs | None) -> Iterate | NoClearPath:
-    """A chain as timed; runs in which free axes would touch something with one progress for all axes. Raises
+def timed_clear(axes: Axes, problem: Problem, route: Route, runs: Runs | None) -> Iterate | NoClearPath:
+    """A route as timed; runs in which free axes would touch something with one progress for all axes. Raises
     NotDriven."""
-    draft = timed(axes, problem, chain, runs)
-    legs = touching(axes, problem, draft)
+    iterate = timed(axes, problem, route, runs)
+    legs = touching(axes, problem, iterate)
     if not legs:
-        return draft
+        return iterate
     if not problem.coordinated:
-        together = timed(axes, coordinated(problem), chain, runs)
-        mixed = list(draft.legs)
+        together = timed(axes, coordinated(problem), route, runs)
+        mixed = list(iterate.legs)
         for first, last in problem.runs:
             if any(first <= k < last for k in legs):
                 mixed[first:last] = together.legs[first:last]
-        draft = replace(draft, legs=tuple(mixed))
-        legs = touching(axes, problem, draft)
-    return NoClearPath(problem, legs, draft, chain) if legs else draft
+        iterate = replace(iterate, legs=tuple(mixed))
+        legs = touching(axes, problem, iterate)
+    return NoClearPath(problem, legs, iterate, route) if legs else iterate
 
 
 def coordinated(problem: Problem) -> Problem:
@@ -207,19 +207,19 @@ def coordinated(problem: Problem) -> Problem:
 
 
 def _route_with_points(
-    axes: Axes, with_points: Problem, problem: Problem, chain: Route, points: Mapping[int, Array]
+    axes: Axes, with_points: Problem, problem: Problem, route: Route, points: Mapping[int, Array]
 ) -> Route:
-    """A chain of the problem as one of that with points before motions."""
+    """A route of the problem as one of that with points before motions."""
     if with_points is problem or not points:
-        return chain
-    q, w, labels, times = [chain.q[:1]], [chain.w[:1]], [chain.labels[0]], []
+        return route
+    q, w, labels, times = [route.q[:1]], [route.w[:1]], [route.labels[0]], []
     for k, leg in enumerate(problem.legs):
         way = points.get(leg.motion, np.empty((0, axes.n))) if leg.kind is LegKind.JOINT else np.empty((0, axes.n))
-        q += [way, chain.q[k + 1 : k + 2]]
-        w += [np.zeros_like(way), chain.w[k + 1 : k + 2]]
-        labels += [*(_branch_at(axes, point) for point in way), chain.labels[k + 1]]
-        times += [chain.times[k] / (len(way) + 1)] * (len(way) + 1)
-    return Route(np.concatenate(q), np.concatenate(w), tuple(labels), np.array(times), chain.cost)
+        q += [way, route.q[k + 1 : k + 2]]
+        w += [np.zeros_like(way), route.w[k + 1 : k + 2]]
+        labels += [*(_branch_at(axes, point) for point in way), route.labels[k + 1]]
+        times += [route.times[k] / (len(way) + 1)] * (len(way) + 1)
+    return Route(np.concatenate(q), np.concatenate(w), tuple(labels), np.array(times), route.cost)
 
 
 def _branch_at(axes: Axes, q: Array) -> IkBranch:

@@ -2,7 +2,7 @@
 
 From point to point in order, each time the axes nearest to those before that the arm can be driven to, going back a
 point where it cannot be; each leg from rest to rest along a parabola of its own, as slow as its limits ask for. No
-search over all points, no course, no TOPP, no nonlinear program has a say, so it stands where one of them fails. The
+search over all points, no path, no TOPP, no nonlinear program has a say, so it stands where one of them fails. The
 rails are where the program has them, where they are already, or in the middle or at the ends of what they may have.
 """
 
@@ -59,8 +59,8 @@ def fallback_motion(axes: Axes, problem: Problem) -> Iterate | None:
     if len(legs) < len(problem.legs):
         return None
     q = np.array([own for own, _ in states])
-    draft = Iterate(q, np.zeros_like(q), tuple(cfx for _, cfx in states), tuple(legs))
-    return draft if clear(axes, problem, draft) else None
+    iterate = Iterate(q, np.zeros_like(q), tuple(cfx for _, cfx in states), tuple(legs))
+    return iterate if clear(axes, problem, iterate) else None
 
 
 def _candidate_states(axes: Axes, problem: Problem, states: list[State], k: int) -> Iterator[State]:

@@ -1,6 +1,6 @@
-"""A legal motion for the whole program before any nonlinear program: the best chain of waypoints that can be driven.
+"""A legal motion for the whole program before any nonlinear program: the best route of waypoints that can be driven.
 
-What may change less may be driven as well: the chains of lesser freedoms are tried too, so that more freedom is never
+What may change less may be driven as well: the routes of lesser freedoms are tried too, so that more freedom is never
 slower, whatever the search misses.
 """
 
@@ -23,7 +23,7 @@ from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.plan.collision_diagnosis import blocked_place, collision_answer
 from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordinated
-from trajopt_cli.plan.other_chains import with_better_parts
+from trajopt_cli.plan.other_routes import with_better_parts
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import timed_in_time
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
@@ -48,17 +48,17 @@ class NoCleanPlan(Exception):
 
 
 class _Slower(Exception):
-    """The search's best chain takes longer than is asked for."""
+    """The search's best route takes longer than is asked for."""
 
 
 @dataclass(frozen=True, eq=False)
 class InitialPlan:
-    """A motion at rest at every stop that keeps every limit, and the chain it was timed from. detours: the points that
+    """A motion at rest at every stop that keeps every limit, and the route it was timed from. detours: the points that
     its problem's program has besides its own, so that it touches nothing."""
 
     problem: Problem
-    chain: Route
-    draft: Iterate
+    route: Route
+    iterate: Iterate
     detours: tuple[Detour, ...] = ()
 
     @property
@@ -73,12 +73,12 @@ class InitialPlan:
     @property
     def duration(self) -> float:
         """Cycle time [s]."""
-        return duration(self.draft)
+        return duration(self.iterate)
 
 
 @dataclass(frozen=True, eq=False)
 class PlanCache:
-    """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
+    """Answers to questions about one program, its plant, and what may change in it; what the routes that the search
     found for them take [s]; the runs that were driven; the questions whose search was stopped; and how a plan
     that a judge refuses is repaired."""
 
@@ -151,7 +151,7 @@ class PlanRequest:
 def find_initial_plan(
     axes: Axes, question: PlanRequest, memory: PlanCache, patience: Patience, tell: Report, seconds: dict[str, float]
 ) -> InitialPlan | Infeasible:
-    """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
+    """The fastest legal motion of the question's own routes and of those with less freedom. memory: what was found for
     other questions about the same program; what is found here is added. patience: ends the search once there is a
     motion; with a time limit the RAPID controller's is first looked for with the programmed rail. Raises NoCleanPlan,
     and Stopped where there is a motion, but none of this question."""
@@ -176,7 +176,7 @@ def find_initial_plan(
         with suppress(Stopped):  # what is quickly found comes first
             for less in reversed(others):
                 found = _of_restricted(axes, question, less, open_, memory, patience, tell, seconds)
-                if found is not None and clear(axes, found.problem, found.draft):
+                if found is not None and clear(axes, found.problem, found.iterate):
                     patience.settle()
     try:
         own = known or _search_and_time(axes, question, open_, memory, patience, tell, seconds)
@@ -198,7 +198,7 @@ def find_initial_plan(
                 near += _with_rail_freed(axes, found, memory.runs, seconds)
         except Stopped:
             memory.stopped.add((question.target, question.freedom))
-        near = [one for one in near if clear(axes, one.problem, one.draft)]
+        near = [one for one in near if clear(axes, one.problem, one.iterate)]
         best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
     if isinstance(own, Stopped):
         memory.stopped.add((question.target, question.freedom))
@@ -256,7 +256,7 @@ def _search_and_time(
     axes: Axes, question: PlanRequest, problems: Sequence[Problem], memory: PlanCache, patience: Patience, tell: Report,
     seconds: dict[str, float], may_detour: bool = True, most: float = np.inf,
 ) -> InitialPlan | Infeasible:  # fmt: skip
-    """initial_plan_of a question's problems; what its chain takes is kept. may_detour: points may be added. Raises
+    """initial_plan_of a question's problems; what its route takes is kept. may_detour: points may be added. Raises
     NoCleanPlan and _Slower."""
     name = question.target, question.freedom
 
@@ -277,9 +277,9 @@ def _varies(problem: Problem) -> tuple[object, ...]:
 def _with_rail_freed(axes: Axes, found: InitialPlan, runs: Runs, seconds: dict[str, float]) -> Iterator[InitialPlan]:
     """The motion of a lesser freedom with its rail refined in the freedom at hand."""
     start = perf_counter()
-    for chain in _with_rail_refined(axes, found.problem, found.chain, Times()):
+    for route in _with_rail_refined(axes, found.problem, found.route, Times()):
         try:
-            yield replace(found, chain=chain, draft=timed(axes, found.problem, chain, runs))
+            yield replace(found, route=route, iterate=timed(axes, found.problem, route, runs))
         except NotDriven:
             continue
     add(seconds, "timing", perf_counter() - start)
@@ -290,11 +290,11 @@ def initial_plan_of(
     runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: PlanRequest | None = None,
     most: float = np.inf,
 ) -> InitialPlan | Infeasible:  # fmt: skip
-    """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
+    """That of the problem with the fastest route that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
     with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
-    timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
-    problems they are, to add points to its program. most: what the best chain of a search takes [s] at most. Raises
+    timed. searched: hears what the best route of a search takes [s], the first one in the whole ranges. question: whose
+    problems they are, to add points to its program. most: what the best route of a search takes [s] at most. Raises
     NoCleanPlan, and _Slower where that takes longer."""
     settings = axes.settings
     failure: tuple[Problem, NotDriven] | None = None
@@ -302,34 +302,34 @@ def initial_plan_of(
     for room in settings.range_shares:
         start = perf_counter()
         narrow, known = axes.narrowed(room), Times()
-        chains = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
-        if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
+        routes = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
+        if costs := [route.cost for route, _, _ in routes if route is not None]:
             searched(min(costs))
             if min(costs) > most:
                 raise _Slower
         found = [
-            (_with_rail_refined(narrow, bound, chain, known), chain, bound, problem)
-            for chain, bound, problem in chains
-            if chain is not None
+            (_with_rail_refined(narrow, bound, route, known), route, bound, problem)
+            for route, bound, problem in routes
+            if route is not None
         ]
         add(seconds, "search", perf_counter() - start)
         hopeless = bool(found)  # with less room it takes no less
-        for tried, chain, bound, problem in sorted(found, key=lambda one: one[0][0].cost):
-            drafts: list[InitialPlan] = []
+        for tried, route, bound, problem in sorted(found, key=lambda one: one[0][0].cost):
+            iterates: list[InitialPlan] = []
             for coupled in dict.fromkeys((bound, problem)):
                 if coupled is not bound:  # a rail that suits free axes; but that for one progress may be the better one
-                    if drafts and patience.over:
+                    if iterates and patience.over:
                         break
                     start = perf_counter()
                     with suppress(Stopped):
-                        tried = _with_rail_refined(narrow, coupled, chain, known)
+                        tried = _with_rail_refined(narrow, coupled, route, known)
                     add(seconds, "search", perf_counter() - start)
                 start = perf_counter()
-                for one in _and_other_chain(narrow, coupled, chain, tried, known, patience):
+                for one in _and_other_route(narrow, coupled, route, tried, known, patience):
                     try:
-                        one, draft = timed_in_time(axes, problem, one, runs, narrow, known)
+                        one, iterate = timed_in_time(axes, problem, one, runs, narrow, known)
                     except Stopped:
-                        if not drafts:
+                        if not iterates:
                             raise
                         break
                     except NotDriven as said:
@@ -339,16 +339,16 @@ def initial_plan_of(
                             said.least is not None and wanted is not None and said.least > settings.hopeless * wanted
                         )
                         continue
-                    if isinstance(draft, NoClearPath):
-                        touched = touched or draft
+                    if isinstance(iterate, NoClearPath):
+                        touched = touched or iterate
                         continue
-                    drafts.append(InitialPlan(problem, one, draft))
+                    iterates.append(InitialPlan(problem, one, iterate))
                     if not problem.coordinated:
                         patience.answer()
-                    tell(Progress("timing", drafts[-1].duration))
+                    tell(Progress("timing", iterates[-1].duration))
                 add(seconds, "timing", perf_counter() - start)
-            if drafts:
-                return min(drafts, key=lambda one: one.duration)
+            if iterates:
+                return min(iterates, key=lambda one: one.duration)
         if touched is not None and question is not None:
             start = perf_counter()
             tell(Progress("ways around"))
@@ -383,8 +383,8 @@ def _with_detours(
     found: list[InitialPlan] = []
     failure: NoClearPath | None = None
 
-    def shifted(problem: Problem, chain: Route) -> list[Route]:
-        near = refine_rail(axes, problem, chain, known, collision_scene_of(problem))
+    def shifted(problem: Problem, route: Route) -> list[Route]:
+        near = refine_rail(axes, problem, route, known, collision_scene_of(problem))
         return [*dict.fromkeys([near, refine_corner_rail(axes, problem, near)])]
 
     for problem in problems:
@@ -392,7 +392,7 @@ def _with_detours(
             for one in clear_motions(
                 axes, coordinated(problem), problem, changes.straight, changes.detours, question.detoured, shifted, runs
             ):
-                found.append(InitialPlan(one.problem, one.chain, one.draft, one.detours))
+                found.append(InitialPlan(one.problem, one.route, one.iterate, one.detours))
                 if question.target is Target.RAPID and question.freedom == EVERYTHING:
                     patience.settle()
         except NoClearPath as said:
@@ -407,29 +407,29 @@ def _with_detours(
 
 def _better_diagnosis(touched: NoClearPath, detoured: NoClearPath | None) -> NoClearPath:
     """What tells best why there is no plan: the motion by points that touches something; else the one without, at the
-    leg where chains end that touch nothing."""
-    if detoured is None or detoured.draft is not None:
+    leg where routes end that touch nothing."""
+    if detoured is None or detoured.iterate is not None:
         return detoured or touched
     legs = tuple(k for k in detoured.legs if k in touched.legs) if detoured.problem is touched.problem else ()
-    return NoClearPath(touched.problem, legs, touched.draft, touched.chain) if legs else touched
+    return NoClearPath(touched.problem, legs, touched.iterate, touched.route) if legs else touched
 
 
-def _with_rail_refined(axes: Axes, problem: Problem, chain: Route, known: Times) -> list[Route]:
-    """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
+def _with_rail_refined(axes: Axes, problem: Problem, route: Route, known: Times) -> list[Route]:
+    """The route with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
     are nearly that, and a leg alone does not see how the rail bends in them. known: as in leg_times."""
     asked = dict.fromkeys([problem, stopped(problem) if axes.layout.has_rail else problem])
-    return [refine_corner_rail(axes, problem, refine_rail(axes, one, chain, known)) for one in asked]
+    return [refine_corner_rail(axes, problem, refine_rail(axes, one, route, known)) for one in asked]
 
 
-def _and_other_chain(
-    axes: Axes, problem: Problem, chain: Route, tried: Sequence[Route], known: Times, patience: Patience
+def _and_other_route(
+    axes: Axes, problem: Problem, route: Route, tried: Sequence[Route], known: Times, patience: Patience
 ) -> Iterator[Route]:
-    """Refined chains, and once these are driven the first of them with other parts that the search found, if they take
+    """Refined routes, and once these are driven the first of them with other parts that the search found, if they take
     less time. known: as in leg_times."""
     yield from tried
     better: Route | None = None
     with suppress(Stopped):
-        better = None if patience.over else with_better_parts(axes, problem, chain, tried[0], known)
+        better = None if patience.over else with_better_parts(axes, problem, route, tried[0], known)
     if better is not None:
         yield refine_corner_rail(axes, problem, better)
 
@@ -444,7 +444,7 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
     elif (heavy := _too_heavy(axes, problem, failure.run)) is not None:
         text = f"cannot be driven: {heavy}; take a lighter tool or load, or bring the point nearer"
     elif failure.singular is not None:
-        elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
+        elbow, wrist = axes.robot.singularity_margins(failure.singular.q[axes.layout.arm])
         what = "the wrist singularity (axes 4 and 6 parallel)" if wrist < 1 - elbow else "the stretched or folded elbow"
         p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
         text = (
@@ -478,7 +478,7 @@ def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None
 def _no_route(program: Program, tied: bool) -> Infeasible:
     index = len(program.motions) - 1
     source = program.motions[index].source
-    why = "no chain of configurations connects the start with the program's end"
+    why = "no route of configurations connects the start with the program's end"
     if tied:
         why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
     return Infeasible(index, source, why)

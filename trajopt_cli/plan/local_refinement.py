@@ -59,7 +59,7 @@ def refine(
 ) -> tuple[Problem, Iterate, tuple[str, ...]]:
     """The initial plan made faster by the nonlinear program.
 
-    Where the rail may be in motion at the stops of a short program, the chain of a search with such a rail is a start,
+    Where the rail may be in motion at the stops of a short program, the route of a search with such a rail is a start,
     too: of 200 moves of a pallet it led to something better in two windows of 17, for 0.01 % of the cycle and a sixth
     of all processor time. Runs with corners are opened, so that their points are passed in motion; where that gains
     nothing, or a window of it fails, they stay as they are, and so do their ends, but stops beside joint moves are
@@ -81,13 +81,13 @@ def refine(
         why = (
             f"{axes.robot.name}'s wrist has an offset: its plan is searched and timed, no nonlinear program improves it"
         )
-        return legal.problem, legal.draft, (why,)
-    problem, merged = merge_via_points(axes, legal.problem, legal.draft, legal.detours)
+        return legal.problem, legal.iterate, (why,)
+    problem, merged = merge_via_points(axes, legal.problem, legal.iterate, legal.detours)
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, merged, (why,)
     sweeps, report = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers), SweepReport()
-    solved, best, chain = problem, merged, None
+    solved, best, route = problem, merged, None
     base: tuple[Problem, Iterate] | None = problem, merged
     start = perf_counter()
     try:
@@ -106,12 +106,12 @@ def refine(
             if not report.stopped and (best is merged or report.failed):
                 base = _stopping_start(axes, legal)
         elif axes.layout.has_rail and problem.freedom.through_stops and len(problem.legs) <= axes.settings.few_legs:
-            chain = search(axes, problem)
+            route = search(axes, problem)
             add(seconds, "search", perf_counter() - start)
     except Stopped:
         report.stopped = True
     if base is not None:
-        found = sweeps.run(*base, report, partial(_tell_best, tell, duration(best)), chain)
+        found = sweeps.run(*base, report, partial(_tell_best, tell, duration(best)), route)
         if duration(found) < duration(best) - axes.settings.least_gain:
             solved, best = base[0], found
     return solved, best, tuple(report.notes(best is not merged, patience))
@@ -126,13 +126,13 @@ def refine_laws(
 ) -> Iterate:
     """The initial plan of axes that share one progress under jerk limits, with faster laws on its lines and arcs.
     Arguments as in refine."""
-    problem, draft = legal.problem, legal.draft
+    problem, iterate = legal.problem, legal.iterate
     held = (
-        replace(point.standing(problem.layout, q), q=q) for point, q in zip(problem.waypoints, draft.q, strict=True)
+        replace(point.standing(problem.layout, q), q=q) for point, q in zip(problem.waypoints, iterate.q, strict=True)
     )
     pinned = replace(problem, waypoints=tuple(held), ties=())
     sweeps = WindowSweeps(axes, Grids.of(problem), patience, seconds, max_workers)
-    return sweeps.run(pinned, draft, SweepReport(), lambda _: None)
+    return sweeps.run(pinned, iterate, SweepReport(), lambda _: None)
 
 
 def _tell_best(tell: Report, known: float, now: float) -> None:
@@ -151,9 +151,9 @@ def _opened(axes: Axes, legal: InitialPlan, problem: Problem, merged: Iterate) -
     if even is legal.problem:
         return opened(axes, problem, merged)
     with suppress(NotDriven):
-        draft = timed(axes, even, legal.chain)
-        if clear(axes, even, draft):
-            return opened(axes, *merge_via_points(axes, even, draft, legal.detours))
+        iterate = timed(axes, even, legal.route)
+        if clear(axes, even, iterate):
+            return opened(axes, *merge_via_points(axes, even, iterate, legal.detours))
     return None
 
 
@@ -161,18 +161,18 @@ def _stopping_start(axes: Axes, legal: InitialPlan) -> tuple[Problem, Iterate] |
     """The problem with stops at all fly-bys beside joint moves, and its motion; None where that is not driven."""
     stopping = stopped_at_joint_moves(legal.problem)
     with suppress(NotDriven):
-        draft = legal.draft if stopping is legal.problem else timed(axes, stopping, legal.chain)
-        if draft is legal.draft or clear(axes, stopping, draft):
-            return merge_via_points(axes, with_fixed_runs(stopping, legal.chain), draft, legal.detours)
+        iterate = legal.iterate if stopping is legal.problem else timed(axes, stopping, legal.route)
+        if iterate is legal.iterate or clear(axes, stopping, iterate):
+            return merge_via_points(axes, with_fixed_runs(stopping, legal.route), iterate, legal.detours)
     return None
 
 
-def with_fixed_runs(problem: Problem, chain: Route) -> Problem:
-    """The problem with the ends of every run with corners at rest where the chain has them."""
+def with_fixed_runs(problem: Problem, route: Route) -> Problem:
+    """The problem with the ends of every run with corners at rest where the route has them."""
     waypoints = list(problem.waypoints)
     for first, last in problem.runs:
         for k in range(first, last + 1) if last > first + 1 else ():
-            there = waypoints[k].standing(problem.layout, chain.q[k])
+            there = waypoints[k].standing(problem.layout, route.q[k])
             waypoints[k] = replace(there, rest=not problem.passes(k), turn=None)
     return replace(problem, waypoints=tuple(waypoints))
 
@@ -219,32 +219,32 @@ class WindowSweeps:
         self._cache: dict[bytes, _Outcome] = {}
 
     def run(
-        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, chain: Route | None = None
+        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, route: Route | None = None
     ) -> Iterate:
         """The legal motion base, faster where a window found something. tell: is told the cycle time [s] after every
-        window. chain: another start. Both ends of a steady cycle are held in turns with what lies opposite of them."""
+        window. route: another start. Both ends of a steady cycle are held in turns with what lies opposite of them."""
         if not self._axes.robot.closed_form:
             return base
         if not problem.steady:
-            return self._swept(problem, base, report, tell, chain)
-        draft, now = base, np.inf
+            return self._swept(problem, base, report, tell, route)
+        iterate, now = base, np.inf
         for _ in range(_SWEEPS):
-            draft = self._swept(ends_held(problem, draft), draft, report, tell, chain)
-            before, now = now, cost(self._axes, problem, draft.legs)
+            iterate = self._swept(ends_held(problem, iterate), iterate, report, tell, route)
+            before, now = now, cost(self._axes, problem, iterate.legs)
             if report.stopped or now > before * (1 - problem.plant.settings.sweep_gain):
                 break
-            if (seam := Seam.of(problem, draft)) is None:
+            if (seam := Seam.of(problem, iterate)) is None:
                 break
-            own, rest = SweepReport(), duration(draft) - duration(seam.draft)
-            found = self._swept(seam.problem, seam.draft, own, partial(_tell_whole, tell, rest))
-            draft, report.stopped = seam.put(found, draft), own.stopped
-        return draft
+            own, rest = SweepReport(), duration(iterate) - duration(seam.iterate)
+            found = self._swept(seam.problem, seam.iterate, own, partial(_tell_whole, tell, rest))
+            iterate, report.stopped = seam.put(found, iterate), own.stopped
+        return iterate
 
     def _swept(
-        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, chain: Route | None = None
+        self, problem: Problem, base: Iterate, report: SweepReport, tell: Tell, route: Route | None = None
     ) -> Iterate:
         """The same with both ends of the problem as free as they are in it."""
-        draft, (red, black) = base, red_black(problem)
+        iterate, (red, black) = base, red_black(problem)
         gained = dict.fromkeys((*red, *black), np.inf)  # over each window's borders since it was solved, as a share
         for _ in range(_SWEEPS):
             if report.stopped or max(gained.values()) <= problem.plant.settings.sweep_gain:
@@ -252,41 +252,41 @@ class WindowSweeps:
             for spans, others in ((red, black), (black, red)):
                 due = [span for span in spans if gained[span] > problem.plant.settings.sweep_gain]
                 try:
-                    before, draft = draft, self._side_by_side(problem, base, draft, due, report, tell, chain)
+                    before, iterate = iterate, self._side_by_side(problem, base, iterate, due, report, tell, route)
                 except Stopped:
                     report.stopped = True
-                    return draft
+                    return iterate
                 for first, last in due:
                     gained[first, last] = 0.0
-                    was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, draft))
+                    was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, iterate))
                     for span in others:
                         gained[span] += (was - now) / was if first < span[1] and span[0] < last and was else 0.0
-        return draft
+        return iterate
 
     def _side_by_side(
-        self, problem: Problem, base: Iterate, draft: Iterate, spans: Sequence[Span], report: SweepReport, tell: Tell,
-        chain: Route | None,
+        self, problem: Problem, base: Iterate, iterate: Iterate, spans: Sequence[Span], report: SweepReport, tell: Tell,
+        route: Route | None,
     ) -> Iterate:  # fmt: skip
         """The motion after windows that share no leg, equal ones solved once."""
         few = len(problem.legs) <= problem.plant.settings.few_legs
         windows: list[tuple[Window, bytes]] = []
         tasks: dict[bytes, Callable[[Callable[[Any], None]], _Outcome]] = {}
-        for window in (Window.of(problem, draft, span) for span in spans):
-            if not may_gain(self._axes, window.problem, window.draft):
+        for window in (Window.of(problem, iterate, span) for span in spans):
+            if not may_gain(self._axes, window.problem, window.iterate):
                 continue
             part = slice(window.first, window.last)
-            initial = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
+            initial = all(now is then for now, then in zip(iterate.legs[part], base.legs[part], strict=True))
             key = window.key()
             windows.append((window, key))
             if key not in self._cache:
-                starts = [_searched_start(self._axes, problem, window, chain, self._grids)] if chain and initial else []
+                starts = [_searched_start(self._axes, problem, window, route, self._grids)] if route and initial else []
                 tasks.setdefault(key, partial(self._solve, window, starts, initial, few, key))
         saved = dict.fromkeys(tasks, 0.0)
 
         def hear(told: tuple[bytes, float]) -> None:
             key, gain = told
             saved[key] = gain * sum(one == key for _, one in windows)
-            tell(duration(draft) - sum(saved.values()))
+            tell(duration(iterate) - sum(saved.values()))
 
         outcomes = dict(self._cache)
         if tasks and not outcomes:  # what it expresses and loads is there before other processes are forked
@@ -303,11 +303,11 @@ class WindowSweeps:
                 report.tried.add(span)
                 (report.failed.discard if outcome.clean else report.failed.add)(span)
             if outcome.found is not None:
-                draft = window.put(outcome.found, draft)
+                iterate = window.put(outcome.found, iterate)
         for key in tasks:
             for phase, spent in outcomes[key].seconds.items():
                 add(self._seconds, phase, spent)
-        return draft
+        return iterate
 
     def _solve(
         self, window: Window, searched: Sequence[Iterate], initial: bool, few: bool, key: bytes,
@@ -324,7 +324,7 @@ class WindowSweeps:
             key: of the window.
             tell: is told the key and what is saved [s].
         """
-        own, problem = window.draft, window.problem
+        own, problem = window.iterate, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_iterate(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
         near, seconds, clean = on_grid(self._axes, problem, own, self._grids), dict[str, float](), False
@@ -383,12 +383,12 @@ class WindowSweeps:
                 add(seconds, phase, spent)
 
 
-def _searched_start(axes: Axes, problem: Problem, window: Window, chain: Route, grids: Grids) -> Iterate:
-    """The search's chain between the window's ends; stations at an end in another configuration there stay as they
+def _searched_start(axes: Axes, problem: Problem, window: Window, route: Route, grids: Grids) -> Iterate:
+    """The search's route between the window's ends; stations at an end in another configuration there stay as they
     are."""
-    at, own = slice(window.first, window.last + 1), window.draft
-    q, qd, times = chain.q[at].copy(), chain.w[at].copy(), chain.times[window.first : window.last].copy()
-    cfx = [label.cfx for label in chain.labels[at]]
+    at, own = slice(window.first, window.last + 1), window.iterate
+    q, qd, times = route.q[at].copy(), route.w[at].copy(), route.times[window.first : window.last].copy()
+    cfx = [label.cfx for label in route.labels[at]]
     kept: set[int] = set()
     for end, point in ((0, window.problem.waypoints[0]), (len(cfx) - 1, window.problem.waypoints[-1])):
         if point.q is None:
@@ -414,9 +414,9 @@ def _alike(one: Iterate, other: Iterate) -> bool:
     return one.cfx == other.cfx and all(np.allclose(a, b, rtol=0.0, atol=_SAME) for a, b in pairs)
 
 
-def _capped(draft: Iterate) -> frozenset[int]:
+def _capped(iterate: Iterate) -> frozenset[int]:
     """The joint moves that have no closed form in a legal motion: they met a tool cap or a range."""
-    return frozenset(k for k, motion in enumerate(draft.legs) if isinstance(motion, JointNodes))
+    return frozenset(k for k, motion in enumerate(iterate.legs) if isinstance(motion, JointNodes))
 
 
 def may_gain(axes: Axes, piece: Problem, legal: Iterate) -> bool:

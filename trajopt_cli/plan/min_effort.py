@@ -64,33 +64,33 @@ def spread(times: Array, efforts: Array, least: Array, total: float) -> Array:
     return np.maximum(least, k * wish)
 
 
-def slowed_to(axes: Axes, problem: Problem, draft: Iterate, seconds: float) -> Iterate:
+def slowed_to(axes: Axes, problem: Problem, iterate: Iterate, seconds: float) -> Iterate:
     """The motion with what time is left given to the spans between rests that can be driven slower; it takes less than
     so many seconds where there is no such span. Waits keep their time."""
-    spans = _spans(axes, problem, draft)
+    spans = _spans(axes, problem, iterate)
     free = [span for span in spans if span.most > 1.0]
     fixed = sum(span.time for span in spans if span.most == 1.0)
     if not free:
-        return draft
+        return iterate
     time, effort, least = (np.array([getattr(span, name) for span in free]) for name in ("time", "effort", "least"))
     times = spread(time, effort, least, seconds - fixed)
-    legs, qd = list(draft.legs), draft.qd.copy()
-    qdd = None if draft.qdd is None else draft.qdd.copy()
+    legs, qd = list(iterate.legs), iterate.qd.copy()
+    qdd = None if iterate.qdd is None else iterate.qdd.copy()
     for span, k in zip(free, times.tolist(), strict=True):
-        legs[span.first : span.last] = [m and m.slowed(k) for m in draft.legs[span.first : span.last]]
+        legs[span.first : span.last] = [m and m.slowed(k) for m in iterate.legs[span.first : span.last]]
         qd[span.first + 1 : span.last] /= k
         if qdd is not None:
             qdd[span.first + 1 : span.last] /= k**2
-    return replace(draft, qd=qd, qdd=qdd, legs=tuple(legs))
+    return replace(iterate, qd=qd, qdd=qdd, legs=tuple(legs))
 
 
-def _spans(axes: Axes, problem: Problem, draft: Iterate) -> list[_Span]:
-    moves = np.abs(draft.qd if draft.qdd is None else np.hstack([draft.qd, draft.qdd])).max(axis=1) > 0
-    marks = [k for k in range(len(draft.q)) if not problem.passes(k) and not moves[k]]
-    each = efforts(axes, draft.legs)
+def _spans(axes: Axes, problem: Problem, iterate: Iterate) -> list[_Span]:
+    moves = np.abs(iterate.qd if iterate.qdd is None else np.hstack([iterate.qd, iterate.qdd])).max(axis=1) > 0
+    marks = [k for k in range(len(iterate.q)) if not problem.passes(k) and not moves[k]]
+    each = efforts(axes, iterate.legs)
     out = []
     for first, last in pairwise(marks):
-        legs, motions = problem.legs[first:last], draft.legs[first:last]
+        legs, motions = problem.legs[first:last], iterate.legs[first:last]
         there = [(leg, motion) for leg, motion in zip(legs, motions, strict=True) if motion is not None]
         time, stiff = sum(motion.T for _, motion in there), any(leg.duration is not None for leg in legs)
         least = 1.0
@@ -106,11 +106,11 @@ def _spans(axes: Axes, problem: Problem, draft: Iterate) -> list[_Span]:
 
 
 def with_min_effort_laws(
-    axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, seconds: float
+    axes: Axes, formulation: Formulation, problem: Problem, iterate: Iterate, seconds: float
 ) -> Iterate:
     """The motion of runs that share one progress, in so many seconds, with laws of least effort where they were found.
     Never more effort than time alone gives it."""
-    best = slowed_to(axes, problem, draft, seconds)
+    best = slowed_to(axes, problem, iterate, seconds)
     for _ in range(axes.settings.effort_rounds):
         legs, known = list(best.legs), dict[bytes, dict[int, LegMotion]]()
         for span in _spans(axes, problem, best):
@@ -131,11 +131,11 @@ def with_min_effort_laws(
 
 
 def _min_effort_motions(
-    axes: Axes, formulation: Formulation, problem: Problem, draft: Iterate, span: _Span
+    axes: Axes, formulation: Formulation, problem: Problem, iterate: Iterate, span: _Span
 ) -> dict[int, LegMotion]:
     """A span's motions by the law of least effort; none where no gentler one is found."""
     settings = axes.settings
-    path = sample_path(axes, problem, (span.first, span.last), draft.q, draft.cfx, settings.run_nodes)
+    path = sample_path(axes, problem, (span.first, span.last), iterate.q, iterate.cfx, settings.run_nodes)
     if path is None:
         return {}
 
@@ -175,10 +175,10 @@ def least_effort_plan(
     formulation, bases = Formulation(axes), list[tuple[Problem, Iterate]]()
     for one in legal:
         if one.duration <= seconds:
-            base = slowed_to(axes, one.problem, one.draft, seconds)
+            base = slowed_to(axes, one.problem, one.iterate, seconds)
             if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
-                base = with_min_effort_laws(axes, formulation, one.problem, one.draft, seconds)
-            own = with_fixed_runs(one.problem, one.chain)
+                base = with_min_effort_laws(axes, formulation, one.problem, one.iterate, seconds)
+            own = with_fixed_runs(one.problem, one.route)
             bases.append((own, base) if solved.coordinated else merge_via_points(axes, own, base, one.detours))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
@@ -195,38 +195,38 @@ def least_effort_plan(
 
 
 def _swept(
-    axes: Axes, sweeps: WindowSweeps, problem: Problem, draft: Iterate, seconds: float, tally: SweepReport
+    axes: Axes, sweeps: WindowSweeps, problem: Problem, iterate: Iterate, seconds: float, tally: SweepReport
 ) -> Iterate:
     """The motion with free axes made gentler window by window, and its time given anew to what it became."""
     asked = replace(problem, objective=LeastEffort(seconds))
     for _ in range(axes.settings.effort_rounds):
-        draft = sweeps.run(asked, draft, tally, lambda _: None)
-        again = slowed_to(axes, problem, draft, seconds)
-        before, after = (float(efforts(axes, one.legs).sum()) for one in (draft, again))
-        if duration(draft) >= seconds * (1 - _SAME) and after >= before:
-            return draft
-        draft = again
+        iterate = sweeps.run(asked, iterate, tally, lambda _: None)
+        again = slowed_to(axes, problem, iterate, seconds)
+        before, after = (float(efforts(axes, one.legs).sum()) for one in (iterate, again))
+        if duration(iterate) >= seconds * (1 - _SAME) and after >= before:
+            return iterate
+        iterate = again
         if before - after < axes.settings.sweep_gain * before:
-            return draft
-    return draft
+            return iterate
+    return iterate
 
 
-def _with_rest_at_end(problem: Problem, draft: Iterate, seconds: float) -> tuple[Iterate, tuple[str, ...]]:
+def _with_rest_at_end(problem: Problem, iterate: Iterate, seconds: float) -> tuple[Iterate, tuple[str, ...]]:
     """The motion with a rest where no leg of it could be given what time is left, and a word on it."""
-    left = seconds - duration(draft)
+    left = seconds - duration(iterate)
     if left <= seconds * _SAME:
-        return draft, ()
+        return iterate, ()
     rests = [
         k
-        for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True))
-        if motion is not None and leg.duration is None and not problem.passes(k + 1) and not draft.qd[k + 1].any()
+        for k, (leg, motion) in enumerate(zip(problem.legs, iterate.legs, strict=True))
+        if motion is not None and leg.duration is None and not problem.passes(k + 1) and not iterate.qd[k + 1].any()
     ]
     if not rests:
-        return draft, (f"{left:.6f} s of the given time are left: every leg has a time that the program gives",)
-    motion, still = draft.legs[rests[-1]], np.array([draft.q[rests[-1] + 1]] * 2)
+        return iterate, (f"{left:.6f} s of the given time are left: every leg has a time that the program gives",)
+    motion, still = iterate.legs[rests[-1]], np.array([iterate.q[rests[-1] + 1]] * 2)
     assert motion is not None
     rest = JointNodes(left, np.array([0.0, 1.0]), still, np.zeros_like(still), np.zeros_like(still[:1]))
-    legs = list(draft.legs)
+    legs = list(iterate.legs)
     legs[rests[-1]] = Pieces((*(motion.pieces if isinstance(motion, Pieces) else (motion,)), rest))
     note = f"the last {left:.6f} s before a stop are a rest: no leg could be given more time"
-    return replace(draft, legs=tuple(legs)), (note,)
+    return replace(iterate, legs=tuple(legs)), (note,)

@@ -24,13 +24,13 @@ _RESIDUAL = 1e-14  # rad or m: rounding of a position in a row.
 _SAME_TIME = 1e-09  # s; boundaries nearer than this are one row.
 _LONG_MOTION = 60.0  # s; a motion that takes longer has rows as many times farther apart.
 _LONG_CYCLE = 600.0  # s; the same of a cycle: 10,000 moves of a pallet, an hour, would have 6 million rows, 1.5 GB.
-_ROWS_WIDEST = 20  # ROW_EVERY: the judge wants rows every 20 ms.
+_ROWS_WIDEST = 20  # row_step: the judge wants rows every 20 ms.
 
 
-def rows_of(axes: Axes, problem: Problem, draft: Iterate) -> tuple[Trajectory, Array, Array]:
-    """The rows and leg boundaries [s] of a clean draft, denser where the cubic between two rows would pass a limit; and
-    the times (m,) [s] where it does however dense they are."""
-    legs, end, busy = motions_of(draft), _end(problem, draft), turning(problem)
+def rows_of(axes: Axes, problem: Problem, iterate: Iterate) -> tuple[Trajectory, Array, Array]:
+    """The rows and leg boundaries [s] of a clean iterate, denser where the cubic between two rows would pass a limit;
+    and the times (m,) [s] where it does however dense they are."""
+    legs, end, busy = motions_of(iterate), _end(problem, iterate), turning(problem)
     more = switches(problem, legs)
     for last in range(_DENSER, -1, -1):
         trajectory, bounds = output_rows(axes, legs, end, more, busy)
@@ -98,7 +98,7 @@ def _apart(times: Array, marks: Array, least: float) -> BoolArray:
 
 
 def _grid(breaks: Array, even: BoolArray, every: float) -> Array:
-    """The grid times from break to break (N+1,) where rows are even (N,), so many ROW_EVERY apart."""
+    """The grid times from break to break (N+1,) where rows are even (N,), so many row steps apart."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]])))
     ticks = [
         np.arange(np.ceil(breaks[a] / every - 1e-9), np.floor(breaks[b] / every + 1e-9) + 1)
@@ -134,11 +134,11 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     return np.flatnonzero(over)
 
 
-def _end(problem: Problem, draft: Iterate) -> Array:
+def _end(problem: Problem, iterate: Iterate) -> Array:
     stop = problem.waypoints[-1]
-    return stop.q if stop.q is not None else draft.q[-1]
+    return stop.q if stop.q is not None else iterate.q[-1]
 
 
-def motions_of(draft: Iterate) -> list[LegMotion]:
+def motions_of(iterate: Iterate) -> list[LegMotion]:
     """The motions of its legs, in order."""
-    return [motion for motion in draft.legs if motion is not None]
+    return [motion for motion in iterate.legs if motion is not None]

@@ -66,7 +66,7 @@ class Effect:
 
     gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
     where it does besides. first_order: the same by multipliers, or, of runs with one progress for all axes, by timing
-    the same course; None where there is none. active: whether the change meets anything that binds.
+    the same path; None where there is none. active: whether the change meets anything that binds.
     """
 
     gain: float | None
@@ -81,17 +81,17 @@ class _Motion:
 
     axes: Axes
     problem: Problem
-    chain: Route
-    draft: Iterate
+    route: Route
+    iterate: Iterate
 
     def part(self, span: Span) -> tuple[Window, Route]:
-        """The legs of a span as a problem of their own, and their part of the chain."""
+        """The legs of a span as a problem of their own, and their part of the route."""
         at = slice(span[0], span[1] + 1)
-        chain = replace(
-            self.chain, q=self.chain.q[at], w=self.chain.w[at], labels=self.chain.labels[at],
-            times=self.chain.times[span[0] : span[1]],
+        route = replace(
+            self.route, q=self.route.q[at], w=self.route.w[at], labels=self.route.labels[at],
+            times=self.route.times[span[0] : span[1]],
         )  # fmt: skip
-        return Window.of(self.problem, self.draft, span), chain
+        return Window.of(self.problem, self.iterate, span), route
 
 
 class PlanSensitivity:
@@ -108,13 +108,13 @@ class PlanSensitivity:
         self._program = program
         axes = Axes.of(plant)
         problem = self._problem(program, plant)
-        chain, qd = _route_of_plan(axes, problem, plan)
-        grids, capped = Grids.of(problem), _capped(axes, problem, chain, qd)
-        cfx = tuple(label.cfx for label in chain.labels)
-        draft = first_iterate(axes, problem, chain.q, qd, cfx, chain.times, grids, capped)
+        route, qd = _route_of_plan(axes, problem, plan)
+        grids, capped = Grids.of(problem), _capped(axes, problem, route, qd)
+        cfx = tuple(label.cfx for label in route.labels)
+        iterate = first_iterate(axes, problem, route.q, qd, cfx, route.times, grids, capped)
         if not problem.coordinated and self._passed:
-            problem = with_fixed_runs(problem, chain)
-        self.motion = _Motion(axes, problem, chain, draft)
+            problem = with_fixed_runs(problem, route)
+        self.motion = _Motion(axes, problem, route, iterate)
         self._formulation = Formulation(axes)
         self._parts: list[_SolvedWindow | _TimedRuns] = []
         known: dict[bytes, _SolvedWindow | None] = {}
@@ -126,9 +126,9 @@ class PlanSensitivity:
                 key = window.key()
                 if key not in known:
                     found = _SolvedWindow.of(axes, self._formulation, grids, window)
-                    if found is None or found.duration > (1 + _LATER) * duration(window.draft):
+                    if found is None or found.duration > (1 + _LATER) * duration(window.iterate):
                         # the coarse grid led away from the plan; the last one does not
-                        nearer = replace(window, draft=on_grid(axes, window.problem, window.draft, grids))
+                        nearer = replace(window, iterate=on_grid(axes, window.problem, window.iterate, grids))
                         other = _SolvedWindow.of(axes, self._formulation, grids, nearer)
                         found = min(filter(None, (found, other)), key=lambda one: one.duration, default=None)
                     known[key] = found
@@ -140,8 +140,8 @@ class PlanSensitivity:
             else:
                 for run in window.problem.runs:
                     first, last = (span[0] + k for k in run)
-                    inner, chain_of_run = self.motion.part((first, last))
-                    self._parts.append(_TimedRuns(axes, (first, last), inner.problem, chain_of_run))
+                    inner, route_of_run = self.motion.part((first, last))
+                    self._parts.append(_TimedRuns(axes, (first, last), inner.problem, route_of_run))
         try:
             self.duration = sum(part.duration for part in self._parts)
         except NotDriven as no:
@@ -166,7 +166,7 @@ class PlanSensitivity:
                     and slope is not None
                     and abs(slope / settings.small_change) < settings.least_gain
                 ):
-                    continue  # it stays optimal where no multiplier says otherwise, and a law on its course
+                    continue  # it stays optimal where no multiplier says otherwise, and a law on its path
                 try:
                     gain += part.duration - part.again(self.motion, whole, found)
                 except (NotConverged, NotDriven) as no:
@@ -218,27 +218,27 @@ class PlanSensitivity:
             q, qd = _placed(axes, problem, before, moved, shift)
             legs_there = tuple(
                 None if motion is None else _leg_with_change(problem, k, motion, q)
-                for k, motion in enumerate(before.draft.legs)
+                for k, motion in enumerate(before.iterate.legs)
             )
             ways = (motion.node_arm(axes) for motion in legs_there if isinstance(motion, PathLeg))
             inside = axes.within(q[moved], _SAME).all()
             if inside and all(np.isfinite(arm).all() for arm in ways):
-                chain = replace(before.chain, q=q)
+                route = replace(before.route, q=q)
                 if not problem.coordinated and self._passed:
-                    problem = with_fixed_runs(problem, chain)
-                return _Motion(axes, problem, chain, Iterate(q, qd, before.draft.cfx, legs_there))
+                    problem = with_fixed_runs(problem, route)
+                return _Motion(axes, problem, route, Iterate(q, qd, before.iterate.cfx, legs_there))
         raise NotResolvable("the arm does not reach there in the plan's configuration; --search plans anew")
 
 
 @dataclass(frozen=True, eq=False)
 class _SolvedWindow:
-    """A window of the plan solved by the nonlinear program: its clean draft, program, answer and multipliers."""
+    """A window of the plan solved by the nonlinear program: its clean iterate, program, answer and multipliers."""
 
     formulation: Formulation
     grids: Grids
     span: Span
     duration: float
-    draft: Iterate
+    iterate: Iterate
     program: Transcription
     answer: NlpResult
 
@@ -249,7 +249,7 @@ class _SolvedWindow:
             axes, formulation, window.problem, in_force(), grids, collision_scene_of(window.problem)
         )
         try:
-            draft = refiner.run(window.draft)
+            iterate = refiner.run(window.iterate)
         except NotConverged:
             return None
         assert refiner.solved is not None
@@ -257,7 +257,7 @@ class _SolvedWindow:
         if result is None:
             return None
         span = window.first, window.last
-        return cls(formulation, grids, span, duration(draft), draft, program, result)
+        return cls(formulation, grids, span, duration(iterate), iterate, program, result)
 
     @property
     def rail_refined(self) -> bool:
@@ -275,21 +275,23 @@ class _SolvedWindow:
     def _with_rail_moved(self, after: _Motion) -> tuple[Problem, Iterate]:
         """The window's problem and clean motion with the change."""
         window, _ = after.part(self.span)
-        q, qd = self.draft.q.copy(), self.draft.qd.copy()
+        q, qd = self.iterate.q.copy(), self.iterate.qd.copy()
         for k, point in enumerate(window.problem.waypoints):
             if point.q is not None:
-                q[k], qd[k] = point.q, window.draft.qd[k]
+                q[k], qd[k] = point.q, window.iterate.qd[k]
         legs = tuple(
             None if motion is None else _leg_with_change(window.problem, k, motion, q)
-            for k, motion in enumerate(self.draft.legs)
+            for k, motion in enumerate(self.iterate.legs)
         )
-        return window.problem, Iterate(q, qd, self.draft.cfx, legs)
+        return window.problem, Iterate(q, qd, self.iterate.cfx, legs)
 
     def first_order(self, before: _Motion, after: _Motion) -> float | None:
         """By how much the time changes [s] where the answer stays optimal: what the Lagrangian changes by at the
         answer, with its multipliers."""
-        problem, draft = self._with_rail_moved(after)
-        other = Transcription(after.axes, self.formulation, problem, draft, self.program.margins, self.program.tangents)
+        problem, iterate = self._with_rail_moved(after)
+        other = Transcription(
+            after.axes, self.formulation, problem, iterate, self.program.margins, self.program.tangents
+        )
         change = self.program.nlp.lagrangian_change(other.nlp, self.answer)
         if not np.isfinite(change):  # it leads where the arm does not reach
             return None
@@ -300,42 +302,42 @@ class _SolvedWindow:
 
     def again(self, before: _Motion, after: _Motion, found: dict[bytes, float]) -> float:
         """The window's time [s] solved again. found: of windows that ask for the same. Raises NotConverged."""
-        problem, draft = self._with_rail_moved(after)
-        key = replace(after.part(self.span)[0], draft=draft).key()
+        problem, iterate = self._with_rail_moved(after)
+        key = replace(after.part(self.span)[0], iterate=iterate).key()
         if key not in found:
             refiner = MeshRefinement(
                 after.axes, self.formulation, problem, in_force(), self.grids, collision_scene_of(problem)
             )
             try:
-                draft = refiner.again(draft, self.program, self.answer)
+                iterate = refiner.again(iterate, self.program, self.answer)
             except NotConverged:  # from farther away, as the plan itself
-                draft = refiner.run(after.part(self.span)[0].draft)
-            found[key] = duration(draft)
+                iterate = refiner.run(after.part(self.span)[0].iterate)
+            found[key] = duration(iterate)
         return found[key]
 
 
 @dataclass(frozen=True, eq=False)
 class _TimedRuns:
-    """Runs of the plan in which all axes have one progress: their chain."""
+    """Runs of the plan in which all axes have one progress: their route."""
 
     axes: Axes
     span: Span
     problem: Problem
-    chain: Route
+    route: Route
 
     @property
     def rail_refined(self) -> bool:
-        """Whether its rail is shifted, which the same course says nothing of."""
+        """Whether its rail is shifted, which the same path says nothing of."""
         return _rail_refined(self.axes, self.problem)
 
     @cached_property
     def _timed(self) -> Iterate:
-        return timed(self.axes, self.problem, self.chain)
+        return timed(self.axes, self.problem, self.route)
 
     @cached_property
     def duration(self) -> float:
         """With the rail shifted as again does it [s]."""
-        return min(duration(self._timed), self._with_rail_refined(self.axes, self.problem, self.chain))
+        return min(duration(self._timed), self._with_rail_refined(self.axes, self.problem, self.route))
 
     @cached_property
     def _near(self) -> BoolArray:
@@ -357,45 +359,45 @@ class _TimedRuns:
             return "no shorter: the rail move needs this wait or programmed time"
         return "a run of the plan cannot be driven so"
 
-    def _on_course(self, before: _Motion, after: _Motion) -> float:
-        """The time on the same course [s]: of what feels the change, timed anew. Raises NotDriven."""
+    def _on_path(self, before: _Motion, after: _Motion) -> float:
+        """The time on the same path [s]: of what feels the change, timed anew. Raises NotDriven."""
         active, total = self._active_legs(before, after), 0.0
         for first, last in self.problem.runs:
             at = slice(first, last)
             if active[at].any():
-                window, chain = after.part((self.span[0] + first, self.span[0] + last))
-                total += duration(timed(after.axes, window.problem, chain))
+                window, route = after.part((self.span[0] + first, self.span[0] + last))
+                total += duration(timed(after.axes, window.problem, route))
             else:
                 total += sum(leg.T for leg in self._timed.legs[at] if leg is not None)
         return total
 
     def first_order(self, before: _Motion, after: _Motion) -> float | None:
-        """By how much the time changes on the same course [s]; None where it cannot be driven so."""
+        """By how much the time changes on the same path [s]; None where it cannot be driven so."""
         try:
-            return self._on_course(before, after) - duration(self._timed)
+            return self._on_path(before, after) - duration(self._timed)
         except NotDriven:
             return None
 
     def again(self, before: _Motion, after: _Motion, found: dict[bytes, float]) -> float:
         """The time [s] with the change. found: of runs that ask for the same. Raises NotDriven."""
-        window, chain = after.part(self.span)
+        window, route = after.part(self.span)
         key = window.key()
         if key not in found:
-            shifted = self._with_rail_refined(after.axes, window.problem, chain)
+            shifted = self._with_rail_refined(after.axes, window.problem, route)
             try:
-                found[key] = min(shifted, self._on_course(before, after))
+                found[key] = min(shifted, self._on_path(before, after))
             except NotDriven:
                 if not np.isfinite(shifted):
                     raise
                 found[key] = shifted
         return found[key]
 
-    def _with_rail_refined(self, axes: Axes, problem: Problem, chain: Route) -> float:
+    def _with_rail_refined(self, axes: Axes, problem: Problem, route: Route) -> float:
         """The time with the rail refined [s]; infinite where corners bind it, or where nothing is driven so."""
         if not _rail_refined(axes, problem):
             return np.inf
         try:
-            return duration(timed(axes, problem, refine_rail(axes, problem, chain)))
+            return duration(timed(axes, problem, refine_rail(axes, problem, route)))
         except NotDriven:
             return np.inf
 
@@ -411,8 +413,8 @@ def _refinable(axes: Axes, window: Window) -> bool:
     problem = window.problem
     if problem.coordinated or any(problem.passes(k) for k in range(len(problem.waypoints))):
         return False
-    nodes = any(isinstance(motion, JointNodes) for motion in window.draft.legs)
-    return nodes or may_gain(axes, problem, window.draft)
+    nodes = any(isinstance(motion, JointNodes) for motion in window.iterate.legs)
+    return nodes or may_gain(axes, problem, window.iterate)
 
 
 def _rail_refined(axes: Axes, problem: Problem) -> bool:
@@ -454,10 +456,10 @@ def _near(ratios: Ratios, axes: Axes) -> BoolArray:
 def _placed(axes: Axes, problem: Problem, before: _Motion, moved: list[int], shift: float) -> tuple[Array, Array]:
     """Axes and velocities (M, n) at all waypoints where some of them were moved, their rail by a shift [m]; NaN where
     the arm does not reach."""
-    q, qd, layout = before.chain.q.copy(), before.draft.qd.copy(), axes.layout
+    q, qd, layout = before.route.q.copy(), before.iterate.qd.copy(), axes.layout
     for k in moved:
         d = q[k, layout.rail] + shift
-        arm = axes.inverse(problem.waypoints[k].X_WF[None], d[None])[0, before.draft.cfx[k]]
+        arm = axes.inverse(problem.waypoints[k].X_WF[None], d[None])[0, before.iterate.cfx[k]]
         q[k] = layout.merge(d, arm + 2 * np.pi * np.round((q[k, layout.arm] - arm) / (2 * np.pi)))
         if np.isfinite(arm).all():
             qd[k, layout.arm] = axes.self_motion(q[k]) @ qd[k, layout.rail]
@@ -468,7 +470,7 @@ def _waits_alike(before: Program, after: Program, index: int) -> bool:
     return before.motions[index] is after.motions[index]
 
 
-# ---------------------------------------------------------------------------------------------- from a plan to a draft
+# -------------------------------------------------------------------------------------------- from a plan to an iterate
 
 
 def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Array]:
@@ -503,17 +505,17 @@ def _route_of_plan(axes: Axes, problem: Problem, plan: Plan) -> tuple[Route, Arr
     return Route(q, rail, tuple(labels), times, float(times.sum())), qd
 
 
-def _capped(axes: Axes, problem: Problem, chain: Route, qd: Array) -> frozenset[int]:
+def _capped(axes: Axes, problem: Problem, route: Route, qd: Array) -> frozenset[int]:
     """The joint moves that the plan does not drive in closed form."""
     settings = axes.settings
 
     def closed(k: int, leg: Leg) -> bool:
-        ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
+        ends = route.q[k], qd[k], route.q[k + 1], qd[k + 1]
         limits = axes.velocity_on(leg), axes.acceleration_on(leg)
         with suppress(ValueError):  # switches that a file could not tell apart
             motion = profiles(*ends, *limits, leg.duration or 0.0, problem.coordinated, settings)
             legal = check_leg(axes, leg, motion).worst <= 1 + settings.closed_form_excess
-            return legal and chain.times[k] - settings.least_gain < motion.T
+            return legal and route.times[k] - settings.least_gain < motion.T
         return False
 
     return frozenset(k for k, leg in enumerate(problem.legs) if leg.kind is LegKind.JOINT and not closed(k, leg))

@@ -44,18 +44,18 @@ _ROWS = "the file's rows would have passed a limit"
 
 
 def timed_in_time(
-    axes: Axes, problem: Problem, chain: Route, runs: Runs | None, room: Axes, known: Times
+    axes: Axes, problem: Problem, route: Route, runs: Runs | None, room: Axes, known: Times
 ) -> tuple[Route, Iterate | NoClearPath]:
-    """A chain as timed; where a leg has less time than it takes, one whose rail goes as far in that leg as can be
+    """A route as timed; where a leg has less time than it takes, one whose rail goes as far in that leg as can be
     driven, and elsewhere what suits that best.
 
     Args:
-        axes, problem, chain, runs: as in timed_clear.
+        axes, problem, route, runs: as in timed_clear.
         room: axes in whose ranges rail positions are looked for.
         known: as in leg_times.
 
     Returns:
-        The chain that was driven, and what timed_clear says of it.
+        The route that was driven, and what timed_clear says of it.
 
     Raises:
         NotDriven: where no way is short enough, or none is what is wrong.
@@ -63,60 +63,60 @@ def timed_in_time(
     asked, tries = problem, Counter[int]()
     while True:
         try:
-            return chain, timed_clear(axes, problem, chain, runs)
+            return route, timed_clear(axes, problem, route, runs)
         except NotDriven as said:
             k = said.run[0]
             has = problem.legs[k].duration
             tries[k] += 1
             if said.least is None or has is None or tries[k] > _SHORTENINGS:
                 raise
-            if said.least > axes.settings.hopeless * has:  # the chain's rail was refined to be the least late
+            if said.least > axes.settings.hopeless * has:  # the route's rail was refined to be the least late
                 raise
-            shorter = refine_rail(room, asked, chain, known)
-            if np.abs(shorter.q - chain.q).max() < _SAME:  # the few nodes it is timed on there say that it fits
+            shorter = refine_rail(room, asked, route, known)
+            if np.abs(shorter.q - route.q).max() < _SAME:  # the few nodes it is timed on there say that it fits
                 legs = list(asked.legs)
                 legs[k] = replace(legs[k], duration=(legs[k].duration or has) * has / said.least * (1 - _HAIR))
                 asked = replace(asked, legs=tuple(legs))
-                shorter = refine_rail(room, asked, chain, known)
-                if np.abs(shorter.q - chain.q).max() < _SAME:
+                shorter = refine_rail(room, asked, route, known)
+                if np.abs(shorter.q - route.q).max() < _SAME:
                     raise
-            chain = shorter
+            route = shorter
 
 
 @dataclass(frozen=True, eq=False)
 class Mended:
     """A motion with its rows and the boundaries of its legs (L + 1,) [s], and what a reader should know of it."""
 
-    draft: Iterate
+    iterate: Iterate
     rows: tuple[Trajectory, Array]
     notes: tuple[str, ...]
 
 
-def with_legal_rows(axes: Axes, problem: Problem, draft: Iterate, patience: Patience) -> Mended | None:
+def with_legal_rows(axes: Axes, problem: Problem, iterate: Iterate, patience: Patience) -> Mended | None:
     """A clean motion whose rows keep every limit between them, too: as it is, or mended where they do not; None where
     that cannot be."""
-    took = duration(draft)
+    took = duration(iterate)
     rounds = Counter[Span]()
     for _ in range(_ROW_ROUNDS):
-        trajectory, bounds, over = rows_of(axes, problem, draft)
+        trajectory, bounds, over = rows_of(axes, problem, iterate)
         if not len(over):
-            notes = _told(problem, rounds, duration(draft) / took - 1, _ROWS) if rounds else ()
-            return Mended(draft, (trajectory, bounds), notes)
-        found = _gentler_at(axes, problem, draft, over, 1 - axes.settings.start, rounds, patience)
+            notes = _told(problem, rounds, duration(iterate) / took - 1, _ROWS) if rounds else ()
+            return Mended(iterate, (trajectory, bounds), notes)
+        found = _gentler_at(axes, problem, iterate, over, 1 - axes.settings.start, rounds, patience)
         if found is None:
             return None
-        draft = found
+        iterate = found
     return None
 
 
 def repaired(
-    axes: Axes, problem: Problem, draft: Iterate, notes: tuple[str, ...], first: tuple[Problem, Iterate] | None,
+    axes: Axes, problem: Problem, iterate: Iterate, notes: tuple[str, ...], first: tuple[Problem, Iterate] | None,
     patience: Patience, planned: Callable[[Problem, Mended], Plan], judged: Judged, judge: Callable[[Plan], Judged],
 ) -> Judged:  # fmt: skip
     """A plan that a judge refuses, repaired: slower where it is too fast, else the first legal motion.
 
     Args:
-        problem, draft, notes: what was planned.
+        problem, iterate, notes: what was planned.
         first: the first legal motion and its problem, None where it is that.
         planned: makes a plan of a motion.
         judged: the plan and what the judge says of it.
@@ -125,21 +125,24 @@ def repaired(
     Returns:
         The last plan that was judged: the first legal one where any is.
     """
-    took, left, rounds, hair = duration(draft), _REFUSALS, Counter[Span](), 1 - axes.settings.start
+    took, left, rounds, hair = duration(iterate), _REFUSALS, Counter[Span](), 1 - axes.settings.start
     while not judged.report.legal:
         over, why, left = np.array(judged.report.excesses).T, judged.report.refusal, left - 1
         slower = None
         if len(over) and left >= 0:
             times = np.concatenate([over[0] - axes.settings.row_step, over[0] + axes.settings.row_step])
-            slower = _gentler_at(axes, problem, draft, times, max(over[1].max(), hair), rounds, patience)
+            slower = _gentler_at(axes, problem, iterate, times, max(over[1].max(), hair), rounds, patience)
         if slower is not None and (first is None or duration(slower) < duration(first[1])):
-            draft, told = slower, _told(problem, rounds, duration(slower) / took - 1, f"as it was found the plan {why}")
+            iterate, told = (
+                slower,
+                _told(problem, rounds, duration(slower) / took - 1, f"as it was found the plan {why}"),
+            )
         elif first is not None:
-            (problem, draft), first, rounds, told = first, None, Counter(), ()
+            (problem, iterate), first, rounds, told = first, None, Counter(), ()
             notes = (f"the plan is the first legal one: the faster one, of {took:.3f} s, {why}",)
         else:
             break
-        if (mended := with_legal_rows(axes, problem, draft, patience)) is not None:
+        if (mended := with_legal_rows(axes, problem, iterate, patience)) is not None:
             judged = judge(planned(problem, replace(mended, notes=(*notes, *told, *mended.notes))))
     return judged
 
@@ -151,49 +154,55 @@ def _told(problem: Problem, spans: Iterable[Span], longer: float, why: str) -> t
 
 
 def _gentler_at(
-    axes: Axes, problem: Problem, draft: Iterate, times: Array, share: float, rounds: Counter[Span], patience: Patience
+    axes: Axes,
+    problem: Problem,
+    iterate: Iterate,
+    times: Array,
+    share: float,
+    rounds: Counter[Span],
+    patience: Patience,
 ) -> Iterate | None:
     """The motion with a share less of every limit around some times [s], twice as much at each further round; None
     where no such motion is found, or nothing moves then."""
-    motions = motions_of(draft)
+    motions = motions_of(iterate)
     at = np.unique(np.searchsorted(np.cumsum([motion.T for motion in motions[:-1]]), times, side="right")).tolist()
     legs = [k for k in at if not motions[k].resting().all()]
-    for span in sorted({_from_rest_to_rest(problem, draft, k) for k in legs}):
+    for span in sorted({_from_rest_to_rest(problem, iterate, k) for k in legs}):
         less = min(share * 2.0 ** rounds[span], _MOST_LESS)
         rounds[span] += 1
-        found = _gentler(axes, problem, draft, span, [k for k in legs if span[0] <= k < span[1]], less, patience)
+        found = _gentler(axes, problem, iterate, span, [k for k in legs if span[0] <= k < span[1]], less, patience)
         if found is None:
             return None
-        draft = found
-    return draft if legs else None
+        iterate = found
+    return iterate if legs else None
 
 
-def _from_rest_to_rest(problem: Problem, draft: Iterate, k: int) -> Span:
+def _from_rest_to_rest(problem: Problem, iterate: Iterate, k: int) -> Span:
     """The legs around leg k, itself among them, from a waypoint at rest to the next one."""
-    at_rest = [not problem.passes(i) and not draft.qd[i].any() for i in range(len(problem.waypoints))]
+    at_rest = [not problem.passes(i) and not iterate.qd[i].any() for i in range(len(problem.waypoints))]
     first = next((i for i in range(k, 0, -1) if at_rest[i]), 0)
     return first, next((i for i in range(k + 1, len(problem.legs)) if at_rest[i]), len(problem.legs))
 
 
 def _gentler(
-    axes: Axes, problem: Problem, draft: Iterate, span: Span, legs: Sequence[int], share: float, patience: Patience
+    axes: Axes, problem: Problem, iterate: Iterate, span: Span, legs: Sequence[int], share: float, patience: Patience
 ) -> Iterate | None:
     """The motion with a span so much slower, or with so much less of every limit on some of its legs; None where no
     such motion is found."""
-    window = Window.of(problem, draft, span)
+    window = Window.of(problem, iterate, span)
     timed = any(leg.duration is not None for leg in window.problem.legs)
     if not timed and not isinstance(problem.objective, LeastEffort):
-        return window.put(slowed(window.problem, window.draft, 1 + share), draft)
+        return window.put(slowed(window.problem, window.iterate, 1 + share), iterate)
     beside, first = problem.plant.settings.window_overlap // 2, span[0]
     near = max(first, legs[0] - beside), min(span[1], legs[-1] + 1 + beside)
     if near != span:  # the ends are held in motion
-        window, first = Window.of(problem, draft, near), near[0]
+        window, first = Window.of(problem, iterate, near), near[0]
     if any(window.problem.passes(k) for k in range(len(window.problem.waypoints))):
         return None
     scene = collision_scene_of(window.problem)
     refiner = MeshRefinement(axes, Formulation(axes), window.problem, patience, Grids.of(problem), scene)
     try:
-        found = refiner.tightened(window.draft, [k - first for k in legs], 1 - 2 * share)
+        found = refiner.tightened(window.iterate, [k - first for k in legs], 1 - 2 * share)
     except (NotConverged, Stopped):
         return None
-    return window.put(found, draft) if clear(axes, window.problem, found) else None
+    return window.put(found, iterate) if clear(axes, window.problem, found) else None

@@ -36,7 +36,7 @@ from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
-from trajopt_cli.plan.tool_turns import chain_time, ladder, reachable, refined_turns, stays_at_wrist
+from trajopt_cli.plan.tool_turns import best_sampled_turns, reachable, refined_turns, route_time, stays_at_wrist
 from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, Numbering, folded, quoted
@@ -184,7 +184,7 @@ def _out_of_reach(axes: Axes, question: PlanRequest, problem: Problem, turns: Ma
 def _turned(
     question: PlanRequest, known: InitialPlan, base: dict[int, float], patience: Patience, tell: Report
 ) -> Iterator[tuple[dict[int, float], PlanCache]]:
-    """Turns [rad] of targets, by motion, with which a faster chain is found than that of a plan with those of base,
+    """Turns [rad] of targets, by motion, with which a faster route is found than that of a plan with those of base,
     each with a legal motion through it or, where the search finds a faster one still, without. For a stream, which may
     turn the tool as it goes, those of base where there is none."""
     if not _may_turn(question):
@@ -192,23 +192,23 @@ def _turned(
     axes, name = Axes.of(question.plant), (question.target, question.freedom)
     problem = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == known.dropped)
     groups = turn_groups(problem, question.changes or everything(question.program, question.plant))
-    chain = search(axes, _turned_problem(question, base, problem)) if known.detours else known.chain
+    route = search(axes, _turned_problem(question, base, problem)) if known.detours else known.route
     tell(Progress("tool turns"))
     best, least = known.duration, None
     for _ in range(2 if axes.layout.has_rail else 1):  # the rail may stand elsewhere for turned tools
-        if not groups.groups or chain is None or patience.over:
+        if not groups.groups or route is None or patience.over:
             break
-        angles, chain = ladder(axes, groups, chain)
-        if chain is None or patience.over:
+        angles, route = best_sampled_turns(axes, groups, route)
+        if route is None or patience.over:
             break
-        angles, chain = refined_turns(axes, groups, chain, angles)
+        angles, route = refined_turns(axes, groups, route, angles)
         turns = groups.turns(angles)
         asked = _turned_problem(question, turns, problem)
-        chain = refine_corner_rail(axes, asked, refine_rail(axes, asked, chain, around=collision_scene_of(asked)))
+        route = refine_corner_rail(axes, asked, refine_rail(axes, asked, route, around=collision_scene_of(asked)))
         with suppress(NotDriven):
-            draft = timed(axes, asked, chain)
-            if duration(draft) < best and clear(axes, asked, draft):
-                best, least = duration(draft), (turns, InitialPlan(asked, chain, draft))
+            iterate = timed(axes, asked, route)
+            if duration(iterate) < best and clear(axes, asked, iterate):
+                best, least = duration(iterate), (turns, InitialPlan(asked, route, iterate))
     if least is None:
         if not known.problem.coordinated:
             yield base, PlanCache({name: known})
@@ -218,7 +218,7 @@ def _turned(
     other = search(axes, legal.problem)
     if other is not None and not patience.over:
         other = refine_corner_rail(axes, legal.problem, refine_rail(axes, legal.problem, other))
-        if chain_time(axes, legal.problem, other) < chain_time(axes, legal.problem, legal.chain) * (1 - _SAVES):
+        if route_time(axes, legal.problem, other) < route_time(axes, legal.problem, legal.route) * (1 - _SAVES):
             yield turns, PlanCache()
 
 
@@ -261,7 +261,7 @@ def _planned_as_given(
         return legal
     if target is Target.STREAM:
         memory.runs.clear()  # of a long program they fill the memory, and nothing asks for them again
-    problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
+    problem, iterate, notes = legal.problem, legal.iterate, tuple[str, ...]()
     if problem.coordinated and (target, freedom) in memory.stopped:
         notes = (f"{patience.why()}: the best plan so far; the search for a faster one was not finished",)
     tell(Progress("timing", incumbent=legal.duration))
@@ -269,30 +269,30 @@ def _planned_as_given(
         numbering, allowed = Numbering(len(program.motions), legal.detours), changes or everything(program, plant)
         legal = replace(legal, problem=with_room_to_turn(problem, numbering.changes(allowed)))
     if not problem.coordinated:
-        problem, draft, notes = refine(axes, legal, patience, tell, seconds, max_workers)
+        problem, iterate, notes = refine(axes, legal, patience, tell, seconds, max_workers)
     elif axes.jerk is not None:
-        draft = refine_laws(axes, legal, patience, seconds, max_workers)
-    least, eased = duration(draft), None
+        iterate = refine_laws(axes, legal, patience, seconds, max_workers)
+    least, eased = duration(iterate), None
     if isinstance(objective, LeastEffort):
         tell(Progress("ease", incumbent=least))
         calmer = list[InitialPlan]()
         with suppress(Stopped):
             calmer += plans_with_less_rail(axes, question, legal, memory, seconds)
-        found = least_effort_plan(axes, [legal, *calmer], problem, draft, objective, patience, seconds, max_workers)
+        found = least_effort_plan(axes, [legal, *calmer], problem, iterate, objective, patience, seconds, max_workers)
         if found is None:
             return _too_short(program, target, objective.seconds, least)
         problem, gentle, more = found
-        eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
-        draft, notes = gentle, (*notes, *more)
-    _check_lengths(program, problem, draft)
-    mended = with_legal_rows(axes, problem, draft, patience)
+        eased = Eased(least, _strain(axes, iterate), _strain(axes, gentle))
+        iterate, notes = gentle, (*notes, *more)
+    _check_lengths(program, problem, iterate)
+    mended = with_legal_rows(axes, problem, iterate, patience)
     if mended is not None and isinstance(problem, OpenedProblem):
-        notes, closed = (*notes, *mended.notes), problem.closed(axes, mended.draft)
+        notes, closed = (*notes, *mended.notes), problem.closed(axes, mended.iterate)
         problem = problem.whole
         mended = with_legal_rows(axes, problem, closed, patience)
     if mended is None:
         problem, eased, notes = legal.problem, None, (_FIRST,)
-        mended = with_legal_rows(axes, problem, legal.draft, patience)
+        mended = with_legal_rows(axes, problem, legal.iterate, patience)
     if mended is None:
         raise NoCleanPlan("between two rows of the file the motion would pass a limit")
     notes, trajectory = (*notes, *mended.notes), mended.rows[0]
@@ -314,7 +314,7 @@ def _planned_as_given(
     def planned(problem: Problem, mended: Mended) -> Plan:
         driven = detours_left(problem, legal.detours)
         ways = _detour_notes(program, legal.detours, driven)
-        plan = _plan(axes, problem, mended.draft, target, mended.rows, (*ways, *mended.notes))
+        plan = _plan(axes, problem, mended.iterate, target, mended.rows, (*ways, *mended.notes))
         known, cut = memory.estimates.get((target, freedom)), (target, freedom) in memory.stopped
         plan = replace(plan, seconds=seconds, eased=eased, estimate=known, stopped=cut, turns=turns)
         plan = _with_detours(folded(plan, program, legal.detours), driven)
@@ -322,8 +322,8 @@ def _planned_as_given(
         return replace(plan, turns=_turns_at_ends(plant, program, plan)) if beyond else plan
 
     if target is Target.STREAM:  # how fast the RAPID controller drives is not for a plan to say
-        first = None if eased is not None or mended.draft is legal.draft else (legal.problem, legal.draft)
-        found = problem, mended.draft, notes
+        first = None if eased is not None or mended.iterate is legal.iterate else (legal.problem, legal.iterate)
+        found = problem, mended.iterate, notes
         memory.repair[target, freedom] = partial(repaired, axes, *found, first, patience, planned)
     plan = planned(problem, replace(mended, notes=notes))
     return replace(plan, lower_bound=bound, bound_cut=_CUT_BOUND in notes)
@@ -343,10 +343,11 @@ def _turns_at_ends(plant: Plant, program: Program, plan: Plan) -> dict[int, floa
 
 
 def _plan(
-    axes: Axes, problem: Problem, draft: Iterate, target: Target, rows: tuple[Trajectory, Array], notes: tuple[str, ...]
-) -> Plan:
-    legs, (trajectory, bounds) = motions_of(draft), rows
-    motions = _planned(axes, problem, draft, legs, bounds)
+    axes: Axes, problem: Problem, iterate: Iterate, target: Target, rows: tuple[Trajectory, Array],
+    notes: tuple[str, ...],
+) -> Plan:  # fmt: skip
+    legs, (trajectory, bounds) = motions_of(iterate), rows
+    motions = _planned(axes, problem, iterate, legs, bounds)
     return Plan(target, trajectory, motions, None, _grid(legs, problem), notes=notes)
 
 
@@ -356,18 +357,18 @@ def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes |
     axes = Axes.of(plant)
     problems = PlanRequest(program, plant, target, EVERYTHING, changes).problems(axes)
     for problem in problems:
-        draft = fallback_motion(axes, problem) if isinstance(problem, Problem) else None
-        if isinstance(problem, Infeasible) or draft is None:
+        iterate = fallback_motion(axes, problem) if isinstance(problem, Problem) else None
+        if isinstance(problem, Infeasible) or iterate is None:
             continue
-        _check_lengths(program, problem, draft)
-        trajectory, bounds, over = rows_of(axes, problem, draft)
+        _check_lengths(program, problem, iterate)
+        trajectory, bounds, over = rows_of(axes, problem, iterate)
         if not len(over):
-            return _plan(axes, problem, draft, target, (trajectory, bounds), (_SLOW.format(why=why),))
+            return _plan(axes, problem, iterate, target, (trajectory, bounds), (_SLOW.format(why=why),))
     return None
 
 
-def _strain(axes: Axes, draft: Iterate) -> Strain:
-    return Strain(float(efforts(axes, draft.legs).sum()), rail_way(axes, draft.legs))
+def _strain(axes: Axes, iterate: Iterate) -> Strain:
+    return Strain(float(efforts(axes, iterate.legs).sum()), rail_way(axes, iterate.legs))
 
 
 def _too_short(program: Program, target: Target, asked: float, least: float) -> Infeasible:
@@ -421,18 +422,18 @@ def _refuted(bound: float, duration: float) -> str:
 
 
 def search_estimate(program: Program, plant: Plant, target: Target, changes: Changes) -> float | None:
-    """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
-    answer. None where there is no chain."""
+    """The cycle time [s] of the best route that the search finds: what optimize starts from, a few percent from its
+    answer. None where there is no route."""
     axes = Axes.of(plant)
     open_ = [c for c in PlanRequest(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
-    found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
+    found = [route.cost for problem in open_ if (route := search(axes, problem)) is not None]
     return min(found, default=None)
 
 
-def _check_lengths(program: Program, problem: Problem, draft: Iterate) -> None:
-    """Raise InputError for a motion on which something moves for longer than LONGEST_MOTION: its rows fill a disk."""
+def _check_lengths(program: Program, problem: Problem, iterate: Iterate) -> None:
+    """Raise InputError for a motion on which something moves for longer than longest_motion: its rows fill a disk."""
     settings = problem.plant.settings
-    for leg, motion, busy in zip(problem.legs, draft.legs, turning(problem), strict=True):
+    for leg, motion, busy in zip(problem.legs, iterate.legs, turning(problem), strict=True):
         under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting() | busy].sum())
         if under_way > settings.longest_motion:
             one = program.motions[leg.motion]
@@ -480,7 +481,7 @@ def _with_detours(plan: Plan, driven: tuple[Detour, ...]) -> Plan:
 
 
 def _planned(
-    axes: Axes, problem: Problem, draft: Iterate, legs: list[LegMotion], bounds: Array
+    axes: Axes, problem: Problem, iterate: Iterate, legs: list[LegMotion], bounds: Array
 ) -> tuple[PlannedMotion, ...]:
     first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
     last = {leg.motion: k for k, leg in enumerate(problem.legs)}
@@ -488,13 +489,13 @@ def _planned(
     limits = binding_limits(axes, [problem.legs[k] for k in moved], [legs[k] for k in moved])
     binding = dict(zip(moved, limits, strict=True))
     out = []
-    now, q_now = 0.0, draft.q[0]
+    now, q_now = 0.0, iterate.q[0]
     for i, motion in enumerate(problem.program.motions):
         k = last.get(i)
         if k is None:
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
-        q_1 = draft.q[k + 1]
+        q_1 = iterate.q[k + 1]
         begin, why = float(bounds[first[i]]), "settling" if isinstance(motion, Wait) and motion.settles else binding[k]
         out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, why))
         now, q_now = float(bounds[k + 1]), q_1

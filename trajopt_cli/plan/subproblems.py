@@ -31,44 +31,44 @@ class Window:
     first: int
     last: int
     problem: Problem
-    draft: Iterate
+    iterate: Iterate
 
     @classmethod
-    def of(cls, problem: Problem, draft: Iterate, span: Span) -> Window:
+    def of(cls, problem: Problem, iterate: Iterate, span: Span) -> Window:
         """Of a whole problem and the motion at hand. The problem's own ends are as free as they are in it."""
         first, last = span
         points = list(problem.waypoints[first : last + 1])
         for k, i in ((0, first), (-1, last)):
             if 0 < i < len(problem.waypoints) - 1:
-                points[k] = _held(problem, draft, i)
+                points[k] = _held(problem, iterate, i)
         legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
-        mine = draft.part(range(first, last + 1), range(first, last))
-        asked = _share(problem.objective, mine, draft)
+        mine = iterate.part(range(first, last + 1), range(first, last))
+        asked = _share(problem.objective, mine, iterate)
         own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=(), objective=asked)
         return cls(first, last, own, mine)
 
-    def put(self, found: Iterate, draft: Iterate) -> Iterate:
+    def put(self, found: Iterate, iterate: Iterate) -> Iterate:
         """The whole motion with the window's part as found."""
-        return draft.put(range(self.first, self.last + 1), range(self.first, self.last), found)
+        return iterate.put(range(self.first, self.last + 1), range(self.first, self.last), found)
 
     def key(self) -> bytes:
         """Equal for windows that ask for the same and have the same motion at hand."""
-        problem, draft = self.problem, self.draft
-        times = np.array([0.0 if motion is None else motion.T for motion in draft.legs])
+        problem, iterate = self.problem, self.iterate
+        times = np.array([0.0 if motion is None else motion.T for motion in iterate.legs])
         given = problem.objective.seconds if isinstance(problem.objective, LeastEffort) else np.nan
-        numbers = (draft.q, draft.qd, draft.qd if draft.qdd is None else draft.qdd, times, np.array([given]))
+        numbers = (iterate.q, iterate.qd, iterate.qd if iterate.qdd is None else iterate.qdd, times, np.array([given]))
         scene = collision_scene_of(problem)
         bodies = None if scene is None else [scene.scene(leg.motion) for leg in problem.legs]
         loads = [leg.load and leg.load.numbers for leg in problem.legs]
-        asked = draft.cfx, [leg.units for leg in problem.legs], loads, bodies
+        asked = iterate.cfx, [leg.units for leg in problem.legs], loads, bodies
         parts = [(np.round(one, 12) + 0.0).tobytes() for one in numbers]  # -0 is 0
         return b"|".join([*parts, repr(asked).encode(), problem.key(0, len(problem.legs))])
 
 
-def ends_held(problem: Problem, draft: Iterate) -> Problem:
+def ends_held(problem: Problem, iterate: Iterate) -> Problem:
     """The problem with its first and its last waypoint where the motion at hand has them."""
     inner = problem.waypoints[1:-1]
-    ends = (_held(problem, draft, k) for k in (0, len(problem.legs)))
+    ends = (_held(problem, iterate, k) for k in (0, len(problem.legs)))
     return replace(problem, waypoints=(next(ends), *inner, next(ends)), ties=())
 
 
@@ -80,25 +80,25 @@ class Seam:
     first: int
     last: int
     problem: Problem
-    draft: Iterate
+    iterate: Iterate
 
     @classmethod
-    def of(cls, problem: Problem, draft: Iterate) -> Seam | None:
+    def of(cls, problem: Problem, iterate: Iterate) -> Seam | None:
         """About as many as one window has; None where no waypoint may be an end."""
         n, half = len(problem.legs), problem.plant.settings.window_legs // 2
         first = _border_near(problem, 0, n, min(half, n // 2))
         if first is None:
             return None
         last = max((k for k in _possible_borders(problem, first - 1, n) if k <= max(n - half, first)), default=first)
-        mine = draft.part(*_around(n, first, last))
-        asked = _share(problem.objective, mine, draft)
+        mine = iterate.part(*_around(n, first, last))
+        asked = _share(problem.objective, mine, iterate)
         own = replace(problem.around_end(last, first), stations=(), objective=asked)
         return cls(first, last, ends_held(own, mine), mine)
 
-    def put(self, found: Iterate, draft: Iterate) -> Iterate:
+    def put(self, found: Iterate, iterate: Iterate) -> Iterate:
         """The whole motion with these legs as found."""
-        n = len(draft.legs)
-        out = draft.put(*_around(n, self.first, self.last), found)
+        n = len(iterate.legs)
+        out = iterate.put(*_around(n, self.first, self.last), found)
         return out.put([0], [], out.part([n], []))
 
 
@@ -114,9 +114,9 @@ def _share(asked: Objective, part: Iterate, whole: Iterate) -> Objective:
     return LeastEffort(duration(part) * asked.seconds / duration(whole))
 
 
-def _held(problem: Problem, draft: Iterate, k: int) -> Waypoint:
-    """Waypoint k where the motion passes it; its velocity is the draft's."""
-    return replace(problem.waypoints[k].standing(problem.layout, draft.q[k]), q=draft.q[k])
+def _held(problem: Problem, iterate: Iterate, k: int) -> Waypoint:
+    """Waypoint k where the motion passes it; its velocity is the iterate's."""
+    return replace(problem.waypoints[k].standing(problem.layout, iterate.q[k]), q=iterate.q[k])
 
 
 def pieces(problem: Problem) -> list[Span]:

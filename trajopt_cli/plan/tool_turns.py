@@ -1,7 +1,7 @@
 """How far tools are turned that may be turned about their axis: what the least time is found at, at the rail positions
-of a chain at hand.
+of a route at hand.
 
-First a ladder: at every waypoint sampled turns, with all configurations of each, and the fastest chain through them by
+First a ladder: at every waypoint sampled turns, with all configurations of each, and the fastest route through them by
 dynamic programming, a station in one turn. Cheap times of the legs leave a few states of each waypoint, and these are
 timed along their ways. Then a pattern search: the turns of one group, or of neighbours together, in steps that shrink
 until nothing is gained, with the runs beside them timed.
@@ -17,7 +17,7 @@ import numpy as np
 
 from trajopt_cli.collision.collision_scene import CollisionScene, collision_scene_of
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
-from trajopt_cli.graph_search.search import best_chain
+from trajopt_cli.graph_search.search import best_route
 from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times
 from trajopt_cli.path_timing.path_parameterized_plan import about
 from trajopt_cli.problem.plan import Infeasible
@@ -72,12 +72,14 @@ def reachable(groups: TurnGroups, why_not: Callable[[dict[int, float]], Infeasib
     return groups.turns(angles)
 
 
-def ladder(axes: Axes, groups: TurnGroups, chain: Route, by_way: bool = False) -> tuple[Array, Route | None]:
-    """Turns (groups,) [rad] of the fastest chain through sampled ones that touches nothing, the rail as in a chain, and
-    that chain; None where there is none. by_way: of the chain in which the joints go least far instead (Descartes'
+def best_sampled_turns(
+    axes: Axes, groups: TurnGroups, route: Route, by_way: bool = False
+) -> tuple[Array, Route | None]:
+    """Turns (groups,) [rad] of the fastest route through sampled ones that touches nothing, the rail as in a route, and
+    that route; None where there is none. by_way: of the route in which the joints go least far instead (Descartes'
     ladder graph), whatever time that takes and whatever it touches."""
     problem, turns = groups.problem, sampled(groups)
-    states = [_states(axes, groups, k, chain, turns) for k in range(len(problem.waypoints))]
+    states = [_states(axes, groups, k, route, turns) for k in range(len(problem.waypoints))]
     edges = [_cheap(axes, groups, k, states[k], states[k + 1], by_way) for k in range(len(problem.legs))]
     if not by_way:
         around, through = collision_scene_of(problem), _through(edges)
@@ -102,7 +104,7 @@ def ladder(axes: Axes, groups: TurnGroups, chain: Route, by_way: bool = False) -
                 edges[k] = np.where(keeps[:, None], edges[k], np.inf)
             if k > 0:
                 edges[k - 1] = np.where(keeps[None], edges[k - 1], np.inf)
-    cost, path = best_chain([one.q for one in states], edges, (), [one.q for one in states], 0)
+    cost, path = best_route([one.q for one in states], edges, (), [one.q for one in states], 0)
     if not np.isfinite(cost):
         return out, None
     q = np.array([one.q[i] for one, i in zip(states, path, strict=True)])
@@ -111,7 +113,7 @@ def ladder(axes: Axes, groups: TurnGroups, chain: Route, by_way: bool = False) -
     return out, Route(q, np.zeros_like(q), labels, times, cost)
 
 
-def _states(axes: Axes, groups: TurnGroups, k: int, chain: Route, turns: Sequence[Array]) -> _States:
+def _states(axes: Axes, groups: TurnGroups, k: int, route: Route, turns: Sequence[Array]) -> _States:
     """All configurations of a waypoint in all its turns, with whole turns of the joints."""
     point, number = groups.problem.waypoints[k], groups.of[k]
     if point.q is not None:
@@ -119,7 +121,7 @@ def _states(axes: Axes, groups: TurnGroups, k: int, chain: Route, turns: Sequenc
     checkpoint()
     angles = turns[number] if number >= 0 else np.zeros(1)
     X_WF = np.array([groups.waypoint(k, float(angle)).X_WF for angle in angles])
-    rail = chain.q[k, axes.layout.rail]
+    rail = route.q[k, axes.layout.rail]
     arm = axes.inverse(X_WF, np.tile(rail, (len(angles), 1)))  # (t, b, 6)
     span = (axes.upper - axes.lower)[axes.layout.arm]
     more = np.array([*product(*((-1, 0, 1) if wide > 2 * np.pi else (0,) for wide in span))]) * 2 * np.pi
@@ -128,7 +130,7 @@ def _states(axes: Axes, groups: TurnGroups, k: int, chain: Route, turns: Sequenc
     cfx = np.broadcast_to(np.arange(arm.shape[1])[None, :, None], every.shape[:3]).ravel()
     q = axes.layout.merge(np.broadcast_to(rail, (every[..., 0].size, len(rail))), every.reshape(-1, every.shape[-1]))
     kept = axes.within(q)
-    own = np.abs(q - chain.q[k]).max(axis=1) < 1e-6
+    own = np.abs(q - route.q[k]).max(axis=1) < 1e-6
     return _States(q, angle, cfx).only(kept | own)
 
 
@@ -164,7 +166,7 @@ def _cheap(axes: Axes, groups: TurnGroups, k: int, a: _States, b: _States, by_wa
 
 
 def _through(edges: Sequence[Array]) -> list[Array]:
-    """The least cost (m,) of a chain through every state."""
+    """The least cost (m,) of a route through every state."""
     forward, backward = [np.zeros(len(edges[0]))], [np.zeros(edges[-1].shape[1])]
     for edge in edges:
         forward.append((forward[-1][:, None] + edge).min(axis=0, initial=np.inf))
@@ -237,11 +239,11 @@ def _laid_out(
 
 
 class _Shifts:
-    """A pattern search for the turns of groups, the rail and configurations as in a chain."""
+    """A pattern search for the turns of groups, the rail and configurations as in a route."""
 
-    def __init__(self, axes: Axes, groups: TurnGroups, chain: Route, angles: Array):
-        self._axes, self._groups, self._chain, self._start, self.left = axes, groups, chain, angles, _MOST_LEGS
-        self._cfx = np.array([label.cfx for label in chain.labels])
+    def __init__(self, axes: Axes, groups: TurnGroups, route: Route, angles: Array):
+        self._axes, self._groups, self._route, self._start, self.left = axes, groups, route, angles, _MOST_LEGS
+        self._cfx = np.array([label.cfx for label in route.labels])
         self._around = collision_scene_of(groups.problem)
         runs = groups.problem.runs
         self._runs = [run for run in runs if any(groups.of[k] >= 0 for k in range(run[0], run[1] + 1))]
@@ -275,11 +277,11 @@ class _Shifts:
             angles, best = moves[int(np.argmin(times))], float(times.min())
         return angles
 
-    def chain_at(self, angles: Array) -> Route:
-        """The chain with turns (groups,) [rad]."""
-        of, every = self._groups.of, np.arange(len(self._chain.q))
+    def route_at(self, angles: Array) -> Route:
+        """The route with turns (groups,) [rad]."""
+        of, every = self._groups.of, np.arange(len(self._route.q))
         points = [self._groups.waypoint(k, float(angles[of[k]]) if of[k] >= 0 else 0.0) for k in every.tolist()]
-        return replace(self._chain, q=self._axes_at(points, every))
+        return replace(self._route, q=self._axes_at(points, every))
 
     def _times(self, angles: Array) -> Array:
         """How long the runs take together (m,) with turns (m, groups); infinite where that cannot be."""
@@ -320,7 +322,7 @@ class _Shifts:
     def _axes_at(self, points: Sequence[Waypoint], every: IndexArray) -> Array:
         """Axes (m, n) at waypoints that stand for those numbered every (m,), on their branches; NaN for none."""
         checkpoint()
-        axes, near = self._axes, self._chain.q[every]
+        axes, near = self._axes, self._route.q[every]
         rail = near[:, axes.layout.rail]
         arm = axes.branch(np.array([point.X_WF for point in points]), rail, np.maximum(self._cfx[every], 0))
         arm += 2 * np.pi * np.round((near[:, axes.layout.arm] - arm) / (2 * np.pi))
@@ -331,21 +333,21 @@ class _Shifts:
         return q
 
 
-def refined_turns(axes: Axes, groups: TurnGroups, chain: Route, angles: Array) -> tuple[Array, Route]:
+def refined_turns(axes: Axes, groups: TurnGroups, route: Route, angles: Array) -> tuple[Array, Route]:
     """Turns (groups,) [rad] near those at hand that the least time is found at, in whole steps of what a text says, and
-    the chain with them. chain: through the waypoints as they are turned now."""
-    shifts = _Shifts(axes, groups, chain, angles)
+    the route with them. route: through the waypoints as they are turned now."""
+    shifts = _Shifts(axes, groups, route, angles)
     found = shifts.refined()
     low, high = np.array([(one.free.low, one.free.high) for one in groups.groups]).T
     steps = np.clip(np.round(found / STEP), np.ceil(low / STEP - 1e-6), np.floor(high / STEP + 1e-6))
     angles = np.clip(steps * STEP, low, high)
-    return angles, shifts.chain_at(angles)
+    return angles, shifts.route_at(angles)
 
 
-def chain_time(axes: Axes, problem: Problem, chain: Route) -> float:
-    """What a chain takes [s], every run timed on a few nodes; infinite where it cannot be driven."""
-    runs, cfx = problem.runs, tuple(label.cfx for label in chain.labels)
-    return float(about(axes, problem, runs, [chain.q] * len(runs), cfx).sum())
+def route_time(axes: Axes, problem: Problem, route: Route) -> float:
+    """What a route takes [s], every run timed on a few nodes; infinite where it cannot be driven."""
+    runs, cfx = problem.runs, tuple(label.cfx for label in route.labels)
+    return float(about(axes, problem, runs, [route.q] * len(runs), cfx).sum())
 
 
 def stays_at_wrist(axes: Axes, groups: TurnGroups) -> bool:

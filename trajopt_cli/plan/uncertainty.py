@@ -1,6 +1,6 @@
 """What motions take where the numbers they were planned with are not quite the true ones.
 
-The programs stay as they are, and each motion is timed anew on its own course. Numbers of one kind and one source err
+The programs stay as they are, and each motion is timed anew on its own path. Numbers of one kind and one source err
 together: all at their lower ends, or all at their upper ones. Different ones err each by itself, so what their ends
 change is added as squares. What one motion saves against another is found with the same ends for both.
 """
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.path_timing.retiming import Course
+from trajopt_cli.path_timing.retiming import MotionPath
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Infeasible, Plan
@@ -26,7 +26,7 @@ from trajopt_cli.scenario import Settling
 from trajopt_cli.trajectories.axes import Axes
 
 _WORTH = 5e-4  # s, or share of a time: an interval as narrow is none, for times are printed to a millisecond
-_SLOWER = 0.98  # share of its time in which a motion's course may be driven, below which it is slow by intent
+_SLOWER = 0.98  # share of its time in which a motion's path may be driven, below which it is slow by intent
 _KINDS = {"velocity": "speed", "acceleration": "acceleration", "torque": "torque"}
 _Ends = tuple[float, float]
 
@@ -105,7 +105,7 @@ def _grade(source: str) -> str:
 
 
 class _Again:
-    """A plan, to be timed again. One that is slower than it could be on its course (least effort, limits of jerk) keeps
+    """A plan, to be timed again. One that is slower than it could be on its path (least effort, limits of jerk) keeps
     its pace where that can be kept."""
 
     def __init__(self, program: Program, plant: Plant, plan: Plan):
@@ -113,14 +113,14 @@ class _Again:
         self._plan = unfolded(plan)
         self._driven = [one for one in self._plan.motions if one.t_1 > one.t_0]
         ends = np.array([one.t_1 for one in self._driven])
-        self._course = Course(plan.trajectory, Axes.of(plant), self._legs(plant), ends)
+        self._path = MotionPath(plan.trajectory, Axes.of(plant), self._legs(plant), ends)
         self._T, self._paced = 0.0, False
         self._paced = self.longer(plant) / plan.duration < _SLOWER
         self._T = self.longer(plant)
 
     def longer(self, plant: Plant) -> float:
         """By how much it takes longer [s] on a plant with other numbers."""
-        return self._course.duration(Axes.of(plant), self._legs(plant), self._paced) - self._T
+        return self._path.duration(Axes.of(plant), self._legs(plant), self._paced) - self._T
 
     def _legs(self, plant: Plant) -> list[Leg]:
         """The leg of each motion that takes a time."""

@@ -330,7 +330,7 @@ class _Course:
 
     def _beside(self, k: int) -> str:
         q, _, _ = hermite(self._trajectory, self._t[k : k + 1])
-        reach, wrist = self._plant.robot.walls(q[:, self._plant.layout.arm])
+        reach, wrist = self._plant.robot.singularity_margins(q[:, self._plant.layout.arm])
         if wrist[0] < _WRIST:
             return "beside the wrist singularity"
         return "near the end of its reach" if reach[0] > _REACH else ""

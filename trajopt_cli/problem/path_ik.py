@@ -101,7 +101,7 @@ def _level(
         q, known = _sampled(plant, [paths[i] for i in some], samples)
         steps = np.abs(np.diff(q, axis=1))
         fast: BoolArray = np.asarray(~(steps <= _FAST).all(axis=(1, 2)))  # NaN is fast, too
-        weak: BoolArray = np.asarray(plant.robot.walls(q)[1] < _WRIST)
+        weak: BoolArray = np.asarray(plant.robot.singularity_margins(q)[1] < _WRIST)
         for j, i in enumerate(some.tolist()):
             if not known[j]:
                 out[i] = None
@@ -142,7 +142,7 @@ def _followed(plant: Plant, length: float, q: Array, steps: Array, weak: BoolArr
     jump = np.nan_to_num(steps[jumps]).max(axis=0) if len(jumps) else np.zeros(q.shape[-1])
     singular = (int(jumps[0]) + 0.5) / last if len(jumps) else None
     if weak.any():
-        singular = int(np.nanargmin(plant.robot.walls(q)[1])) / last
+        singular = int(np.nanargmin(plant.robot.singularity_margins(q)[1])) / last
     low, high = plant.limits.lower[plant.layout.arm], plant.limits.upper[plant.layout.arm]
     with np.errstate(invalid="ignore"):
         out = (q < low - _BEYOND) | (q > high + _BEYOND)

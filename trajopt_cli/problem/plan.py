@@ -128,7 +128,7 @@ class Plan:
     lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
-    estimate: what the chain takes that the search began with [s], None where there was no search.
+    estimate: what the route takes that the search began with [s], None where there was no search.
     stopped: the search was; bound_cut: the time for the bound was over before it was all that can be proved.
     detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
     turns: by how much [rad] targets are turned about the tool's axis, by motion.

@@ -17,7 +17,7 @@ import numpy as np
 from trajopt_cli.geometry import axis_angle
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveExtJ, MoveJ, Program, SignalEvent, Wait, motion_name
-from trajopt_cli.rapid.zones import NO_WAY, courses, turns_in_place, ways
+from trajopt_cli.rapid.zones import NO_WAY, moves_with_places, turns_in_place, ways
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
 from trajopt_cli.warnings import ProgramWarning, WarningKind
@@ -100,7 +100,7 @@ def _least_time(move: Move, way: float, speed: float, free_speed: bool) -> float
 
 def _still(program: Program, kinematics: Kinematics | None) -> Iterator[int]:
     """The moves that move nothing, as far as is known: they may take no time at all."""
-    for index, move, start, end, travel in courses(program, kinematics):
+    for index, move, start, end, travel in moves_with_places(program, kinematics):
         if move.units or travel * MM > NO_WAY:
             continue
         if isinstance(move, MoveExtJ) or start is None or end is None:

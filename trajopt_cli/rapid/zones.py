@@ -80,7 +80,7 @@ def ways(program: Program, kinematics: Kinematics | None = None) -> list[float |
     and of moves to joints only kinematics tell.
     """
     out: list[float | None] = [None] * len(program.motions)
-    for index, motion, start, end, _ in courses(program, kinematics):
+    for index, motion, start, end, _ in moves_with_places(program, kinematics):
         if start is not None and end is not None and not isinstance(motion, MoveExtJ):
             out[index] = _length(motion, start, end)
     return out
@@ -124,7 +124,7 @@ def fly_bys(
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
     known: dict[int, _Way] = {}
-    for index, motion, start, end, travel in courses(program, kinematics):
+    for index, motion, start, end, travel in moves_with_places(program, kinematics):
         length = lengths[index]
         if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
             known[index] = _Way(length, _angle(motion, start, end), travel)
@@ -157,7 +157,7 @@ def turns_in_place(
     if not any(isinstance(program.motions[index], MoveL) for index in short):
         return {}
     out = {}
-    for index, motion, start, end, _ in courses(program, kinematics):
+    for index, motion, start, end, _ in moves_with_places(program, kinematics):
         if index in short and isinstance(motion, MoveL) and start is not None and end is not None:
             R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
             if (angle := axis_angle(R_0.T @ R_1)[1]) > NO_WAY:
@@ -255,7 +255,7 @@ def _same(a: Tool, b: Tool) -> bool:
     return np.array_equal(a.X_FT, b.X_FT)
 
 
-def courses(
+def moves_with_places(
     program: Program, kinematics: Kinematics | None
 ) -> Iterator[tuple[int, Move, _Place | None, _Place | None, float]]:
     """Every move: its index, where the robot stands before and after it, and the external axes' travel [m]."""

@@ -29,17 +29,17 @@ _SOLID = 0.06  # opacity of a face of the bodies around the links
 _GHOSTS = (style.BLACK, style.VERMILLION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE)
 
 
-def arm(course: PlanSeries) -> Figure:
+def arm(series: PlanSeries) -> Figure:
     """Rail and arm in space at the start and at the plan's stations, with the TCP's path. Fig. 6.1."""
-    robot = course.plant.robot
-    figure = style.new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
+    robot = series.plant.robot
+    figure = style.new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", series.below)
     figure.set_layout_engine(None)
     axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d", computed_zorder=False)
-    stations = _stations(course)
-    shapes = [skeleton(course.plant, course.q[i], X_FT) / MM for i, _, X_FT in stations]
-    bodies = [_solids(course.plant, course.q[i]) / MM for i, _, _ in stations]
-    p = course.X_WT[:, :3, 3] / MM
-    beams = rail_ends(course.plant) / MM
+    stations = _stations(series)
+    shapes = [skeleton(series.plant, series.q[i], X_FT) / MM for i, _, X_FT in stations]
+    bodies = [_solids(series.plant, series.q[i]) / MM for i, _, _ in stations]
+    p = series.X_WT[:, :3, 3] / MM
+    beams = rail_ends(series.plant) / MM
     for beam in beams.reshape(-1, 2, 3):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=style.GREY, linewidth=1, zorder=1.1)
@@ -64,7 +64,7 @@ def arm(course: PlanSeries) -> Figure:
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)
-    for cloud in obstacles.clouds(course.plant):
+    for cloud in obstacles.clouds(series.plant):
         if faces := obstacles.surface(cloud / MM, low - 0.03 * span, low + 1.03 * span):
             axes.add_collection3d(Poly3DCollection(faces, zorder=0.5, gid="obstacle", **obstacles.FACE))
     for letter, pad in zip("xyz", (14, 22, 24), strict=True):
@@ -72,7 +72,7 @@ def arm(course: PlanSeries) -> Figure:
     handles: list[Line2D | Patch] = [Line2D([], [], color=style.BLACK, linewidth=1.5, label="path")]
     for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
         handles.append(Line2D([], [], color=color, linewidth=6, alpha=0.7, label=f"{order + 1}: {name}"))
-    handles += [obstacles.LABEL] if course.plant.obstacles else []
+    handles += [obstacles.LABEL] if series.plant.obstacles else []
     letters = sum(len(str(handle.get_label())) for handle in handles)
     ncols = len(handles) if 0.75 * len(handles) + 0.093 * letters < style.WIDTH - 0.4 else 3  # in
     figure.legend(handles=handles, loc="lower center", ncols=ncols, columnspacing=1.6)
@@ -168,23 +168,23 @@ def _pixels(axes: Any, points: Array) -> Array:
     return np.asarray(axes.transData.transform(flat[:, :2] / flat[:, 3:]))
 
 
-def _stations(course: PlanSeries) -> list[tuple[int, str, Array]]:
+def _stations(series: PlanSeries) -> list[tuple[int, str, Array]]:
     """Sample, label and tool of the start and of where the plan waits (else of where it stops), five at most, spread
     over the cycle."""
-    named = [(0, "start", course.legs[0].X_FT if course.legs else np.eye(4))]
+    named = [(0, "start", series.legs[0].X_FT if series.legs else np.eye(4))]
     waits = [
         (before.t_1, before.name, before.X_FT)
-        for before, leg in zip(course.legs, course.legs[1:], strict=False)
+        for before, leg in zip(series.legs, series.legs[1:], strict=False)
         if isinstance(leg.motion, Wait) and before.name
     ]
-    for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in course.moves if not leg.passed]:
-        i = course.at(time)
-        if all(_apart(course, i, j) for j, _, _ in named):
-            named.append((i, f"{short(name)}, {course.t[i]:.2f} s", X_FT))
+    for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in series.moves if not leg.passed]:
+        i = series.at(time)
+        if all(_apart(series, i, j) for j, _, _ in named):
+            named.append((i, f"{short(name)}, {series.t[i]:.2f} s", X_FT))
     shown = min(len(named), len(_GHOSTS))
     return [named[k] for k in np.linspace(0, len(named) - 1, shown).round().astype(int)]
 
 
-def _apart(course: PlanSeries, i: int, j: int) -> bool:
+def _apart(series: PlanSeries, i: int, j: int) -> bool:
     """Whether two samples show the arm in two places, by 5 cm of the TCP at least."""
-    return bool(np.linalg.norm(course.X_WT[i, :3, 3] - course.X_WT[j, :3, 3]) > 0.05)
+    return bool(np.linalg.norm(series.X_WT[i, :3, 3] - series.X_WT[j, :3, 3]) > 0.05)

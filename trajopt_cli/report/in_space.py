@@ -66,26 +66,26 @@ class Space:
     bodies: Sequence[Array] = ()
 
 
-def path(course: PlanSeries) -> Figure:
+def path(series: PlanSeries) -> Figure:
     """The TCP's path from the side and from above, in the real space and as the carriage sees it. Figs 4.3 and 4.6.
 
     Relative to the carriage ("deformed" in the thesis) means: minus the rail's travel, so both agree at rail 0.
     """
-    points, plant, places = course.X_WT[:, :3, 3], course.plant, course.points
+    points, plant, places = series.X_WT[:, :3, 3], series.plant, series.points
     spaces = [Space(WORLD, points, np.vstack([points[:1], places]), rail_ends(plant), obstacles.clouds(plant))]
     if plant.robot.has_rail:
-        seen = points - course.rail
-        spaces.append(Space(CARRIAGE, seen, np.vstack([seen[:1], places - _carried(course)]), carriage(plant)))
+        seen = points - series.rail
+        spaces.append(Space(CARRIAGE, seen, np.vstack([seen[:1], places - _carried(series)]), carriage(plant)))
     return path_figure(
         "Path of the tool centre point",
-        course.below,
+        series.below,
         spaces,
-        ["start", *(leg.name for leg in course.moves)],
-        _parts(course),
-        [course.at(leg.t_1) for leg in course.moves],
+        ["start", *(leg.name for leg in series.moves)],
+        _parts(series),
+        [series.at(leg.t_1) for leg in series.moves],
         along_page(plant, points),
-        passed=np.r_[False, course.passed],
-        added=np.r_[False, course.added],
+        passed=np.r_[False, series.passed],
+        added=np.r_[False, series.added],
     )
 
 
@@ -94,18 +94,18 @@ def carriage(plant: Plant) -> Array:
     return plant.robot.X_WB0[None, :3, 3] if plant.robot.has_rail else np.empty((0, 3))
 
 
-def _carried(course: PlanSeries) -> Array:
+def _carried(series: PlanSeries) -> Array:
     """Where the carriage stands at the points that the moves lead to (m, 3) [m], from the rail's 0."""
-    return np.array([course.plant.robot.way_at(leg.q_1) for leg in course.moves]).reshape(-1, 3)
+    return np.array([series.plant.robot.way_at(leg.q_1) for leg in series.moves]).reshape(-1, 3)
 
 
-def _parts(course: PlanSeries) -> list[tuple[slice, str]]:
+def _parts(series: PlanSeries) -> list[tuple[slice, str]]:
     """Samples and how they are drawn: every leg, but for what of it lies in a corner; the corners."""
-    out = [(corner, "corner") for corner in course.corners]
-    for leg in course.legs:
-        own = course.during(leg)
-        first = max((c.stop - 1 for c in course.corners if c.start < own.start < c.stop), default=own.start)
-        last = min((c.start + 1 for c in course.corners if c.start < own.stop < c.stop), default=own.stop)
+    out = [(corner, "corner") for corner in series.corners]
+    for leg in series.legs:
+        own = series.during(leg)
+        first = max((c.stop - 1 for c in series.corners if c.start < own.start < c.stop), default=own.start)
+        last = min((c.start + 1 for c in series.corners if c.start < own.stop < c.stop), default=own.stop)
         if first < last:
             out.append((slice(first, last), _kind(leg)))
     return out
@@ -248,24 +248,24 @@ def _dense(curve: Array, count: int = 600) -> Array:
     return curve[:: max(len(curve) // count, 1)]
 
 
-def workspace(course: PlanSeries) -> Figure:
+def workspace(series: PlanSeries) -> Figure:
     """What the wrist centre can reach in the arm's own plane, and where this plan takes it. Fig. 5.1."""
-    what = "axis 4" if isinstance(course.plant.robot.arm, ParallelArm) else "the wrist centre"
-    figure = style.new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)
+    what = "axis 4" if isinstance(series.plant.robot.arm, ParallelArm) else "the wrist centre"
+    figure = style.new_figure(8.6, f"Workspace of {what} in the arm's own plane", series.below)
     axes = figure.subplots()
-    outlines = sections(course.plant)
+    outlines = sections(series.plant)
     elbows = zip(outlines, (style.GREY, style.GREEN), ("-", (0, (5, 2))), strict=False)
     for outline, color, line in elbows:
         axes.fill(*outline.T / MM, color=color, alpha=0.08, linewidth=0)
         axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
-    wrist = reach_section(course.plant, course.q)
+    wrist = reach_section(series.plant, series.q)
     axes.plot(*wrist.T / MM, color=style.BLUE, linewidth=2.2, gid="wrist")
-    ends = np.vstack([np.empty((0, 2)), *(reach_section(course.plant, leg.q_1[None]) for leg in course.moves)])
+    ends = np.vstack([np.empty((0, 2)), *(reach_section(series.plant, leg.q_1[None]) for leg in series.moves)])
     for passed, look in ((False, STOP), (True, PASSED)):
-        axes.plot(*ends[course.passed == passed].T / MM, **look, zorder=4)
-    arm = course.plant.robot.arm
+        axes.plot(*ends[series.passed == passed].T / MM, **look, zorder=4)
+    arm = series.plant.robot.arm
     base = np.array([[0, 0], [0, arm.c1], [arm.a1, arm.c1]])
-    t2 = arm.angles(course.q[0, course.plant.layout.arm])[1]
+    t2 = arm.angles(series.q[0, series.plant.layout.arm])[1]
     knee = base[2] + arm.c2 * np.array([np.sin(t2), np.cos(t2)])
     chain = np.vstack([base, knee, wrist[0]])
     axes.plot(*chain.T / MM, "-o", color="#b0b0b0", linewidth=5, solid_capstyle="round", zorder=1, markersize=7)
@@ -280,13 +280,13 @@ def workspace(course: PlanSeries) -> Figure:
         Line2D([], [], color=style.BLUE, linewidth=2.2, label="this plan"),
         Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
     ]
-    if course.passed.any():
+    if series.passed.any():
         handles.append(Line2D([], [], **PASSED, label="point passed"))
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), columnspacing=1.4)
     # Equal scales leave room at the sides of the page: names stand in it, right of the outline.
     low, high = axes.get_xlim()
     axes.set_xlim(low, high + 0.17 * (high - low))
     style.settle(figure)
-    kept, names = by_place(ends, [leg.name for leg in course.moves], 2 * SAME)
+    kept, names = by_place(ends, [leg.name for leg in series.moves], 2 * SAME)
     name_places(axes, kept / MM, names, np.vstack([_dense(wrist), *outlines]) / MM)
     return figure

@@ -30,19 +30,19 @@ _PASSED: dict[str, Any] = {**_LINE, "linestyle": (0, (1.5, 3))}
 PASSED = Line2D([], [], **_PASSED | {"color": style.GREY}, label="point passed")
 
 
-def joints(course: PlanSeries) -> Figure:
+def joints(series: PlanSeries) -> Figure:
     """Position, speed, acceleration of each axis between its limits, torque where it is limited. Figs 6.4 to 6.6 with
     their limits."""
-    names, limits = course.plant.limits.names, course.plant.limits
-    below, above = limits.acceleration_at(course.q)
-    figure = style.new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
+    names, limits = series.plant.limits.names, series.plant.limits
+    below, above = limits.acceleration_at(series.q)
+    figure = style.new_figure(1.2 + 1.55 * len(names), "Axes against their limits", series.below)
     columns = [
-        ("position", "", course.q, limits.lower, limits.upper),
-        ("speed", "/s", course.qd, -limits.velocity, limits.velocity),
-        ("acceleration", "/s²", course.qdd, -below, above),
+        ("position", "", series.q, limits.lower, limits.upper),
+        ("speed", "/s", series.qd, -limits.velocity, limits.velocity),
+        ("acceleration", "/s²", series.qdd, -below, above),
     ]
     if limits.binding_torque is not None:
-        columns.append(("torque", "", torques_along(course), -limits.binding_torque, limits.binding_torque))
+        columns.append(("torque", "", torques_along(series), -limits.binding_torque, limits.binding_torque))
     grid = figure.subplots(len(names), len(columns), sharex=True, squeeze=False)
     for k, name in enumerate(names):
         for panel, (what, per, values, lower, upper) in zip(grid[k], columns, strict=True):
@@ -52,8 +52,8 @@ def joints(course: PlanSeries) -> Figure:
             ends = [np.broadcast_to(end, values.shape)[:, k] / factor for end in (lower, upper)]
             low, high = float(ends[0].min()), float(ends[1].max())
             if np.isfinite(high):
-                _between_limits(panel, course.t, ends)
-            panel.plot(course.t, values[:, k] / factor, color=style.BLUE, linewidth=1.5, solid_joinstyle="round")
+                _between_limits(panel, series.t, ends)
+            panel.plot(series.t, values[:, k] / factor, color=style.BLUE, linewidth=1.5, solid_joinstyle="round")
             panel.set_ylabel(f"[{unit}{per}]", size=style.SMALL)
             if k == 0:
                 panel.set_title(what, pad=10)
@@ -66,10 +66,10 @@ def joints(course: PlanSeries) -> Figure:
                 gid="limits", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8}, zorder=0.9,
             )  # fmt: skip
         grid[k, 0].set_ylabel(f"{name.replace('_', ' ')}\n[{unit_of(name)[1]}]", size=style.SMALL)
-    mark_motions(course, grid.flat)
+    mark_motions(series, grid.flat)
     for panel in grid[-1]:
         panel.set_xlabel(TIME)
-    key(figure, course, [_LIMIT])
+    key(figure, series, [_LIMIT])
     style.settle(figure)
     figure.align_ylabels()  # before, the layout would measure a column once for each of its panels
     return figure
@@ -89,27 +89,27 @@ def _between_limits(panel: Axes, t: Array, ends: Sequence[Array]) -> None:
             panel.plot(t, limit, **style.LIMIT)  # type: ignore[arg-type]
 
 
-def rail(course: PlanSeries) -> Figure | None:
+def rail(series: PlanSeries) -> Figure | None:
     """Rail position, and from where each work point can be reached, at the time it is reached; of several rails the
     axes' own picture tells. Figs 5.2 and 6.4."""
-    if course.plant.layout.r != 1:
+    if series.plant.layout.r != 1:
         return None
-    figure = style.new_figure(6.0, "Rail, and from where on it each point is in reach", course.below)
+    figure = style.new_figure(6.0, "Rail, and from where on it each point is in reach", series.below)
     axes = figure.subplots()
-    width = 0.004 * (course.t[-1] - course.t[0])
+    width = 0.004 * (series.t[-1] - series.t[0])
     ranges = np.empty((0, 2))
-    for leg in course.legs:
+    for leg in series.legs:
         X_WF = target_flange(leg)
         if isinstance(leg.motion, Wait):
             for low, high in ranges:  # the point last reached is held
                 axes.fill_between([leg.t_0, leg.t_1], low / MM, high / MM, color=style.SKY, alpha=0.25, linewidth=0)
             continue
-        ranges = np.empty((0, 2)) if X_WF is None else rail_ranges(course.plant, X_WF)
+        ranges = np.empty((0, 2)) if X_WF is None else rail_ranges(series.plant, X_WF)
         for low, high in ranges:
             axes.vlines(leg.t_1, low / MM, high / MM, color=style.SKY, linewidth=3, gid="reach")
             for end in (low, high):
                 axes.hlines(end / MM, leg.t_1 - width, leg.t_1 + width, color=style.BLUE, linewidth=2)
-        asked = course.plant.rail_value(leg.motion.extax)
+        asked = series.plant.rail_value(leg.motion.extax)
         if asked is not None:
             axes.plot(
                 leg.t_1,
@@ -122,67 +122,67 @@ def rail(course: PlanSeries) -> Figure | None:
                 clip_on=False,
             )
     axes.plot(
-        course.t, course.plant.layout.place(course.q) / MM, color=style.BLACK, linewidth=2.4, zorder=5, gid="rail"
+        series.t, series.plant.layout.place(series.q) / MM, color=style.BLACK, linewidth=2.4, zorder=5, gid="rail"
     )
-    layout, limits = course.plant.layout, course.plant.limits
+    layout, limits = series.plant.layout, series.plant.limits
     low, high = float(layout.place(limits.lower)) / MM, float(layout.place(limits.upper)) / MM
     style.name_limit(axes, high, f"end of the rail {number(high)} mm")
     style.name_limit(axes, low, f"end of the rail {number(low)} mm", below=True)
     axes.set_ylim(low - 0.09 * (high - low), high + 0.09 * (high - low))
     axes.set_ylabel("rail [mm]")
     axes.set_xlabel(TIME)
-    mark_motions(course, [axes])
+    mark_motions(series, [axes])
     handles: list[Line2D | Patch] = [Line2D([], [], color=style.BLACK, linewidth=2.4, label="rail")]
-    if any(target_flange(leg) is not None for leg in course.legs):
+    if any(target_flange(leg) is not None for leg in series.legs):
         told = "rail positions that reach the point"
         handles.append(Line2D([], [], color=style.SKY, linewidth=3, marker="_", markeredgecolor=style.BLUE, label=told))
-    if any(course.plant.rail_value(leg.motion.extax) is not None for leg in course.moves):  # type: ignore[union-attr]
+    if any(series.plant.rail_value(leg.motion.extax) is not None for leg in series.moves):  # type: ignore[union-attr]
         handles.append(Line2D([], [], color=style.VERMILLION, marker="x", linestyle="", label="rail as programmed"))
-    key(figure, course, handles)
-    return named(course, figure, axes)
+    key(figure, series, handles)
+    return named(series, figure, axes)
 
 
-def tcp_speed(course: PlanSeries) -> Figure:
+def tcp_speed(series: PlanSeries) -> Figure:
     """Speed of the TCP, the speed the program gives each motion, and the plant's cap. Fig. 4.4."""
-    figure = style.new_figure(5.4, "Speed of the tool centre point", course.below)
+    figure = style.new_figure(5.4, "Speed of the tool centre point", series.below)
     axes = figure.subplots()
-    speed = np.linalg.norm(course.V_WT[:, :3], axis=1) / MM
-    cap = course.plant.tcp.speed / MM
+    speed = np.linalg.norm(series.V_WT[:, :3], axis=1) / MM
+    cap = series.plant.tcp.speed / MM
     bound = False
-    for leg in course.legs:
-        value = programmed_speed(course.plant, leg.motion)
+    for leg in series.legs:
+        value = programmed_speed(series.plant, leg.motion)
         if value is not None:
             bound = True
             axes.plot(
                 [leg.t_0, leg.t_1], [min(value / MM, cap)] * 2, color=style.VERMILLION, linewidth=2.2, gid="programmed"
             )
-    axes.plot(course.t, speed, color=style.BLUE, gid="speed")
+    axes.plot(series.t, speed, color=style.BLUE, gid="speed")
     style.name_limit(axes, cap, f"cap of the tool centre point {number(cap)} mm/s")
     axes.set_ylim(0, 1.1 * max(cap, float(speed.max())))
     axes.set_ylabel("TCP speed [mm/s]")
     axes.set_xlabel(TIME)
-    mark_motions(course, [axes])
+    mark_motions(series, [axes])
     handles = [Line2D([], [], color=style.BLUE, label="planned")]
     if bound:
         handles.append(Line2D([], [], color=style.VERMILLION, linewidth=2.2, label="programmed, at most the cap"))
-    key(figure, course, handles)
-    return named(course, figure, axes)
+    key(figure, series, handles)
+    return named(series, figure, axes)
 
 
-def effector(course: PlanSeries) -> Figure:
+def effector(series: PlanSeries) -> Figure:
     """Position, speed and orientation of the TCP; on a rail its speed as the carriage sees it, too. Figs 4.5, 6.2, 6.3
     and the three angles."""
-    V, cap = course.V_WT[:, :3] / MM, course.plant.tcp.speed / MM
+    V, cap = series.V_WT[:, :3] / MM, series.plant.tcp.speed / MM
     speeds = [("speed\n[mm/s]", V)]
-    if course.plant.robot.has_rail:
-        on_carriage = V - course.rail_speed / MM
+    if series.plant.robot.has_rail:
+        on_carriage = V - series.rail_speed / MM
         speeds = [("speed in the world\n[mm/s]", V), ("speed seen from\nthe carriage [mm/s]", on_carriage)]
-    figure = style.new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", course.below)
+    figure = style.new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", series.below)
     grid = figure.subplots(2 + len(speeds), 1, sharex=True)
-    draw_xyz(grid[0], course.t, course.X_WT[:, :3, 3] / MM)
+    draw_xyz(grid[0], series.t, series.X_WT[:, :3, 3] / MM)
     grid[0].set_ylabel("position\n[mm]")
     for axes, (label, values) in zip(grid[1:-1], speeds, strict=True):
-        draw_xyz(axes, course.t, values)
+        draw_xyz(axes, series.t, values)
         axes.axhline(0, color=style.GREY, linewidth=0.7)
         axes.set_ylabel(label)
     reach = 1.12 * max(float(np.abs(V).max()), 0.0)
@@ -190,7 +190,7 @@ def effector(course: PlanSeries) -> Figure:
         for limit in (-cap, cap):
             grid[1].axhline(limit, **style.LIMIT)
         grid[1].set_ylim(-1.15 * cap, 1.15 * cap)
-    draw_xyz(grid[-1], course.t, angles(course.X_WT) / DEG)
+    draw_xyz(grid[-1], series.t, angles(series.X_WT) / DEG)
     grid[-1].set_ylabel("orientation\n[deg]")
     low, high = grid[-1].get_ylim()
     if high - low < _LEAST_TURN:
@@ -202,10 +202,10 @@ def effector(course: PlanSeries) -> Figure:
         loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncols=3, columnspacing=1.6, handlelength=2.6,
     )  # fmt: skip
     grid[-1].set_xlabel(TIME)
-    mark_motions(course, grid)
+    mark_motions(series, grid)
     capped = [Line2D([], [], **style.LIMIT, label=f"cap {number(cap)} mm/s")] if 1.3 * reach > cap else []  # type: ignore[arg-type]
-    key(figure, course, [*xyz_handles(("along x", "along y", "along z")), *capped])
-    return named(course, figure, grid[0])
+    key(figure, series, [*xyz_handles(("along x", "along y", "along z")), *capped])
+    return named(series, figure, grid[0])
 
 
 def draw_xyz(axes: Axes, t: Array, values: Array) -> None:
@@ -229,10 +229,10 @@ def whole(value: float) -> str:
     return f"{value:.0f}".replace("-", "−") if abs(value) >= 100 else f"{value:.3g}".replace("-", "−")
 
 
-def key(figure: Figure, course: PlanSeries, handles: list[Line2D] | list[Line2D | Patch]) -> None:
+def key(figure: Figure, series: PlanSeries, handles: list[Line2D] | list[Line2D | Patch]) -> None:
     """The legend in one row under the picture; with the waits and the points passed where there are any."""
-    more: list[Line2D | Patch] = [WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else []
-    legend(figure, [*handles, *more, *([PASSED] if course.passed.any() else [])])
+    more: list[Line2D | Patch] = [WAIT] if any(isinstance(leg.motion, Wait) for leg in series.legs) else []
+    legend(figure, [*handles, *more, *([PASSED] if series.passed.any() else [])])
 
 
 def legend(figure: Figure, entries: Sequence[Line2D | Patch]) -> None:
@@ -255,9 +255,9 @@ def columns(entries: Sequence[Line2D | Patch]) -> int:
     return -(-len(wide) // rows)
 
 
-def named(course: PlanSeries, figure: Figure, top: Axes) -> Figure:
+def named(series: PlanSeries, figure: Figure, top: Axes) -> Figure:
     """The settled figure with the targets' names over its top panel."""
-    return with_names(figure, top, [(leg.t_1, leg.name) for leg in course.moves])
+    return with_names(figure, top, [(leg.t_1, leg.name) for leg in series.moves])
 
 
 def with_names(figure: Figure, top: Axes, ends: Sequence[tuple[float, str]]) -> Figure:
@@ -269,12 +269,12 @@ def with_names(figure: Figure, top: Axes, ends: Sequence[tuple[float, str]]) -> 
     return figure
 
 
-def mark_motions(course: PlanSeries, panels: Iterable[Axes]) -> None:
+def mark_motions(series: PlanSeries, panels: Iterable[Axes]) -> None:
     """Light vertical lines where a move ends, dotted where it does not stop there; bands where the program waits, the
     time axis from 0 to the end."""
-    waits = [(leg.t_0, leg.t_1 - leg.t_0) for leg in course.legs if isinstance(leg.motion, Wait)]
-    stops, passed = ([leg.t_1 for leg in course.moves if leg.passed == moving] for moving in (False, True))
-    mark_times(panels, float(course.t[-1]), stops, waits, WAIT, passed)
+    waits = [(leg.t_0, leg.t_1 - leg.t_0) for leg in series.legs if isinstance(leg.motion, Wait)]
+    stops, passed = ([leg.t_1 for leg in series.moves if leg.passed == moving] for moving in (False, True))
+    mark_times(panels, float(series.t[-1]), stops, waits, WAIT, passed)
 
 
 def mark_times(

@@ -43,7 +43,7 @@ def axis_moves(analysis: Analysis, plant: Plant, axis: str) -> tuple[list[tuple[
     return out, float(plant.limits.acceleration[0]) if axis == "rail" else plant.tcp.acceleration
 
 
-def course(D: float, V: float, A: float) -> tuple[Array, Array]:
+def fastest_curve(D: float, V: float, A: float) -> tuple[Array, Array]:
     """Distance from the goal [m] and speed [m/s] (n,) of the fastest move over D from rest to rest."""
     breaks, accelerations = fastest_profile(D, 0.0, 0.0, V, A)
     s, v, at, speed = [-D], [0.0], -D, 0.0
@@ -63,7 +63,7 @@ def phase_pictures(analysis: Analysis, plant: Plant, axis: str, title: str) -> d
 
 
 def phase_figure(moves: list[tuple[int, float, float]], A: float, axis: str, title: str) -> Figure:
-    """Courses of an axis' moves (number, displacement, greatest speed) to the origin at accelerations up to A."""
+    """Phase curves of an axis' moves (number, displacement, greatest speed) to the origin at accelerations up to A."""
     figure = new_figure(7.0, title, f"axis {axis}, |a| at most {A:g} m/s², every move from rest to rest")
     axes = figure.subplots()
     far = max(abs(D) for _, D, _ in moves) * 1.05
@@ -77,7 +77,7 @@ def phase_figure(moves: list[tuple[int, float, float]], A: float, axis: str, tit
         axes.annotate(name, (place, 0.06), xycoords="axes fraction", ha=side, size=SMALL, color=GREY)
     for k, (number, D, V) in enumerate(moves):
         color, line = JOINT_STYLES[k % len(JOINT_STYLES)]
-        s, speed = course(D, V, A)
+        s, speed = fastest_curve(D, V, A)
         axes.plot(s, speed, color=color, linestyle=line, linewidth=1.8, gid=f"move {number}")
         axes.plot(s[0], 0.0, "o", color=color, markersize=5)
     axes.set_xlim(-far, far)

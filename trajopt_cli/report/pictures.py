@@ -39,9 +39,9 @@ def draw(program: Program, plant: Plant, plan: Plan, title: str) -> dict[str, by
     """
     out: dict[str, bytes] = {}
     with house_style():
-        course = follow(program, plant, plan, title)
+        series = follow(program, plant, plan, title)
         for name, picture in PICTURES.items():
-            figure = picture(course)
+            figure = picture(series)
             if figure is not None:
                 out |= files(name, figure, f"{title}: {name.replace('_', ' ')}")
     return out

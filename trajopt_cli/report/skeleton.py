@@ -1,4 +1,4 @@
-"""What the pictures of a plan need besides its course: angles, the arm's own plane, a skeleton."""
+"""What the pictures of a plan need besides its series: angles, the arm's own plane, a skeleton."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
     """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,); (8, 3) where
     axis 4 is carried apart from the wrist centre, before it."""
     robot = plant.robot
-    X_WO = robot.canonical_base_at(q)
+    X_WC = robot.canonical_base_at(q)
     points = robot.differential(q, X_FT).points()
     ends = points[3:5] if isinstance(robot.arm, ParallelArm) else points[4:5]
-    foot = (X_WO @ [0.0, 0.0, robot.arm.c1, 1.0])[:3]
-    return np.vstack([X_WO[:3, 3], foot, points[1], points[2], *ends, robot.forward(q)[:3, 3], points[6]])
+    foot = (X_WC @ [0.0, 0.0, robot.arm.c1, 1.0])[:3]
+    return np.vstack([X_WC[:3, 3], foot, points[1], points[2], *ends, robot.forward(q)[:3, 3], points[6]])

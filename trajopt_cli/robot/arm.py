@@ -2,10 +2,10 @@
 
 Any such arm is seven lengths, as Brandstötter, Angerer and Hofbaur name them ("An analytical solution of the inverse
 kinematics problem of industrial serial manipulators with an ortho-parallel basis and a spherical wrist", 2014), in a
-canonical pose of all joints: X_OK = Rz(t1) T(a1, b, c1) Ry(t2) T(0, 0, c2) Ry(t3) T(c3, 0, -a2) Rx(t4) Ry(t5) Rx(t6)
+canonical pose of all joints: X_CK = Rz(t1) T(a1, b, c1) Ry(t2) T(0, 0, c2) Ry(t3) T(c3, 0, -a2) Rx(t4) Ry(t5) Rx(t6)
 T(c4, 0, 0) Ry(90 deg). All t = 0 stands the lower arm up and stretches the upper arm forward, as ABB's zero does; the
 paper's third angle is t3 + 90 deg. The arm's own joints are t = sign q + offset; its base link B and its flange F stand
-anywhere fixed to O and K. Frames: O on axis 1 with z along it, K with z along axis 6, away from the wrist centre. Where
+anywhere fixed to C and K. Frames: C on axis 1 with z along it, K with z along axis 6, away from the wrist centre. Where
 axis 4 is parallel to axes 2 and 3 it is another kind of arm, whose products robot.parallel_arm has under these names.
 """
 
@@ -26,7 +26,7 @@ class Arm:
     c3 along axis 4 and -a2 across it to the wrist centre; c4 to the flange.
 
     signs, offsets (6,): the canonical angle of a joint is sign * q + offset. middles (6,) [rad]: the inverse gives
-    joints within half a turn of them. X_BO, X_KF (4, 4): the canonical base in the base link, the flange (tool0) in the
+    joints within half a turn of them. X_BC, X_KF (4, 4): the canonical base in the base link, the flange (tool0) in the
     canonical one. For ABB's axis directions signs are 1, offsets 0 and both poses the identity. wrist (3,): from where
     axes 4 and 5 meet to axis 6, in the link before it (x along axis 6, y along axis 5); zero for a spherical wrist.
     coupled: a parallel linkage drives the upper arm, so joint 3 is its angle against the base: t2 + t3 stays as joint 2
@@ -43,13 +43,13 @@ class Arm:
     signs: Array
     offsets: Array
     middles: Array
-    X_BO: Array
+    X_BC: Array
     X_KF: Array
     wrist: Array = field(default_factory=lambda: np.zeros(3))
     coupled: bool = False
 
     def __post_init__(self) -> None:
-        for name in ("signs", "offsets", "middles", "X_BO", "X_KF", "wrist"):
+        for name in ("signs", "offsets", "middles", "X_BC", "X_KF", "wrist"):
             object.__setattr__(self, name, readonly(getattr(self, name)))
 
     @property

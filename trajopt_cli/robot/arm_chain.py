@@ -91,9 +91,9 @@ def _with_a_wrist(lines: _Lines, file: str) -> Arm:
     onward = steps[4] - t4 * u[3] + steps[5]  # from the wrist centre to joint 6
     aside_6 = _small(onward - (onward @ x6) * x6)  # to axis 6
     beside = steps[4] - t4 * u[3] + tail - c4 * x6 - aside_6  # from the canonical flange to the flange
-    X_BO, X_KF = np.eye(4), np.eye(4)
-    X_BO[:3, :3] = np.column_stack([x, y, z])
-    X_BO[:3, 3] = steps[0] - (steps[0] @ z) * z
+    X_BC, X_KF = np.eye(4), np.eye(4)
+    X_BC[:3, :3] = np.column_stack([x, y, z])
+    X_BC[:3, 3] = steps[0] - (steps[0] @ z) * z
     X_KF[:3, :3], X_KF[:3, 3] = R_BK.T @ lines.R, R_BK.T @ beside
     offsets = [0.0, lower.angle, t23 - lower.angle]
     offsets += [np.arctan2(z4 @ y5, y @ y5), np.arctan2(-(z5 @ x6), x4 @ x6), 0.0]
@@ -113,7 +113,7 @@ def _with_a_wrist(lines: _Lines, file: str) -> Arm:
         offsets=_right_angles(np.array(offsets)),
         middles=np.zeros(6),
         coupled=False,
-        X_BO=_clean(X_BO),
+        X_BC=_clean(X_BC),
         X_KF=_clean(X_KF),
         wrist=_clean(np.array([0.0, y5 @ aside_6, np.cross(x6, y5) @ aside_6])),
     )
@@ -141,9 +141,9 @@ def _parallel(lines: _Lines, file: str) -> ParallelArm:
     t_5 = np.arctan2(-(x5 @ y6), y @ y6)
     R_BK = np.column_stack([np.cross(y6, z5), -z5, y6])
     c4 = y6 @ tail
-    X_BO, X_KF = np.eye(4), np.eye(4)
-    X_BO[:3, :3] = np.column_stack([x, y, z])
-    X_BO[:3, 3] = steps[0] - (steps[0] @ z) * z
+    X_BC, X_KF = np.eye(4), np.eye(4)
+    X_BC[:3, :3] = np.column_stack([x, y, z])
+    X_BC[:3, 3] = steps[0] - (steps[0] @ z) * z
     X_KF[:3, :3], X_KF[:3, 3] = R_BK.T @ lines.R, R_BK.T @ (tail - c4 * y6)
     lengths = {
         "a1": x @ steps[1],
@@ -160,7 +160,7 @@ def _parallel(lines: _Lines, file: str) -> ParallelArm:
         offsets=_right_angles(np.array([0.0, lower.angle, t23 - lower.angle, t234 - t23, t_5, 0.0])),
         middles=np.zeros(6),
         coupled=False,
-        X_BO=_clean(X_BO),
+        X_BC=_clean(X_BC),
         X_KF=_clean(X_KF),
         wrist=_clean(np.array([x5 @ wrist, 0.0, z5 @ wrist])),
     )

@@ -1,4 +1,4 @@
-; sha256 784c616d5934ae9885e80fec46217c577efc2283c9fe369a3b8b0a67298097c1 of chain_loops.py and of this
+; sha256 79db7b2cab242af524b6d6960ac05a288e5b34e1da064a01cda28f9b4b1a4ffc of chain_loops.py and of this
 ; made by numba 0.68.1, llvmlite 0.50.0, Python 3.11.7
 ; loops.poses: array(float64, 2d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 3d, C); array(float64, 2d, A); array(float64, 3d, C)
 ; loops.points: array(float64, 2d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 3d, C); array(float64, 2d, A); array(float64, 3d, C)
@@ -7,7 +7,7 @@
 ; loops.follow: array(float64, 2d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 3d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, C); array(float64, 2d, C)
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.poses(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.X.0, ptr readnone captures(none) %arg.X.1, i64 %arg.X.2, i64 %arg.X.3, ptr writeonly captures(none) %arg.X.4, i64 %arg.X.5.0, i64 %arg.X.5.1, i64 %arg.X.5.2, i64 %arg.X.6.0, i64 %arg.X.6.1, i64 %arg.X.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.poses(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.X.0, ptr readnone captures(none) %arg.X.1, i64 %arg.X.2, i64 %arg.X.3, ptr writeonly captures(none) %arg.X.4, i64 %arg.X.5.0, i64 %arg.X.5.1, i64 %arg.X.5.2, i64 %arg.X.6.0, i64 %arg.X.6.1, i64 %arg.X.6.2) local_unnamed_addr #0 {
 B0.endif:
   %.250589.not = icmp slt i64 %arg.q.5.0, 1
   br i1 %.250589.not, label %B416, label %B62.lr.ph
@@ -37,8 +37,8 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %.3398.i = getelementptr i8, ptr %2, i64 %.3175.i
   %6 = getelementptr i8, ptr %.348.i, i64 %.idx558
   %.447.i = add nsw i64 %arg.q.5.1, -6
-  %.622.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.622.i
+  %.622.i = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.622.i
   %.721.i = icmp slt i64 %arg.q.5.1, 7
   %..447.i = select i1 %.721.i, i64 0, i64 %.447.i
   %.7631173.i = icmp sgt i64 %..447.i, 0
@@ -98,18 +98,18 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %sunkaddr51 = shl i64 %arg.X.5.2, 3
   %sunkaddr61 = getelementptr i8, ptr %sunkaddr44, i64 8
   %sunkaddr71 = getelementptr i8, ptr %sunkaddr44, i64 16
-  %.1168.1.i = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
-  %.1165.2.i = shl i64 %arg.X_WO.6.1, 1
-  %.1168.2.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.2.i
+  %.1168.1.i = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
+  %.1165.2.i = shl i64 %arg.X_WC.6.1, 1
+  %.1168.2.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.2.i
   %.1220.2.i = shl i64 %arg.room.5.2, 1
   %gep1179.2.i = getelementptr double, ptr %arg.room.4, i64 %.1220.2.i
-  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WO.6.0
-  %21 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
-  %.1168.1.1.i = getelementptr i8, ptr %21, i64 %arg.X_WO.6.1
+  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WC.6.0
+  %21 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
+  %.1168.1.1.i = getelementptr i8, ptr %21, i64 %arg.X_WC.6.1
   %gep1179.1.1.i = getelementptr double, ptr %.2054.1.i, i64 %arg.room.5.2
   %.1168.2.1.i = getelementptr i8, ptr %21, i64 %.1165.2.i
   %gep1179.2.1.i = getelementptr double, ptr %.2054.1.i, i64 %.1220.2.i
-  %.621.2.i = shl i64 %arg.X_WO.6.0, 1
+  %.621.2.i = shl i64 %arg.X_WC.6.0, 1
   %gep1185.2.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %.621.2.i
   %22 = icmp eq i64 %..447.i, 1
   %unroll_iter.i = and i64 %..447.i, 9223372036854775806
@@ -136,8 +136,8 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %.902.us.2.epil.i = mul i64 %unroll_iter.i, %arg.ride.6.0
   %gep.us.2.epil.i = getelementptr i8, ptr %invariant.gep.us.2.i, i64 %.902.us.2.epil.i
   %.937.us.2.epil.i = mul i64 %unroll_iter.i, %arg.q.6.1
-  %31 = getelementptr i8, ptr %arg.X_WO.4, i64 %.621.2.i
-  %.1168.1.2.i = getelementptr i8, ptr %31, i64 %arg.X_WO.6.1
+  %31 = getelementptr i8, ptr %arg.X_WC.4, i64 %.621.2.i
+  %.1168.1.2.i = getelementptr i8, ptr %31, i64 %arg.X_WC.6.1
   %.1168.2.2.i = getelementptr i8, ptr %31, i64 %.1165.2.i
   %gep1179.2.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %.1220.2.i
   br label %B62
@@ -157,7 +157,7 @@ B184.us.preheader.new.i:                          ; preds = %B184.us.preheader.i
   br i1 %27, label %B184.us.epil.preheader3.i, label %B184.us.i
 
 B120.endif.preheader.i:                           ; preds = %B62
-  %.1170.i = load double, ptr %arg.X_WO.4, align 8, !noalias !0
+  %.1170.i = load double, ptr %arg.X_WC.4, align 8, !noalias !0
   store double %.1170.i, ptr %arg.room.4, align 8, !noalias !0
   %.1170.1.i = load double, ptr %.1168.1.i, align 8, !noalias !0
   store double %.1170.1.i, ptr %7, align 8, !noalias !0
@@ -378,7 +378,7 @@ B184.us.epil.preheader.i:                         ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us.i
 
 B182.B258.endif.endif_crit_edge.us.i:             ; preds = %B184.us.epil.preheader.i, %B182.B258.endif.endif_crit_edge.us.unr-lcssa.i
-  %.1170.us.i = load double, ptr %arg.X_WO.4, align 8, !noalias !0
+  %.1170.us.i = load double, ptr %arg.X_WC.4, align 8, !noalias !0
   store double %.1170.us.i, ptr %arg.room.4, align 8, !noalias !0
   %.1170.us.1.i = load double, ptr %.1168.1.i, align 8, !noalias !0
   store double %.1170.us.1.i, ptr %7, align 8, !noalias !0
@@ -917,7 +917,7 @@ declare double @llvm.cos.f64(double) #1
 declare double @llvm.sin.f64(double) #1
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.points(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.o.0, ptr readnone captures(none) %arg.o.1, i64 %arg.o.2, i64 %arg.o.3, ptr writeonly captures(none) %arg.o.4, i64 %arg.o.5.0, i64 %arg.o.5.1, i64 %arg.o.5.2, i64 %arg.o.6.0, i64 %arg.o.6.1, i64 %arg.o.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.points(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.o.0, ptr readnone captures(none) %arg.o.1, i64 %arg.o.2, i64 %arg.o.3, ptr writeonly captures(none) %arg.o.4, i64 %arg.o.5.0, i64 %arg.o.5.1, i64 %arg.o.5.2, i64 %arg.o.6.0, i64 %arg.o.6.1, i64 %arg.o.6.2) local_unnamed_addr #0 {
 B0.endif:
   %.369 = alloca ptr, align 8
   %.250340.not = icmp slt i64 %arg.q.5.0, 1
@@ -927,7 +927,7 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %factor.op.mul328 = shl i64 %arg.room.5.1, 4
   %factor.op.mul.reass = mul i64 %factor.op.mul328, %arg.room.5.2
   %0 = getelementptr i8, ptr %arg.room.4, i64 %factor.op.mul.reass
-  call fastcc void @part.1(ptr nonnull %.369, ptr %arg.chain.4, i64 %arg.chain.5.1, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr %arg.q.4, i64 %arg.q.5.1, i64 %arg.q.6.1)
+  call fastcc void @part.1(ptr nonnull %.369, ptr %arg.chain.4, i64 %arg.chain.5.1, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr %arg.q.4, i64 %arg.q.5.1, i64 %arg.q.6.1)
   %.732.us.peel = load double, ptr %0, align 8
   store double %.732.us.peel, ptr %arg.o.4, align 8
   %1 = getelementptr i8, ptr %0, i64 8
@@ -1039,7 +1039,7 @@ B62:                                              ; preds = %B62, %B62.preheader
   %arg.q.4.pn = phi ptr [ %arg.q.4, %B62.preheader ], [ %lsr.iv15, %B62 ]
   %arg.o.4.pn = phi ptr [ %arg.o.4, %B62.preheader ], [ %lsr.iv, %B62 ]
   %lsr.iv15 = getelementptr i8, ptr %arg.q.4.pn, i64 %arg.q.6.0
-  call fastcc void @part.1(ptr nonnull %.369, ptr %arg.chain.4, i64 %arg.chain.5.1, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr nonnull %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr %lsr.iv15, i64 %arg.q.5.1, i64 %arg.q.6.1)
+  call fastcc void @part.1(ptr nonnull %.369, ptr %arg.chain.4, i64 %arg.chain.5.1, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr nonnull %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr %lsr.iv15, i64 %arg.q.5.1, i64 %arg.q.6.1)
   %lsr.iv = getelementptr i8, ptr %arg.o.4.pn, i64 %42
   %.732.us = load double, ptr %0, align 8
   store double %.732.us, ptr %lsr.iv, align 8
@@ -1113,14 +1113,14 @@ B224:                                             ; preds = %B62, %B62.lr.ph, %B
 }
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @part.1(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.1, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.6.0) unnamed_addr #0 {
+define internal fastcc void @part.1(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.1, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr %arg.room.4, i64 %arg.room.5.1, i64 %arg.room.5.2, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.6.0) unnamed_addr #0 {
 B0.endif.endif:
   %.168 = mul i64 %arg.room.5.2, %arg.room.5.1
   %.348.idx = shl i64 %.168, 4
   %.348 = getelementptr i8, ptr %arg.room.4, i64 %.348.idx
   %.447 = add nsw i64 %arg.q.5.0, -6
-  %.622 = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep1184 = getelementptr i8, ptr %arg.X_WO.4, i64 %.622
+  %.622 = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep1184 = getelementptr i8, ptr %arg.X_WC.4, i64 %.622
   %.721 = icmp slt i64 %arg.q.5.0, 7
   %..447 = select i1 %.721, i64 0, i64 %.447
   %.7631173 = icmp sgt i64 %..447, 0
@@ -1147,27 +1147,27 @@ B184.us.preheader.new.new:                        ; preds = %B184.us.preheader.n
   br label %B184.us
 
 B120.endif.preheader:                             ; preds = %B0.endif.endif
-  %.1170 = load double, ptr %arg.X_WO.4, align 8
+  %.1170 = load double, ptr %arg.X_WC.4, align 8
   store double %.1170, ptr %arg.room.4, align 8
-  %.1168.1 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
+  %.1168.1 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
   %.1170.1 = load double, ptr %.1168.1, align 8
   %gep1179.1 = getelementptr double, ptr %arg.room.4, i64 %arg.room.5.2
   store double %.1170.1, ptr %gep1179.1, align 8
-  %.1165.2 = shl i64 %arg.X_WO.6.1, 1
-  %.1168.2 = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.2
+  %.1165.2 = shl i64 %arg.X_WC.6.1, 1
+  %.1168.2 = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.2
   %.1170.2 = load double, ptr %.1168.2, align 8
   %.1220.2 = shl i64 %arg.room.5.2, 1
   %gep1179.2 = getelementptr double, ptr %arg.room.4, i64 %.1220.2
   store double %.1170.2, ptr %gep1179.2, align 8
-  %gep1185.1 = getelementptr i8, ptr %invariant.gep1184, i64 %arg.X_WO.6.0
+  %gep1185.1 = getelementptr i8, ptr %invariant.gep1184, i64 %arg.X_WC.6.0
   %.627.1 = load double, ptr %gep1185.1, align 8
   %.681.1 = getelementptr i8, ptr %.348, i64 8
   store double %.627.1, ptr %.681.1, align 8
-  %7 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
+  %7 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
   %invariant.gep1178.1 = getelementptr i8, ptr %arg.room.4, i64 8
   %.1170.11251 = load double, ptr %7, align 8
   store double %.1170.11251, ptr %invariant.gep1178.1, align 8
-  %.1168.1.1 = getelementptr i8, ptr %7, i64 %arg.X_WO.6.1
+  %.1168.1.1 = getelementptr i8, ptr %7, i64 %arg.X_WC.6.1
   %.1170.1.1 = load double, ptr %.1168.1.1, align 8
   %gep1179.1.1 = getelementptr double, ptr %invariant.gep1178.1, i64 %arg.room.5.2
   store double %.1170.1.1, ptr %gep1179.1.1, align 8
@@ -1175,7 +1175,7 @@ B120.endif.preheader:                             ; preds = %B0.endif.endif
   %.1170.2.1 = load double, ptr %.1168.2.1, align 8
   %gep1179.2.1 = getelementptr double, ptr %invariant.gep1178.1, i64 %.1220.2
   store double %.1170.2.1, ptr %gep1179.2.1, align 8
-  %.621.2 = shl i64 %arg.X_WO.6.0, 1
+  %.621.2 = shl i64 %arg.X_WC.6.0, 1
   %gep1185.2 = getelementptr i8, ptr %invariant.gep1184, i64 %.621.2
   %.627.2 = load double, ptr %gep1185.2, align 8
   %.681.2 = getelementptr i8, ptr %.348, i64 16
@@ -1267,11 +1267,11 @@ B184.us.1.epil.preheader:                         ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us.1
 
 B182.B258.endif.endif_crit_edge.us.1:             ; preds = %B184.us.1.epil.preheader, %B182.B258.endif.endif_crit_edge.us.1.unr-lcssa
-  %10 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
+  %10 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
   %invariant.gep1178.us.1 = getelementptr i8, ptr %arg.room.4, i64 8
   %.1170.us.11255 = load double, ptr %10, align 8
   store double %.1170.us.11255, ptr %invariant.gep1178.us.1, align 8
-  %.1168.us.1.1 = getelementptr i8, ptr %10, i64 %arg.X_WO.6.1
+  %.1168.us.1.1 = getelementptr i8, ptr %10, i64 %arg.X_WC.6.1
   %.1170.us.1.1 = load double, ptr %.1168.us.1.1, align 8
   %gep1179.us.1.1 = getelementptr double, ptr %invariant.gep1178.us.1, i64 %arg.room.5.2
   store double %.1170.us.1.1, ptr %gep1179.us.1.1, align 8
@@ -1279,7 +1279,7 @@ B182.B258.endif.endif_crit_edge.us.1:             ; preds = %B184.us.1.epil.preh
   %.1170.us.2.1 = load double, ptr %sunkaddr100, align 8
   %gep1179.us.2.1 = getelementptr double, ptr %invariant.gep1178.us.1, i64 %.1220.us.2
   store double %.1170.us.2.1, ptr %gep1179.us.2.1, align 8
-  %.621.us.2 = shl i64 %arg.X_WO.6.0, 1
+  %.621.us.2 = shl i64 %arg.X_WC.6.0, 1
   %gep1185.us.2 = getelementptr i8, ptr %invariant.gep1184, i64 %.621.us.2
   %.627.us.2 = load double, ptr %gep1185.us.2, align 8
   %.681.us.2 = getelementptr i8, ptr %.348, i64 16
@@ -1424,19 +1424,19 @@ B184.us.epil.preheader:                           ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us
 
 B182.B258.endif.endif_crit_edge.us:               ; preds = %B184.us.epil.preheader, %B182.B258.endif.endif_crit_edge.us.unr-lcssa
-  %.1170.us = load double, ptr %arg.X_WO.4, align 8
+  %.1170.us = load double, ptr %arg.X_WC.4, align 8
   store double %.1170.us, ptr %arg.room.4, align 8
-  %.1168.us.1 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
+  %.1168.us.1 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
   %.1170.us.1 = load double, ptr %.1168.us.1, align 8
   %gep1179.us.1 = getelementptr double, ptr %arg.room.4, i64 %arg.room.5.2
   store double %.1170.us.1, ptr %gep1179.us.1, align 8
-  %.1165.us.2 = shl i64 %arg.X_WO.6.1, 1
-  %.1168.us.2 = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.us.2
+  %.1165.us.2 = shl i64 %arg.X_WC.6.1, 1
+  %.1168.us.2 = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.us.2
   %.1170.us.2 = load double, ptr %.1168.us.2, align 8
   %.1220.us.2 = shl i64 %arg.room.5.2, 1
   %gep1179.us.2 = getelementptr double, ptr %arg.room.4, i64 %.1220.us.2
   store double %.1170.us.2, ptr %gep1179.us.2, align 8
-  %gep1185.us.1 = getelementptr i8, ptr %invariant.gep1184, i64 %arg.X_WO.6.0
+  %gep1185.us.1 = getelementptr i8, ptr %invariant.gep1184, i64 %arg.X_WC.6.0
   %.627.us.1 = load double, ptr %gep1185.us.1, align 8
   %.681.us.1 = getelementptr i8, ptr %.348, i64 8
   store double %.627.us.1, ptr %.681.us.1, align 8
@@ -1569,11 +1569,11 @@ B652.endif.2.peel.next:                           ; preds = %B184.us.2.epil.preh
   %.621.2.sink = phi i64 [ %.621.2, %B120.endif.preheader ], [ %.621.us.2, %B652.endif.2.peel.next.loopexit.unr-lcssa ], [ %.621.us.2, %B184.us.2.epil.preheader ]
   %.1165.2.sink = phi i64 [ %.1165.2, %B120.endif.preheader ], [ %.1165.us.2, %B652.endif.2.peel.next.loopexit.unr-lcssa ], [ %.1165.us.2, %B184.us.2.epil.preheader ]
   %.1220.2.sink = phi i64 [ %.1220.2, %B120.endif.preheader ], [ %.1220.us.2, %B652.endif.2.peel.next.loopexit.unr-lcssa ], [ %.1220.us.2, %B184.us.2.epil.preheader ]
-  %31 = getelementptr i8, ptr %arg.X_WO.4, i64 %.621.2.sink
+  %31 = getelementptr i8, ptr %arg.X_WC.4, i64 %.621.2.sink
   %invariant.gep1178.2 = getelementptr i8, ptr %arg.room.4, i64 16
   %.1170.21252 = load double, ptr %31, align 8
   store double %.1170.21252, ptr %invariant.gep1178.2, align 8
-  %.1168.1.2 = getelementptr i8, ptr %31, i64 %arg.X_WO.6.1
+  %.1168.1.2 = getelementptr i8, ptr %31, i64 %arg.X_WC.6.1
   %.1170.1.2 = load double, ptr %.1168.1.2, align 8
   %gep1179.1.2 = getelementptr double, ptr %invariant.gep1178.2, i64 %arg.room.5.2
   store double %.1170.1.2, ptr %gep1179.1.2, align 8
@@ -1906,7 +1906,7 @@ B652.endif.2:                                     ; preds = %B652.endif.2, %B652
 }
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.jacobians(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.J.0, ptr readnone captures(none) %arg.J.1, i64 %arg.J.2, i64 %arg.J.3, ptr captures(none) %arg.J.4, i64 %arg.J.5.0, i64 %arg.J.5.1, i64 %arg.J.5.2, i64 %arg.J.6.0, i64 %arg.J.6.1, i64 %arg.J.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.jacobians(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.J.0, ptr readnone captures(none) %arg.J.1, i64 %arg.J.2, i64 %arg.J.3, ptr captures(none) %arg.J.4, i64 %arg.J.5.0, i64 %arg.J.5.1, i64 %arg.J.5.2, i64 %arg.J.6.0, i64 %arg.J.6.1, i64 %arg.J.6.2) local_unnamed_addr #0 {
 B0.endif:
   %.171 = add nsw i64 %arg.q.5.1, -6
   %.269444.not = icmp slt i64 %arg.q.5.0, 1
@@ -2114,8 +2114,8 @@ B94.lr.ph:                                        ; preds = %B0.endif
   %.168.i = mul i64 %arg.room.5.2, %arg.room.5.1
   %.348.idx.i = shl i64 %.168.i, 4
   %.348.i = getelementptr i8, ptr %arg.room.4, i64 %.348.idx.i
-  %.622.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.622.i
+  %.622.i = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.622.i
   %.7631173.i = icmp sgt i64 %..171, 0
   %invariant.gep1178.2.i = getelementptr i8, ptr %arg.room.4, i64 16
   %gep1179.1.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %arg.room.5.2
@@ -2179,18 +2179,18 @@ B94.lr.ph:                                        ; preds = %B0.endif
   %80 = shl i64 %.171, 3
   %81 = add i64 %arg.J.5.2, %.171
   %82 = shl i64 %81, 3
-  %.1168.1.i = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
-  %.1165.2.i = shl i64 %arg.X_WO.6.1, 1
-  %.1168.2.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.2.i
+  %.1168.1.i = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
+  %.1165.2.i = shl i64 %arg.X_WC.6.1, 1
+  %.1168.2.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.2.i
   %.1220.2.i = shl i64 %arg.room.5.2, 1
   %gep1179.2.i = getelementptr double, ptr %arg.room.4, i64 %.1220.2.i
-  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WO.6.0
-  %83 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
-  %.1168.1.1.i = getelementptr i8, ptr %83, i64 %arg.X_WO.6.1
+  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WC.6.0
+  %83 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
+  %.1168.1.1.i = getelementptr i8, ptr %83, i64 %arg.X_WC.6.1
   %gep1179.1.1.i = getelementptr double, ptr %.2054.1.i, i64 %arg.room.5.2
   %.1168.2.1.i = getelementptr i8, ptr %83, i64 %.1165.2.i
   %gep1179.2.1.i = getelementptr double, ptr %.2054.1.i, i64 %.1220.2.i
-  %.621.2.i = shl i64 %arg.X_WO.6.0, 1
+  %.621.2.i = shl i64 %arg.X_WC.6.0, 1
   %gep1185.2.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %.621.2.i
   %84 = icmp eq i64 %..171, 1
   %85 = shl i64 %arg.ride.6.0, 1
@@ -2213,8 +2213,8 @@ B94.lr.ph:                                        ; preds = %B0.endif
   %brmerge = select i1 %93, i1 true, i1 %36
   %brmerge205 = select i1 %brmerge, i1 true, i1 %conflict.rdx203
   %94 = icmp eq i64 %..171, %n.vec
-  %95 = getelementptr i8, ptr %arg.X_WO.4, i64 %.621.2.i
-  %.1168.1.2.i = getelementptr i8, ptr %95, i64 %arg.X_WO.6.1
+  %95 = getelementptr i8, ptr %arg.X_WC.4, i64 %.621.2.i
+  %.1168.1.2.i = getelementptr i8, ptr %95, i64 %arg.X_WC.6.1
   %.1168.2.2.i = getelementptr i8, ptr %95, i64 %.1165.2.i
   %gep1179.2.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %.1220.2.i
   br label %B94
@@ -2251,7 +2251,7 @@ B184.us.preheader.new.i:                          ; preds = %B184.us.preheader.i
   br i1 %89, label %B184.us.epil.preheader3.i, label %B184.us.i
 
 B120.endif.preheader.i:                           ; preds = %B94
-  %.1170.i = load double, ptr %arg.X_WO.4, align 8, !noalias !7
+  %.1170.i = load double, ptr %arg.X_WC.4, align 8, !noalias !7
   store double %.1170.i, ptr %arg.room.4, align 8, !noalias !7
   %.1170.1.i = load double, ptr %.1168.1.i, align 8, !noalias !7
   store double %.1170.1.i, ptr %61, align 8, !noalias !7
@@ -2472,7 +2472,7 @@ B184.us.epil.preheader.i:                         ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us.i
 
 B182.B258.endif.endif_crit_edge.us.i:             ; preds = %B184.us.epil.preheader.i, %B182.B258.endif.endif_crit_edge.us.unr-lcssa.i
-  %.1170.us.i = load double, ptr %arg.X_WO.4, align 8, !noalias !7
+  %.1170.us.i = load double, ptr %arg.X_WC.4, align 8, !noalias !7
   store double %.1170.us.i, ptr %arg.room.4, align 8, !noalias !7
   %.1170.us.1.i = load double, ptr %.1168.1.i, align 8, !noalias !7
   store double %.1170.us.1.i, ptr %61, align 8, !noalias !7
@@ -3115,7 +3115,7 @@ B228.endif.endif.us:                              ; preds = %B228.endif.endif.us
 }
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.motions(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.qd.0, ptr readnone captures(none) %arg.qd.1, i64 %arg.qd.2, i64 %arg.qd.3, ptr readonly captures(none) %arg.qd.4, i64 %arg.qd.5.0, i64 %arg.qd.5.1, i64 %arg.qd.6.0, i64 %arg.qd.6.1, ptr readnone captures(none) %arg.qdd.0, ptr readnone captures(none) %arg.qdd.1, i64 %arg.qdd.2, i64 %arg.qdd.3, ptr readonly captures(none) %arg.qdd.4, i64 %arg.qdd.5.0, i64 %arg.qdd.5.1, i64 %arg.qdd.6.0, i64 %arg.qdd.6.1, ptr readnone captures(none) %arg.out.0, ptr readnone captures(none) %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.5.2, i64 %arg.out.6.0, i64 %arg.out.6.1, i64 %arg.out.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.motions(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.qd.0, ptr readnone captures(none) %arg.qd.1, i64 %arg.qd.2, i64 %arg.qd.3, ptr readonly captures(none) %arg.qd.4, i64 %arg.qd.5.0, i64 %arg.qd.5.1, i64 %arg.qd.6.0, i64 %arg.qd.6.1, ptr readnone captures(none) %arg.qdd.0, ptr readnone captures(none) %arg.qdd.1, i64 %arg.qdd.2, i64 %arg.qdd.3, ptr readonly captures(none) %arg.qdd.4, i64 %arg.qdd.5.0, i64 %arg.qdd.5.1, i64 %arg.qdd.6.0, i64 %arg.qdd.6.1, ptr readnone captures(none) %arg.out.0, ptr readnone captures(none) %arg.out.1, i64 %arg.out.2, i64 %arg.out.3, ptr %arg.out.4, i64 %arg.out.5.0, i64 %arg.out.5.1, i64 %arg.out.5.2, i64 %arg.out.6.0, i64 %arg.out.6.1, i64 %arg.out.6.2) local_unnamed_addr #0 {
 B0.endif:
   %.290309.not = icmp slt i64 %arg.q.5.0, 1
   br i1 %.290309.not, label %B194, label %B62.lr.ph
@@ -3127,8 +3127,8 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %.348.idx.i = shl i64 %.168.i, 4
   %.348.i = getelementptr i8, ptr %arg.room.4, i64 %.348.idx.i
   %.447.i = add nsw i64 %arg.q.5.1, -6
-  %.622.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.622.i
+  %.622.i = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.622.i
   %.721.i = icmp slt i64 %arg.q.5.1, 7
   %..447.i = select i1 %.721.i, i64 0, i64 %.447.i
   %.7631173.i = icmp sgt i64 %..447.i, 0
@@ -3195,18 +3195,18 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %.7631553.i = icmp sgt i64 %arg.qd.5.1, 6
   %arg.out.5.1..i = tail call i64 @llvm.smin.i64(i64 %arg.out.5.2, i64 3)
   %sunkaddr27.i = shl i64 %arg.out.5.1..i, 3
-  %.1168.1.i = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
-  %.1165.2.i = shl i64 %arg.X_WO.6.1, 1
-  %.1168.2.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.2.i
+  %.1168.1.i = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
+  %.1165.2.i = shl i64 %arg.X_WC.6.1, 1
+  %.1168.2.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.2.i
   %.1220.2.i = shl i64 %arg.room.5.2, 1
   %gep1179.2.i = getelementptr double, ptr %arg.room.4, i64 %.1220.2.i
-  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WO.6.0
-  %21 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
-  %.1168.1.1.i = getelementptr i8, ptr %21, i64 %arg.X_WO.6.1
+  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WC.6.0
+  %21 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
+  %.1168.1.1.i = getelementptr i8, ptr %21, i64 %arg.X_WC.6.1
   %gep1179.1.1.i = getelementptr double, ptr %.2054.1.i, i64 %arg.room.5.2
   %.1168.2.1.i = getelementptr i8, ptr %21, i64 %.1165.2.i
   %gep1179.2.1.i = getelementptr double, ptr %.2054.1.i, i64 %.1220.2.i
-  %.621.2.i = shl i64 %arg.X_WO.6.0, 1
+  %.621.2.i = shl i64 %arg.X_WC.6.0, 1
   %gep1185.2.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %.621.2.i
   %22 = icmp eq i64 %..447.i, 1
   %unroll_iter.i = and i64 %..447.i, 9223372036854775806
@@ -3238,8 +3238,8 @@ B62.lr.ph:                                        ; preds = %B0.endif
   %.902.us.2.epil.i = mul i64 %unroll_iter.i, %arg.ride.6.0
   %gep.us.2.epil.i = getelementptr i8, ptr %invariant.gep.us.2.i, i64 %.902.us.2.epil.i
   %.937.us.2.epil.i = mul i64 %unroll_iter.i, %arg.q.6.1
-  %33 = getelementptr i8, ptr %arg.X_WO.4, i64 %.621.2.i
-  %.1168.1.2.i = getelementptr i8, ptr %33, i64 %arg.X_WO.6.1
+  %33 = getelementptr i8, ptr %arg.X_WC.4, i64 %.621.2.i
+  %.1168.1.2.i = getelementptr i8, ptr %33, i64 %arg.X_WC.6.1
   %.1168.2.2.i = getelementptr i8, ptr %33, i64 %.1165.2.i
   %gep1179.2.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %.1220.2.i
   %scevgep28.prol.i = getelementptr i8, ptr %invariant.gep.us.2.i, i64 %arg.ride.6.0
@@ -3262,7 +3262,7 @@ B184.us.preheader.new.i:                          ; preds = %B184.us.preheader.i
   br i1 %27, label %B184.us.epil.preheader3.i, label %B184.us.i
 
 B120.endif.preheader.i:                           ; preds = %B62
-  %.1170.i = load double, ptr %arg.X_WO.4, align 8, !noalias !43
+  %.1170.i = load double, ptr %arg.X_WC.4, align 8, !noalias !43
   store double %.1170.i, ptr %arg.room.4, align 8, !noalias !43
   %.1170.1.i = load double, ptr %.1168.1.i, align 8, !noalias !43
   store double %.1170.1.i, ptr %1, align 8, !noalias !43
@@ -3483,7 +3483,7 @@ B184.us.epil.preheader.i:                         ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us.i
 
 B182.B258.endif.endif_crit_edge.us.i:             ; preds = %B184.us.epil.preheader.i, %B182.B258.endif.endif_crit_edge.us.unr-lcssa.i
-  %.1170.us.i = load double, ptr %arg.X_WO.4, align 8, !noalias !43
+  %.1170.us.i = load double, ptr %arg.X_WC.4, align 8, !noalias !43
   store double %.1170.us.i, ptr %arg.room.4, align 8, !noalias !43
   %.1170.us.1.i = load double, ptr %.1168.1.i, align 8, !noalias !43
   store double %.1170.us.1.i, ptr %1, align 8, !noalias !43
@@ -4277,7 +4277,7 @@ declare i64 @llvm.smax.i64(i64, i64) #1
 declare i64 @llvm.smin.i64(i64, i64) #1
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.follow(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.twist.0, ptr readnone captures(none) %arg.twist.1, i64 %arg.twist.2, i64 %arg.twist.3, ptr readonly captures(none) %arg.twist.4, i64 %arg.twist.5.0, i64 %arg.twist.5.1, i64 %arg.twist.6.0, i64 %arg.twist.6.1, ptr readnone captures(none) %arg.bend.0, ptr readnone captures(none) %arg.bend.1, i64 %arg.bend.2, i64 %arg.bend.3, ptr readonly captures(none) %arg.bend.4, i64 %arg.bend.5.0, i64 %arg.bend.5.1, i64 %arg.bend.6.0, i64 %arg.bend.6.1, ptr readnone captures(none) %arg.rail_rate.0, ptr readnone captures(none) %arg.rail_rate.1, i64 %arg.rail_rate.2, i64 %arg.rail_rate.3, ptr readonly captures(none) %arg.rail_rate.4, i64 %arg.rail_rate.5.0, i64 %arg.rail_rate.5.1, i64 %arg.rail_rate.6.0, i64 %arg.rail_rate.6.1, ptr readnone captures(none) %arg.rail_bend.0, ptr readnone captures(none) %arg.rail_bend.1, i64 %arg.rail_bend.2, i64 %arg.rail_bend.3, ptr readonly captures(none) %arg.rail_bend.4, i64 %arg.rail_bend.5.0, i64 %arg.rail_bend.5.1, i64 %arg.rail_bend.6.0, i64 %arg.rail_bend.6.1, ptr readnone captures(none) %arg.qd.0, ptr readnone captures(none) %arg.qd.1, i64 %arg.qd.2, i64 %arg.qd.3, ptr captures(none) %arg.qd.4, i64 %arg.qd.5.0, i64 %arg.qd.5.1, i64 %arg.qd.6.0, i64 %arg.qd.6.1, ptr readnone captures(none) %arg.qdd.0, ptr readnone captures(none) %arg.qdd.1, i64 %arg.qdd.2, i64 %arg.qdd.3, ptr captures(none) %arg.qdd.4, i64 %arg.qdd.5.0, i64 %arg.qdd.5.1, i64 %arg.qdd.6.0, i64 %arg.qdd.6.1) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.follow(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.chain.0, ptr readnone captures(none) %arg.chain.1, i64 %arg.chain.2, i64 %arg.chain.3, ptr readonly captures(none) %arg.chain.4, i64 %arg.chain.5.0, i64 %arg.chain.5.1, i64 %arg.chain.6.0, i64 %arg.chain.6.1, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.ride.0, ptr readnone captures(none) %arg.ride.1, i64 %arg.ride.2, i64 %arg.ride.3, ptr readonly captures(none) %arg.ride.4, i64 %arg.ride.5.0, i64 %arg.ride.5.1, i64 %arg.ride.6.0, i64 %arg.ride.6.1, ptr readnone captures(none) %arg.X_6T.0, ptr readnone captures(none) %arg.X_6T.1, i64 %arg.X_6T.2, i64 %arg.X_6T.3, ptr readonly captures(none) %arg.X_6T.4, i64 %arg.X_6T.5.0, i64 %arg.X_6T.5.1, i64 %arg.X_6T.6.0, i64 %arg.X_6T.6.1, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.5.2, i64 %arg.room.6.0, i64 %arg.room.6.1, i64 %arg.room.6.2, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr readonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.6.0, i64 %arg.q.6.1, ptr readnone captures(none) %arg.twist.0, ptr readnone captures(none) %arg.twist.1, i64 %arg.twist.2, i64 %arg.twist.3, ptr readonly captures(none) %arg.twist.4, i64 %arg.twist.5.0, i64 %arg.twist.5.1, i64 %arg.twist.6.0, i64 %arg.twist.6.1, ptr readnone captures(none) %arg.bend.0, ptr readnone captures(none) %arg.bend.1, i64 %arg.bend.2, i64 %arg.bend.3, ptr readonly captures(none) %arg.bend.4, i64 %arg.bend.5.0, i64 %arg.bend.5.1, i64 %arg.bend.6.0, i64 %arg.bend.6.1, ptr readnone captures(none) %arg.rail_rate.0, ptr readnone captures(none) %arg.rail_rate.1, i64 %arg.rail_rate.2, i64 %arg.rail_rate.3, ptr readonly captures(none) %arg.rail_rate.4, i64 %arg.rail_rate.5.0, i64 %arg.rail_rate.5.1, i64 %arg.rail_rate.6.0, i64 %arg.rail_rate.6.1, ptr readnone captures(none) %arg.rail_bend.0, ptr readnone captures(none) %arg.rail_bend.1, i64 %arg.rail_bend.2, i64 %arg.rail_bend.3, ptr readonly captures(none) %arg.rail_bend.4, i64 %arg.rail_bend.5.0, i64 %arg.rail_bend.5.1, i64 %arg.rail_bend.6.0, i64 %arg.rail_bend.6.1, ptr readnone captures(none) %arg.qd.0, ptr readnone captures(none) %arg.qd.1, i64 %arg.qd.2, i64 %arg.qd.3, ptr captures(none) %arg.qd.4, i64 %arg.qd.5.0, i64 %arg.qd.5.1, i64 %arg.qd.6.0, i64 %arg.qd.6.1, ptr readnone captures(none) %arg.qdd.0, ptr readnone captures(none) %arg.qdd.1, i64 %arg.qdd.2, i64 %arg.qdd.3, ptr captures(none) %arg.qdd.4, i64 %arg.qdd.5.0, i64 %arg.qdd.5.1, i64 %arg.qdd.6.0, i64 %arg.qdd.6.1) local_unnamed_addr #0 {
 B0.else.endif:
   %.2460 = alloca ptr, align 8
   %.3338 = alloca ptr, align 8
@@ -4313,7 +4313,7 @@ B184.us.preheader.new.i:                          ; preds = %B184.us.preheader.i
   br i1 %136, label %B184.us.epil.preheader3.i, label %B184.us.i
 
 B120.endif.preheader.i:                           ; preds = %B182
-  %.1170.i = load double, ptr %arg.X_WO.4, align 8, !noalias !51
+  %.1170.i = load double, ptr %arg.X_WC.4, align 8, !noalias !51
   store double %.1170.i, ptr %arg.room.4, align 8, !noalias !51
   %.1170.1.i = load double, ptr %.1168.1.i, align 8, !noalias !51
   store double %.1170.1.i, ptr %94, align 8, !noalias !51
@@ -4534,7 +4534,7 @@ B184.us.epil.preheader.i:                         ; preds = %B182.B258.endif.end
   br label %B182.B258.endif.endif_crit_edge.us.i
 
 B182.B258.endif.endif_crit_edge.us.i:             ; preds = %B184.us.epil.preheader.i, %B182.B258.endif.endif_crit_edge.us.unr-lcssa.i
-  %.1170.us.i = load double, ptr %arg.X_WO.4, align 8, !noalias !51
+  %.1170.us.i = load double, ptr %arg.X_WC.4, align 8, !noalias !51
   store double %.1170.us.i, ptr %arg.room.4, align 8, !noalias !51
   %.1170.us.1.i = load double, ptr %.1168.1.i, align 8, !noalias !51
   store double %.1170.us.1.i, ptr %94, align 8, !noalias !51
@@ -5791,8 +5791,8 @@ B182.lr.ph:                                       ; preds = %B0.endif.else.endif
   %.168.i = mul i64 %arg.room.5.2, %arg.room.5.1
   %.348.idx.i = shl i64 %.168.i, 4
   %.348.i = getelementptr i8, ptr %arg.room.4, i64 %.348.idx.i
-  %.622.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.622.i
+  %.622.i = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep1184.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.622.i
   %.7631173.i = icmp sgt i64 %..265, 0
   %invariant.gep1178.2.i = getelementptr i8, ptr %arg.room.4, i64 16
   %gep1179.1.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %arg.room.5.2
@@ -5918,17 +5918,17 @@ B182.lr.ph:                                       ; preds = %B0.endif.else.endif
   %sunkaddr238 = getelementptr i8, ptr %sunkaddr219, i64 32
   %sunkaddr242 = getelementptr i8, ptr %sunkaddr219, i64 40
   %130 = icmp slt i64 %.3194, %arg.qdd.5.1
-  %.1168.1.i = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.1
-  %.1165.2.i = shl i64 %arg.X_WO.6.1, 1
-  %.1168.2.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.1165.2.i
+  %.1168.1.i = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.1
+  %.1165.2.i = shl i64 %arg.X_WC.6.1, 1
+  %.1168.2.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.1165.2.i
   %gep1179.2.i = getelementptr double, ptr %arg.room.4, i64 %.1437.2.i
-  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WO.6.0
-  %131 = getelementptr i8, ptr %arg.X_WO.4, i64 %arg.X_WO.6.0
-  %.1168.1.1.i = getelementptr i8, ptr %131, i64 %arg.X_WO.6.1
+  %gep1185.1.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %arg.X_WC.6.0
+  %131 = getelementptr i8, ptr %arg.X_WC.4, i64 %arg.X_WC.6.0
+  %.1168.1.1.i = getelementptr i8, ptr %131, i64 %arg.X_WC.6.1
   %gep1179.1.1.i = getelementptr double, ptr %.2054.1.i, i64 %arg.room.5.2
   %.1168.2.1.i = getelementptr i8, ptr %131, i64 %.1165.2.i
   %gep1179.2.1.i = getelementptr double, ptr %.2054.1.i, i64 %.1437.2.i
-  %.621.2.i = shl i64 %arg.X_WO.6.0, 1
+  %.621.2.i = shl i64 %arg.X_WC.6.0, 1
   %gep1185.2.i = getelementptr i8, ptr %invariant.gep1184.i, i64 %.621.2.i
   %132 = icmp eq i64 %..265, 1
   %unroll_iter.i = and i64 %..265, 9223372036854775806
@@ -5966,8 +5966,8 @@ B182.lr.ph:                                       ; preds = %B0.endif.else.endif
   %.902.us.2.epil.i = mul i64 %unroll_iter.i, %arg.ride.6.0
   %gep.us.2.epil.i = getelementptr i8, ptr %invariant.gep.2, i64 %.902.us.2.epil.i
   %.937.us.2.epil.i = mul i64 %unroll_iter.i, %arg.q.6.1
-  %145 = getelementptr i8, ptr %arg.X_WO.4, i64 %.621.2.i
-  %.1168.1.2.i = getelementptr i8, ptr %145, i64 %arg.X_WO.6.1
+  %145 = getelementptr i8, ptr %arg.X_WC.4, i64 %.621.2.i
+  %.1168.1.2.i = getelementptr i8, ptr %145, i64 %arg.X_WC.6.1
   %.1168.2.2.i = getelementptr i8, ptr %145, i64 %.1165.2.i
   %gep1179.2.2.i = getelementptr double, ptr %invariant.gep1178.2.i, i64 %.1437.2.i
   %.2154.epil = mul i64 %unroll_iter, %arg.ride.6.0

@@ -1,7 +1,7 @@
 """Forward kinematics of a chain of six revolute joints, its Jacobian, and what moves it as a tool asks for; row by row.
 
 chain (6, 7), a row per joint: the coordinate axis it turns about (0, 1, 2), its sign and offset, the way from the joint
-before (3) [m], what it takes of the joint before (robot.arm.Arm.chain says more). X_WO (4, 4): where the first joint
+before (3) [m], what it takes of the joint before (robot.arm.Arm.chain says more). X_WC (4, 4): where the first joint
 stands with the rails at 0. ride (r, 3): the ways of the rails in the world. X_6T (4, 4): the tool behind the last
 joint. q (n, k): the r rails first where there are some. room (4, 7, 7): for what is between.
 """
@@ -19,16 +19,16 @@ _ARM = "float64[:,::1], float64[:,:], float64[:,:], float64[:,:], float64[:,:,::
 
 
 @njit(**_PART)
-def _frames(chain, X_WO, ride, X_6T, room, q):
+def _frames(chain, X_WC, ride, X_6T, room, q):
     """Put the last link's axes, the joints' unit axes and a point on each, at last the tool's, into the first three."""
     e, a, o = room[0], room[1], room[2]
     rail = len(q) - 6
     for j in range(3):
-        o[0, j] = X_WO[j, 3]
+        o[0, j] = X_WC[j, 3]
         for i in range(rail):
             o[0, j] += ride[i, j] * q[i]
         for k in range(3):
-            e[k, j] = X_WO[j, k]
+            e[k, j] = X_WC[j, k]
     before = 0.0
     for i in range(6):
         t = chain[i, 1] * q[rail + i] + chain[i, 2] - chain[i, 6] * before
@@ -127,10 +127,10 @@ def _solved(A, order, b, x):
 
 
 @njit([f"void({_ARM}, float64[:,:,::1])"], error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-def poses(chain, X_WO, ride, X_6T, room, q, X):
+def poses(chain, X_WC, ride, X_6T, room, q, X):
     """The tool's poses X_WT (n, 4, 4)."""
     for n in range(len(q)):
-        _frames(chain, X_WO, ride, X_6T, room, q[n])
+        _frames(chain, X_WC, ride, X_6T, room, q[n])
         e = room[0]
         for j in range(3):
             for k in range(3):
@@ -140,21 +140,21 @@ def poses(chain, X_WO, ride, X_6T, room, q, X):
 
 
 @njit([f"void({_ARM}, float64[:,:,::1])"], error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-def points(chain, X_WO, ride, X_6T, room, q, o):
+def points(chain, X_WC, ride, X_6T, room, q, o):
     """A point on each joint's axis, and the tool's: (n, 7, 3)."""
     for n in range(len(q)):
-        _frames(chain, X_WO, ride, X_6T, room, q[n])
+        _frames(chain, X_WC, ride, X_6T, room, q[n])
         for i in range(7):
             for j in range(3):
                 o[n, i, j] = room[2, i, j]
 
 
 @njit([f"void({_ARM}, float64[:,:,::1])"], error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-def jacobians(chain, X_WO, ride, X_6T, room, q, J):
+def jacobians(chain, X_WC, ride, X_6T, room, q, J):
     """Geometric Jacobians (n, 6, k), linear rows first."""
     rail = q.shape[1] - 6
     for n in range(len(q)):
-        _frames(chain, X_WO, ride, X_6T, room, q[n])
+        _frames(chain, X_WC, ride, X_6T, room, q[n])
         _jacobian(chain, room, J[n], rail)
         for i in range(rail):
             for j in range(3):
@@ -165,10 +165,10 @@ def jacobians(chain, X_WO, ride, X_6T, room, q, J):
     [f"void({_ARM}, float64[:,:], float64[:,:], float64[:,:,::1])"],
     error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True,
 )  # fmt: skip
-def motions(chain, X_WO, ride, X_6T, room, q, qd, qdd, out):
+def motions(chain, X_WC, ride, X_6T, room, q, qd, qdd, out):
     """The tool's twist and its rate (n, 2, 6) at axis speeds and accelerations (n, k)."""
     for n in range(len(q)):
-        _frames(chain, X_WO, ride, X_6T, room, q[n])
+        _frames(chain, X_WC, ride, X_6T, room, q[n])
         _moved(chain, ride, room, qd[n], qdd[n], out[n])
 
 
@@ -176,13 +176,13 @@ def motions(chain, X_WO, ride, X_6T, room, q, qd, qdd, out):
     [f"void({_ARM}, {'float64[:,:], ' * 4} float64[:,::1], float64[:,::1])"],
     error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True,
 )  # fmt: skip
-def follow(chain, X_WO, ride, X_6T, room, q, twist, bend, rail_rate, rail_bend, qd, qdd):
+def follow(chain, X_WC, ride, X_6T, room, q, twist, bend, rail_rate, rail_bend, qd, qdd):
     """Axis speeds and accelerations (n, k) that move the tool by a twist and its rate (n, 6), the rails by their
     own."""
     rail = q.shape[1] - 6
     A, order, moved, b = room[3, :6], room[3, 6], room[0, 3:5], room[0, 5]
     for n in range(len(q)):
-        _frames(chain, X_WO, ride, X_6T, room, q[n])
+        _frames(chain, X_WC, ride, X_6T, room, q[n])
         _jacobian(chain, room, A, 0)
         _factored(A, order)
         for j in range(rail):

@@ -20,21 +20,21 @@ _NO_RAIL = np.zeros((0, 3))
 @dataclass(frozen=True, eq=False)
 class Differential:
     """Differential kinematics of an arm at axes q (..., k), those of r rails first; TCP motions are (..., 6) in world
-    axes, linear first. X_WO (4, 4): the arm's canonical base with the rails at 0. ride (r, 3): directions of the rails'
+    axes, linear first. X_WC (4, 4): the arm's canonical base with the rails at 0. ride (r, 3): directions of the rails'
     travel in the world. X_6T (4, 4): the TCP in the canonical frame behind axis 6."""
 
     arm: Arm
     q: Array
-    X_WO: Array
+    X_WC: Array
     ride: Array
     X_6T: Array
 
     @classmethod
-    def of(cls, arm: Arm, q: Array, X_FT: Array | None = None, X_WO: Array | None = None, ride: Array | None = None
+    def of(cls, arm: Arm, q: Array, X_FT: Array | None = None, X_WC: Array | None = None, ride: Array | None = None
     ) -> Differential:  # fmt: skip
         """Of an arm at q (..., k). None: the flange, in the canonical base, without a rail."""
         X_6T = arm.X_6F if X_FT is None else arm.X_6F @ X_FT
-        return cls(arm, q, np.eye(4) if X_WO is None else X_WO, _NO_RAIL if ride is None else ride, X_6T)
+        return cls(arm, q, np.eye(4) if X_WC is None else X_WC, _NO_RAIL if ride is None else ride, X_6T)
 
     def pose(self) -> Array:
         """The TCP's pose X_WT (..., 4, 4)."""
@@ -82,4 +82,4 @@ class Differential:
         from trajopt_cli.native.loops import loops  # LLVM with it: not for who only loads a robot
 
         run = loops("trajopt_cli.robot.chain_loops")[name]
-        run(self.arm.chain, self.X_WO, self.ride, self.X_6T, np.empty((4, 7, 7)), *arrays)
+        run(self.arm.chain, self.X_WC, self.ride, self.X_6T, np.empty((4, 7, 7)), *arrays)

@@ -81,19 +81,19 @@ def _anything(n: int, lower: Array, upper: Array, on_way: bool) -> Enclosure:
 
 
 def enclose(
-    arm: Arm, X_OF: Array, e: Array, nodes: Array, lower: Array, upper: Array, twist: Array | None = None
+    arm: Arm, X_CF: Array, e: Array, nodes: Array, lower: Array, upper: Array, twist: Array | None = None
 ) -> Enclosure:
     """Enclosures between rail nodes (k + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-).
 
-    X_OF (4, 4), e (3,): the flange with the rail at 0 and the rail's direction, zero without a rail, both seen from the
+    X_CF (4, 4), e (3,): the flange with the rail at 0 and the rail's direction, zero without a rail, both seen from the
     arm's canonical base. lower, upper (3,): ranges of the joints. twist (6,): of the flange on its way, in that base's
     axes. A joint that may stand in its range in several turns has the hull of them all. Of an arm with three parallel
     axes joint 1 alone is enclosed, and whether axis 4 may be in reach; joints 2 and 3 hang on the wrist's side.
     """
     if not arm.closed_form:
         return _anything(len(nodes) - 1, lower, upper, twist is not None)
-    X_OK = X_OF @ inverse_pose(arm.X_KF)
-    centre = X_OK[:3, 3] - arm.c4 * X_OK[:3, 2]
+    X_CK = X_CF @ inverse_pose(arm.X_KF)
+    centre = X_CK[:3, 3] - arm.c4 * X_CK[:3, 2]
     # wrist centre at the nodes, linear in between
     w = centre[:, None] - e[:, None] * nodes
     h = np.diff(nodes)
@@ -113,7 +113,7 @@ def enclose(
     with np.errstate(invalid="ignore"):
         node_r = np.sqrt(w[0] ** 2 + w[1] ** 2 - b2)  # NaN where the wrist centre is too near to axis 1
     q_lo, q_hi = (np.empty((3, 4, len(h))) for _ in range(2))
-    ways = [-e] if twist is None else [-e, twist[:3] + np.cross(twist[3:], centre - X_OF[:3, 3])]  # of the wrist centre
+    ways = [-e] if twist is None else [-e, twist[:3] + np.cross(twist[3:], centre - X_CF[:3, 3])]  # of the wrist centre
     rates = [(np.empty((3, 4, len(h))), np.empty((3, 4, len(h)))) for _ in ways]
     alive = np.zeros((4, len(h)), dtype=bool)
     slack = float(np.linalg.norm(arm.wrist))  # of axis 4 from the wrist centre; of a spherical wrist 0

@@ -50,15 +50,15 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None, cfx: Inde
     if one is not None and np.any((one < 0) | (one >= branches)):
         raise ValueError(f"branches {one.min()} to {one.max()}: they are 0 to {branches - 1}")
     if arm.closed_form:
-        return closed_form(arm, X_WF, robot.X_WO0, way, one)
-    t = offset_wrist.angles(arm, inverse_pose(moved_by(robot.X_WO0, way)) @ X_WF @ inverse_pose(arm.X_KF), closed_form)
+        return closed_form(arm, X_WF, robot.X_WC0, way, one)
+    t = offset_wrist.angles(arm, inverse_pose(moved_by(robot.X_WC0, way)) @ X_WF @ inverse_pose(arm.X_KF), closed_form)
     q = arm.joints(t)
     q -= 2 * pi * np.ceil((q - arm.middles - pi) / (2 * pi))
     return q if one is None else q[np.arange(len(q)), one]
 
 
-def closed_form(arm: Arm, X_WF: Array, X_WO: Array, way: Array | None = None, cfx: IndexArray | None = None) -> Array:
-    """The same of an arm that has one, its canonical base at X_WO (4, 4) with the rails at 0; way (n, 3): how far they
+def closed_form(arm: Arm, X_WF: Array, X_WC: Array, way: Array | None = None, cfx: IndexArray | None = None) -> Array:
+    """The same of an arm that has one, its canonical base at X_WC (4, 4) with the rails at 0; way (n, 3): how far they
     have taken it [m]. Compiled: robot.inverse_loops."""
     from trajopt_cli.native.loops import loops  # LLVM with it: not for who only loads a robot
 
@@ -67,7 +67,7 @@ def closed_form(arm: Arm, X_WF: Array, X_WO: Array, way: Array | None = None, cf
     which = np.broadcast_to(np.int64(-1), (n,)) if cfx is None else cfx
     way = np.zeros((n, 3)) if way is None else way
     fill = loops("trajopt_cli.robot.inverse_loops")["fill_joints"]
-    fill(arm.numbers, X_WO, way, inverse_pose(arm.X_KF), X_WF, which, np.empty((6, 6)), out)
+    fill(arm.numbers, X_WC, way, inverse_pose(arm.X_KF), X_WF, which, np.empty((6, 6)), out)
     return out if cfx is None else out[:, 0]
 
 
@@ -212,14 +212,14 @@ def _outside_workspace(robot: RobotModel, X_WF: Array, rail: Array | float | Non
     arm = robot.arm
     if not arm.closed_form:
         return "no posture was found that reaches it (its wrist has an offset, so postures are sought step by step)"
-    X_WO = moved_by(robot.X_WO0, robot.way(rail))
+    X_WC = moved_by(robot.X_WC0, robot.way(rail))
     X_WK = X_WF @ inverse_pose(arm.X_KF)
-    w = X_WO[:3, :3].T @ (X_WK[:3, 3] - arm.c4 * X_WK[:3, 2] - X_WO[:3, 3])
+    w = X_WC[:3, :3].T @ (X_WK[:3, 3] - arm.c4 * X_WK[:3, 2] - X_WC[:3, 3])
     reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.c1
     if reach < abs(arm.b):
         return f"wrist centre {reach:.6g} m from axis 1, at least the arm's offset of {abs(arm.b):.6g} m"
     if isinstance(arm, ParallelArm):
-        return _out_of_reach_of_two(arm, w, X_WO[:3, :3].T @ X_WK[:3, :3])
+        return _out_of_reach_of_two(arm, w, X_WC[:3, :3].T @ X_WK[:3, :3])
     reach = float(np.sqrt((reach - abs(arm.b)) * (reach + abs(arm.b))))
     near, far = float(np.hypot(reach - arm.a1, up)), float(np.hypot(reach + arm.a1, up))
     outer, inner = arm.c2 + arm.upper, abs(arm.c2 - arm.upper)

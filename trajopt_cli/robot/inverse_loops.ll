@@ -1,10 +1,10 @@
-; sha256 dee1d4bcc81f9c15309fa3ed2ae2d3e4866bd3a0be224e7f9c0c42d3c19f6604 of inverse_loops.py and of this
+; sha256 16520c92ff944e052f5c33038b31eab269a08e297b1cb3ac66a342f267f1cf84 of inverse_loops.py and of this
 ; made by numba 0.68.1, llvmlite 0.50.0, Python 3.11.7
 ; loops.fill_joints: array(float64, 1d, C); array(float64, 2d, A); array(float64, 2d, A); array(float64, 2d, A); array(float64, 3d, A); array(int64, 1d, A); array(float64, 2d, C); array(float64, 3d, C)
 ; loops.fill_bent: array(float64, 1d, C); array(float64, 3d, C); array(float64, 2d, A); array(float64, 1d, A); array(float64, 2d, C)
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
-define noundef range(i32 -1, -2) i32 @loops.fill_joints(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.arm.0, ptr readnone captures(none) %arg.arm.1, i64 %arg.arm.2, i64 %arg.arm.3, ptr readonly captures(none) %arg.arm.4, i64 %arg.arm.5.0, i64 %arg.arm.6.0, ptr readnone captures(none) %arg.X_WO.0, ptr readnone captures(none) %arg.X_WO.1, i64 %arg.X_WO.2, i64 %arg.X_WO.3, ptr readonly captures(none) %arg.X_WO.4, i64 %arg.X_WO.5.0, i64 %arg.X_WO.5.1, i64 %arg.X_WO.6.0, i64 %arg.X_WO.6.1, ptr readnone captures(none) %arg.way.0, ptr readnone captures(none) %arg.way.1, i64 %arg.way.2, i64 %arg.way.3, ptr readonly captures(none) %arg.way.4, i64 %arg.way.5.0, i64 %arg.way.5.1, i64 %arg.way.6.0, i64 %arg.way.6.1, ptr readnone captures(none) %arg.X_FK.0, ptr readnone captures(none) %arg.X_FK.1, i64 %arg.X_FK.2, i64 %arg.X_FK.3, ptr readonly captures(none) %arg.X_FK.4, i64 %arg.X_FK.5.0, i64 %arg.X_FK.5.1, i64 %arg.X_FK.6.0, i64 %arg.X_FK.6.1, ptr readnone captures(none) %arg.X_WF.0, ptr readnone captures(none) %arg.X_WF.1, i64 %arg.X_WF.2, i64 %arg.X_WF.3, ptr readonly captures(none) %arg.X_WF.4, i64 %arg.X_WF.5.0, i64 %arg.X_WF.5.1, i64 %arg.X_WF.5.2, i64 %arg.X_WF.6.0, i64 %arg.X_WF.6.1, i64 %arg.X_WF.6.2, ptr readnone captures(none) %arg.cfx.0, ptr readnone captures(none) %arg.cfx.1, i64 %arg.cfx.2, i64 %arg.cfx.3, ptr readonly captures(none) %arg.cfx.4, i64 %arg.cfx.5.0, i64 %arg.cfx.6.0, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr captures(none) %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.6.0, i64 %arg.room.6.1, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr writeonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.5.2, i64 %arg.q.6.0, i64 %arg.q.6.1, i64 %arg.q.6.2) local_unnamed_addr #0 {
+define noundef range(i32 -1, -2) i32 @loops.fill_joints(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readnone captures(none) %arg.arm.0, ptr readnone captures(none) %arg.arm.1, i64 %arg.arm.2, i64 %arg.arm.3, ptr readonly captures(none) %arg.arm.4, i64 %arg.arm.5.0, i64 %arg.arm.6.0, ptr readnone captures(none) %arg.X_WC.0, ptr readnone captures(none) %arg.X_WC.1, i64 %arg.X_WC.2, i64 %arg.X_WC.3, ptr readonly captures(none) %arg.X_WC.4, i64 %arg.X_WC.5.0, i64 %arg.X_WC.5.1, i64 %arg.X_WC.6.0, i64 %arg.X_WC.6.1, ptr readnone captures(none) %arg.way.0, ptr readnone captures(none) %arg.way.1, i64 %arg.way.2, i64 %arg.way.3, ptr readonly captures(none) %arg.way.4, i64 %arg.way.5.0, i64 %arg.way.5.1, i64 %arg.way.6.0, i64 %arg.way.6.1, ptr readnone captures(none) %arg.X_FK.0, ptr readnone captures(none) %arg.X_FK.1, i64 %arg.X_FK.2, i64 %arg.X_FK.3, ptr readonly captures(none) %arg.X_FK.4, i64 %arg.X_FK.5.0, i64 %arg.X_FK.5.1, i64 %arg.X_FK.6.0, i64 %arg.X_FK.6.1, ptr readnone captures(none) %arg.X_WF.0, ptr readnone captures(none) %arg.X_WF.1, i64 %arg.X_WF.2, i64 %arg.X_WF.3, ptr readonly captures(none) %arg.X_WF.4, i64 %arg.X_WF.5.0, i64 %arg.X_WF.5.1, i64 %arg.X_WF.5.2, i64 %arg.X_WF.6.0, i64 %arg.X_WF.6.1, i64 %arg.X_WF.6.2, ptr readnone captures(none) %arg.cfx.0, ptr readnone captures(none) %arg.cfx.1, i64 %arg.cfx.2, i64 %arg.cfx.3, ptr readonly captures(none) %arg.cfx.4, i64 %arg.cfx.5.0, i64 %arg.cfx.6.0, ptr readnone captures(none) %arg.room.0, ptr readnone captures(none) %arg.room.1, i64 %arg.room.2, i64 %arg.room.3, ptr captures(none) %arg.room.4, i64 %arg.room.5.0, i64 %arg.room.5.1, i64 %arg.room.6.0, i64 %arg.room.6.1, ptr readnone captures(none) %arg.q.0, ptr readnone captures(none) %arg.q.1, i64 %arg.q.2, i64 %arg.q.3, ptr writeonly captures(none) %arg.q.4, i64 %arg.q.5.0, i64 %arg.q.5.1, i64 %arg.q.5.2, i64 %arg.q.6.0, i64 %arg.q.6.1, i64 %arg.q.6.2) local_unnamed_addr #0 {
 B0.else.endif:
   %.1468.i = alloca ptr, align 8
   %.2177.i = alloca ptr, align 8
@@ -35,7 +35,7 @@ B188:                                             ; preds = %B188.lr.ph, %B417
   br label %B435.us.us.3.i
 
 B435.us.us.3.i:                                   ; preds = %B435.us.us.3.i, %B188
-  %lsr.iv3.i = phi ptr [ %scevgep4.i, %B435.us.us.3.i ], [ %arg.X_WO.4, %B188 ]
+  %lsr.iv3.i = phi ptr [ %scevgep4.i, %B435.us.us.3.i ], [ %arg.X_WC.4, %B188 ]
   %lsr.iv.i = phi ptr [ %scevgep.i, %B435.us.us.3.i ], [ %.433132136, %B188 ]
   %.213511521.us.i = phi i64 [ %.220.us.i, %B435.us.us.3.i ], [ 0, %B188 ]
   %0 = shl nuw nsw i64 %.213511521.us.i, 3
@@ -62,7 +62,7 @@ B435.us.us.3.i:                                   ; preds = %B435.us.us.3.i, %B1
   %.768.us490.us.1.i = load double, ptr %sunkaddr4.i, align 8, !noalias !1
   %.824.us491.us.1.i = fmul double %.823.us.us.i, %.768.us490.us.1.i
   %.825.us492.us.1.i = fadd double %.713.us488.us.1.i, %.824.us491.us.1.i
-  %scevgep6.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WO.6.0
+  %scevgep6.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WC.6.0
   %.1044.us497.us.1.i = load double, ptr %scevgep6.i, align 8, !noalias !1
   %.1048.us498.us.1.i = fmul double %.1044.us497.us.1.i, %.825.us492.us.1.i
   %.1052.us499.us.1.i = fadd double %.1052.us499.us.i, %.1048.us498.us.1.i
@@ -215,7 +215,7 @@ B435.us.us.3.i:                                   ; preds = %B435.us.us.3.i, %B1
   store double %.1214.us.us.3.i, ptr %scevgep1.i, align 8, !noalias !1
   %.220.us.i = add nuw nsw i64 %.213511521.us.i, 1
   %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 %arg.room.6.0
-  %scevgep4.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WO.6.1
+  %scevgep4.i = getelementptr i8, ptr %lsr.iv3.i, i64 %arg.X_WC.6.1
   %exitcond.not.i = icmp eq i64 %.220.us.i, 3
   br i1 %exitcond.not.i, label %part.0, label %B435.us.us.3.i
 
@@ -1111,11 +1111,11 @@ B188.lr.ph:                                       ; preds = %B0.endif.endif.endi
   %.817.i = shl i64 %arg.X_FK.6.0, 1
   %23 = getelementptr i8, ptr %arg.X_FK.4, i64 %.817.i
   %.885.i = mul i64 %arg.X_WF.6.2, 3
-  %.940.i = mul i64 %arg.X_WO.6.1, 3
-  %invariant.gep453.i = getelementptr i8, ptr %arg.X_WO.4, i64 %.940.i
+  %.940.i = mul i64 %arg.X_WC.6.1, 3
+  %invariant.gep453.i = getelementptr i8, ptr %arg.X_WC.4, i64 %.940.i
   %.595.us.us.3.i = mul i64 %arg.X_FK.6.1, 3
   %sunkaddr5.i = shl i64 %arg.X_WF.6.1, 1
-  %sunkaddr25.i = shl i64 %arg.X_WO.6.0, 1
+  %sunkaddr25.i = shl i64 %arg.X_WC.6.0, 1
   %sunkaddr37.i = getelementptr i8, ptr %arg.X_FK.4, i64 %arg.X_FK.6.1
   %sunkaddr42.i = getelementptr i8, ptr %22, i64 %arg.X_FK.6.1
   %sunkaddr43.i = getelementptr i8, ptr %23, i64 %arg.X_FK.6.1
@@ -1127,7 +1127,7 @@ B188.lr.ph:                                       ; preds = %B0.endif.endif.endi
   %sunkaddr52.i = getelementptr i8, ptr %23, i64 %.595.us.us.3.i
   %sunkaddr53.i = getelementptr i8, ptr %22, i64 %.595.us.us.3.i
   %sunkaddr54.i = getelementptr i8, ptr %arg.X_FK.4, i64 %.595.us.us.3.i
-  %sunkaddr55.i = getelementptr i8, ptr %invariant.gep453.i, i64 %arg.X_WO.6.0
+  %sunkaddr55.i = getelementptr i8, ptr %invariant.gep453.i, i64 %arg.X_WC.6.0
   %sunkaddr60.i = getelementptr i8, ptr %invariant.gep453.i, i64 %sunkaddr25.i
   %sunkaddr61.i = shl i64 %arg.way.6.1, 1
   %sunkaddr63.i = getelementptr i8, ptr %arg.arm.4, i64 56

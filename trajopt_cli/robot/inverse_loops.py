@@ -139,7 +139,7 @@ def _put(arm, t, q):
 
 
 @njit(**_PART)
-def _canonical(arm, X_WO, way, X_FK, X, R, w):
+def _canonical(arm, X_WC, way, X_FK, X, R, w):
     """Put the canonical flange's rotation and the wrist centre, seen from the canonical base, of a flange pose."""
     for i in range(3):
         for k in range(4):
@@ -147,8 +147,8 @@ def _canonical(arm, X_WO, way, X_FK, X, R, w):
             for j in range(3):
                 world = X[j, 0] * X_FK[0, k] + X[j, 1] * X_FK[1, k] + X[j, 2] * X_FK[2, k]
                 if k == 3:
-                    world += X[j, 3] - X_WO[j, 3] - way[j]
-                of += X_WO[j, i] * world
+                    world += X[j, 3] - X_WC[j, 3] - way[j]
+                of += X_WC[j, i] * world
             if k < 3:
                 R[i, k] = of
             else:
@@ -207,15 +207,15 @@ def _parallel(arm, R, w, only, t, q, R_1, bent):
     ],
     **_PART,
 )
-def fill_joints(arm, X_WO, way, X_FK, X_WF, cfx, room, q):
+def fill_joints(arm, X_WC, way, X_FK, X_WF, cfx, room, q):
     """Joints (n, 8, 6) of flange poses X_WF (n, 4, 4) by branch; (n, 1, 6) of branch cfx (n,) where it is not negative.
 
-    X_WO: as chain_loops has it; way (n, 3): how far its rails have taken it [m]. X_FK: the canonical flange seen from
+    X_WC: as chain_loops has it; way (n, 3): how far its rails have taken it [m]. X_FK: the canonical flange seen from
     the flange. room (6, 6): for what is between.
     """
     R, w, t, R_1, bent = room[:3, :3], room[3, :3], room[4], room[:3, 3:], room[5, :5]
     for n in range(len(X_WF)):
-        _canonical(arm, X_WO, way[n], X_FK, X_WF[n], R, w)
+        _canonical(arm, X_WC, way[n], X_FK, X_WF[n], R, w)
         if arm[10] != 0:
             _parallel(arm, R, w, cfx[n], t, q[n], R_1, bent)
         else:

@@ -150,7 +150,7 @@ class RobotModel:
         """Joints (k, 6) of one branch each, cfx (k,), or of the same one."""
         return closed_form.inverse(self, X_WF, rail, cfx)
 
-    def walls(self, arm: Array) -> tuple[Array, Array]:
+    def singularity_margins(self, arm: Array) -> tuple[Array, Array]:
         """|sin| of the elbow, 1 when it is stretched and folded, and of axis 5, 0 at the stretched wrist.
 
         With an offset b the first is also 1 where the wrist centre is as near to axis 1 as it can be.
@@ -189,12 +189,12 @@ class RobotModel:
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
         """The first three joints and their rates over the intervals between positions (k + 1,) of one rail at most;
         twist (6,): of the flange on its way through the pose, world axes."""
-        X_OW = inverse_pose(self.X_WO0)
-        e = X_OW[:3, :3] @ self.rail_axes_W[0] if self.has_rail else np.zeros(3)
+        X_CW = inverse_pose(self.X_WC0)
+        e = X_CW[:3, :3] @ self.rail_axes_W[0] if self.has_rail else np.zeros(3)
         lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
-        R_OW = X_OW[:3, :3]
-        twist_O = None if twist is None else np.concatenate([R_OW @ twist[:3], R_OW @ twist[3:]])
-        return enclose(self.arm, X_OW @ X_WF, e, rail, lower, upper, twist_O)
+        R_CW = X_CW[:3, :3]
+        twist_C = None if twist is None else np.concatenate([R_CW @ twist[:3], R_CW @ twist[3:]])
+        return enclose(self.arm, X_CW @ X_WF, e, rail, lower, upper, twist_C)
 
     @cached_property
     def expressions(self) -> ArmExpressions:
@@ -224,9 +224,9 @@ class RobotModel:
         return readonly(self.X_WR @ self.X_RB)
 
     @cached_property
-    def X_WO0(self) -> Array:
-        """The arm's canonical base X_WO (4, 4) with the rail at 0: see robot.arm."""
-        return readonly(self.X_WB0 @ self.arm.X_BO)
+    def X_WC0(self) -> Array:
+        """The arm's canonical base X_WC (4, 4) with the rail at 0: see robot.arm."""
+        return readonly(self.X_WB0 @ self.arm.X_BC)
 
     @cached_property
     def rail_axes_W(self) -> Array:
@@ -256,8 +256,8 @@ class RobotModel:
         return moved_by(self.X_WB0, self.way_at(q))
 
     def canonical_base_at(self, q: Array) -> Array:
-        """The arm's canonical base X_WO (..., 4, 4) at axes q (..., k)."""
-        return moved_by(self.X_WO0, self.way_at(q))
+        """The arm's canonical base X_WC (..., 4, 4) at axes q (..., k)."""
+        return moved_by(self.X_WC0, self.way_at(q))
 
     def forward(self, q: Array) -> Array:
         """Flange poses X_WF (..., 4, 4) of axis positions q (..., k)."""
@@ -270,7 +270,7 @@ class RobotModel:
         if not self.has_rail:
             return np.zeros((len(X_WF), 2))
         arm = self.arm
-        away = X_WF[:, :3, 3] - self.X_WO0[:3] @ np.array([0.0, 0.0, arm.c1, 1.0])
+        away = X_WF[:, :3, 3] - self.X_WC0[:3] @ np.array([0.0, 0.0, arm.c1, 1.0])
         along = away @ self.rail_axes_W[i]
         aside = np.sum(away**2, axis=1) - along**2
         flange = float(np.linalg.norm(arm.X_KF[:3, 3] + [0.0, 0.0, arm.c4]))  # from the wrist centre
@@ -295,7 +295,7 @@ class RobotModel:
         q, k = np.asarray(q, dtype=np.float64), len(self.axis_names)
         if q.ndim == 0 or q.shape[-1] != k:
             raise ValueError(f"q has shape {q.shape}, wanted (..., {k}) for {', '.join(self.axis_names)}")
-        return Differential.of(self.arm, q, X_FT, self.X_WO0, self.rail_axes_W)
+        return Differential.of(self.arm, q, X_FT, self.X_WC0, self.rail_axes_W)
 
     @cached_property
     def pin_model(self) -> Any:

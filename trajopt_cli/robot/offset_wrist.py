@@ -30,21 +30,21 @@ def plain(arm: Arm) -> Arm:
     """The arm in canonical angles, with a spherical wrist."""
     return replace(
         arm, wrist=np.zeros(3), signs=np.ones(6), offsets=np.zeros(6), middles=arm.natural_middles,
-        X_BO=np.eye(4), X_KF=np.eye(4), coupled=False,
+        X_BC=np.eye(4), X_KF=np.eye(4), coupled=False,
     )  # fmt: skip
 
 
-def angles(arm: Arm, X_OK: Array, closed_form: ClosedForm) -> Array:
-    """Canonical angles (n, 16, 6) of canonical flange poses (n, 4, 4), frame O; NaN where there are none.
+def angles(arm: Arm, X_CK: Array, closed_form: ClosedForm) -> Array:
+    """Canonical angles (n, 16, 6) of canonical flange poses (n, 4, 4), frame C; NaN where there are none.
 
     closed_form: robot.inverse's. Branch cfx is that whose Jacobian's determinant has the sign that a spherical wrist's
     has, branch 8 + cfx the other one with the same cfx.
     """
-    spherical, n = plain(arm), len(X_OK)
+    spherical, n = plain(arm), len(X_CK)
     tried = np.arange(TRIES) * (2 * np.pi / TRIES)
     c, s = np.cos(tried)[:, None], np.sin(tried)[:, None]
     along_y, along_x = c * arm.wrist[1] + s * arm.wrist[2], s * arm.wrist[1] - c * arm.wrist[2]
-    X = np.repeat(X_OK[:, None], TRIES, axis=1)
+    X = np.repeat(X_CK[:, None], TRIES, axis=1)
     X[..., :3, 3] -= X[..., :3, 1] * along_y + X[..., :3, 0] * along_x
     seeds = closed_form(spherical, X.reshape(-1, 4, 4), np.eye(4)).reshape(n, TRIES, 8, 6)
     off = _wrapped(seeds[..., 5] - tried[:, None])
@@ -54,16 +54,16 @@ def angles(arm: Arm, X_OK: Array, closed_form: ClosedForm) -> Array:
     pose, at, branch = np.nonzero(crossed)
     here = np.abs(off[crossed]) <= np.abs(after[crossed])
     t = seeds[pose, np.where(here, at, (at + 1) % TRIES), branch]
-    return _by_branch(arm, spherical, *_exact(replace(spherical, wrist=arm.wrist), t, pose, X_OK), n)
+    return _by_branch(arm, spherical, *_exact(replace(spherical, wrist=arm.wrist), t, pose, X_CK), n)
 
 
 def _wrapped(angle: Array) -> Array:
     return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
 
 
-def _exact(arm: Arm, t: Array, pose: IndexArray, X_OK: Array) -> tuple[Array, IndexArray]:
+def _exact(arm: Arm, t: Array, pose: IndexArray, X_CK: Array) -> tuple[Array, IndexArray]:
     """Angles (m, 6) near those given that have their poses exactly, and these poses' numbers (m,)."""
-    p, R = X_OK[pose, :3, 3], X_OK[pose, :3, :3]
+    p, R = X_CK[pose, :3, 3], X_CK[pose, :3, :3]
     off = np.full(len(t), np.inf)
     for _ in range(STEPS):
         move, off = _step(arm, t, p, R)
@@ -77,10 +77,10 @@ def _exact(arm: Arm, t: Array, pose: IndexArray, X_OK: Array) -> tuple[Array, In
 def _step(arm: Arm, t: Array, p: Array, R: Array) -> tuple[Array, Array]:
     """A Newton step (m, 6) from angles (m, 6) towards flange poses p (m, 3), R (m, 3, 3); how far they are off (m,)."""
     at = Differential.of(arm, t)
-    X_OK = at.pose()
-    turn = R @ X_OK[:, :3, :3].transpose(0, 2, 1)
+    X_CK = at.pose()
+    turn = R @ X_CK[:, :3, :3].transpose(0, 2, 1)
     skew = [turn[:, i, j] - turn[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))]
-    off = np.concatenate([p - X_OK[:, :3, 3], np.stack(skew, axis=1) / 2], axis=1)
+    off = np.concatenate([p - X_CK[:, :3, 3], np.stack(skew, axis=1) / 2], axis=1)
     J = at.jacobian()
     square = J.transpose(0, 2, 1) @ J + _DAMPED * np.eye(6)
     step = np.linalg.solve(square, J.transpose(0, 2, 1) @ off[..., None])[..., 0]

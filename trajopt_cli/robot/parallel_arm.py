@@ -1,6 +1,6 @@
 """Six-axis arm whose axes 2, 3 and 4 are parallel and whose axes 5 and 6 meet, as Universal Robots build them.
 
-Lengths, canonical pose and the rest are robot.arm's as far as axis 3. From there on X_OK = ... Ry(t3) T(c3, 0, 0)
+Lengths, canonical pose and the rest are robot.arm's as far as axis 3. From there on X_CK = ... Ry(t3) T(c3, 0, 0)
 Ry(t4) T(wrist) Rz(t5) Ry(t6) T(0, c4, 0) Rx(-90 deg): axis 4 stands c3 before axis 3, `wrist` (x, 0, z) leads from it,
 in the link behind it, to where axes 5 and 6 meet (the wrist centre; z runs along axis 5), and c4 along axis 6 to the
 flange. The wrist centre lies in the arm's plane as a spherical one does, so joint 1 is found alike; axis 6 seen from

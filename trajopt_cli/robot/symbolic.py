@@ -17,8 +17,8 @@ from trajopt_cli.robot.urdf import FLANGE
 
 
 class Reached(NamedTuple):
-    """Joints q (m,) of a pose on one branch, and the walls beside them: elbow, in (-1, 1) while the pose is in reach,
-    all of them where there are several, and wrist, positive on the branch's side of the singular wrist."""
+    """Joints q (m,) of a pose on one branch, and the singularity margins beside them: elbow, in (-1, 1) while the pose
+    is in reach, all of them where there are several, and wrist, positive on the branch's side of the singular wrist."""
 
     q: ca.SX
     elbow: ca.SX

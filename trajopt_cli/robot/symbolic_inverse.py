@@ -128,6 +128,6 @@ def _axis_5(R_1K: ca.SX, side: ca.SX, near: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]
 
 def _canonical(arm: Arm, p_BF: ca.SX, R_BF: ca.SX) -> tuple[ca.SX, ca.SX]:
     """The canonical flange in the canonical base, where the flange is seen from the base link."""
-    R_OB = exact(arm.X_BO[:3, :3].T)
+    R_OB = exact(arm.X_BC[:3, :3].T)
     R = R_OB @ R_BF @ exact(arm.X_KF[:3, :3].T)
-    return R_OB @ (p_BF - exact(arm.X_BO[:3, 3])) - R @ exact(arm.X_KF[:3, 3]), R
+    return R_OB @ (p_BF - exact(arm.X_BC[:3, 3])) - R @ exact(arm.X_KF[:3, 3]), R

@@ -9,7 +9,7 @@ the axes' limits. At a point without a wait an axis keeps speed v if it goes on 
 of both moves: so each can still come to rest on its way, and no time a slower axis needs is out of reach. Into and out
 of a line it keeps what runs along the line, if every axis of it goes on. Else, and where the program waits, it stops.
 
-A run with corners, or an arc, is the generator's one axis along the course that the plan drives: from part to part of
+A run with corners, or an arc, is the generator's one axis along the path that the plan drives: from part to part of
 it from speed to speed, each at a speed and an acceleration that keep the tool's caps and the rail's limits everywhere
 on it. The thesis has no corners; these are the ones every other row drives.
 

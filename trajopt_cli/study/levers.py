@@ -117,7 +117,7 @@ def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
         out.append("places of work that the robot holds to a tool that stands in the cell")
     if plant.obstacles:
         out.append(
-            "obstacles and clearance: what the nonlinear program solves again keeps clear of them; a course with one "
+            "obstacles and clearance: what the nonlinear program solves again keeps clear of them; a path with one "
             "progress for all axes is timed again, rail and places shifted, without a look at them; --search plans "
             "clear of them"
         )

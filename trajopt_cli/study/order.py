@@ -1,6 +1,6 @@
 """`order`: in which order to do what the cell file lets be done in any, for the shortest cycle.
 
-The search's own times between stations give the best order of their model, exactly up to EXACT_STATIONS stations; the
+The search's own times between stations give the best order of their model, exactly up to exact_stations stations; the
 most promising orders are then planned whole and judged, and the fastest plan is the answer.
 """
 
@@ -44,7 +44,7 @@ _NEAR = 8  # orders one step away from the best that are searched whole
 @dataclass(frozen=True)
 class Tour:
     """An order of a group's parts. model: its time by the search's times between stations [s]; estimate: of the best
-    chain that the search finds for the whole program [s]; planned: of the judged plan [s]; why: there is none."""
+    route that the search finds for the whole program [s]; planned: of the judged plan [s]; why: there is none."""
 
     order: Order
     model: float

@@ -42,7 +42,7 @@ _TOLD = 5  # places between two words of progress
 
 @dataclass(frozen=True)
 class Tried:
-    """One place. first: of its first legal motion [s]; estimate: of the best chain that the search finds [s], which
+    """One place. first: of its first legal motion [s]; estimate: of the best route that the search finds [s], which
     ranks places better than the first motion where axes are free; planned: of the full plan [s], None where none was
     asked for. cut: the plan was cut short by the user or the time limit. why: it cannot be done, and why; motion: on
     which line, empty where that is not known. rows: what a legal plan's rows are told by, empty where it leads around

@@ -3,7 +3,7 @@
 Rail positions and configurations are the fixed-rail plan's. Joint moves: all axes from rest to rest, together, at full
 limits; where the TCP would pass a cap, the move's limits are scaled down until it does not. Lines: one axis along the
 line at one speed and one acceleration (and jerk), the best that all axes and the TCP allow everywhere on it. Runs with
-corners, and arcs: one axis along the course, with a speed and an acceleration for each of its parts.
+corners, and arcs: one axis along the path, with a speed and an acceleration for each of its parts.
 """
 
 from __future__ import annotations

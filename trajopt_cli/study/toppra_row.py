@@ -19,7 +19,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
 from trajopt_cli.path_timing.sampled_path import PathDerivatives
-from trajopt_cli.plan.tool_turns import ladder
+from trajopt_cli.plan.tool_turns import best_sampled_turns
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -182,13 +182,13 @@ def sampled_turn(case: Case) -> Answer:
     """The program with sampled turns, its fixed-rail plan's path timed with TOPP-RA, every stop a stop."""
     program, plant = case.program, case.plant
     axes, problem = Axes.of(plant), build_problem(program, plant, FIXED_RAIL, Target.STREAM)
-    if isinstance(problem, Infeasible) or (chain := search(axes, problem)) is None:
+    if isinstance(problem, Infeasible) or (route := search(axes, problem)) is None:
         return NotApplicable("as taught the targets are not all in reach")
     groups = turn_groups(problem, everything(program, plant))
-    angles, route = ladder(axes, groups, chain, by_way=True)
+    angles, route = best_sampled_turns(axes, groups, route, by_way=True)
     if route is None:
-        return NotApplicable("no chain leads through sampled turns")
+        return NotApplicable("no route leads through sampled turns")
     answer = toppra(replace(case, program=turned(program, groups.turns(angles))))
     if not isinstance(answer, Attempt):
         return answer
-    return replace(answer, program=program, notes=("turns by a ladder of 15 degrees, where joints go least far",))
+    return replace(answer, program=program, notes=("turns sampled every 15 degrees, where joints go least far",))

@@ -1,1 +1,1 @@
-"""The shortest time along paths and between points: faces of TOPP-RA and Ruckig, and TOPP-RA for many paths at once."""
+"""The shortest time along paths, by TOPP-RA of our own, and between points, by Ruckig or as a double integrator."""

@@ -79,5 +79,5 @@ class EdgeChecks(Protocol):
     def settle(
         self, problem: Problem, k: int, edge: CheckedPairs, a: States, b: States, through: Array, pair: tuple[int, int]
     ) -> None:
-        """Look at pairs of states of leg k, first of all at one; through (n_a, n_b): the least cost of a chain through
+        """Look at pairs of states of leg k, first of all at one; through (n_a, n_b): the least cost of a route through
         each pair that is known."""

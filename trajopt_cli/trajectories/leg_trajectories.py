@@ -190,7 +190,7 @@ def on_ways(
         return axes.branch(X @ X_TF, axes.layout.value(d[:, :r]), cfx), twist, bend, u
 
     arm, twist, bend, u = placed(s, d)
-    numb = axes.robot.walls(arm)[1] < _NUMB
+    numb = axes.robot.singularity_margins(arm)[1] < _NUMB
     back, along = np.where(numb, s - np.clip(s, _BESIDE, 1 - _BESIDE), 0.0)[:, None], np.zeros_like(d)
     if numb.any():  # a wrist that the line leaves: joints and rates are those beside it, followed back
         along = _ratio(dv, da, sv, sa)

@@ -17,7 +17,7 @@ class IkBranch:
 
 @dataclass(frozen=True, eq=False)
 class OtherPart:
-    """What a chain may have instead from waypoint first on: axes q (m, n) and labels at whole stations. more [s]: by
+    """What a route may have instead from waypoint first on: axes q (m, n) and labels at whole stations. more [s]: by
     how much longer it is estimated to take."""
 
     first: int
@@ -33,7 +33,7 @@ class OtherPart:
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """The best chain: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs.
+    """The best route: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs.
     others: what may turn out to be faster, the most promising first."""
 
     q: Array

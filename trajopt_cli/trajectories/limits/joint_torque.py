@@ -1,4 +1,4 @@
-"""Torques of a plant's axes against their limits, by pinocchio: along courses as TOPP wants them, and in samples.
+"""Torques of a plant's axes against their limits, by pinocchio: along paths as TOPP wants them, and in samples.
 
 tau = M(q) q'' + C(q, q') q' + g(q): all but gravity g grows with the square of how fast a motion is driven. So the
 measure of a torque is what it has beyond gravity as a share of what gravity leaves: at most 1 where |tau| <= limit, and

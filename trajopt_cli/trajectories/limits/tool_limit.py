@@ -154,7 +154,7 @@ class ToolLimit(Limit):
         if ToolCap.REORIENTATION in kind.caps:
             out.append((ca.sumsqr(spin) / (p.caps[2] * T) ** 2, -INF, 1.0))
         for acc in accelerations if kind.along and not node.ends else []:
-            # below STILL_NODE [m/s] it fades, so that it is smooth where the tool comes to rest
+            # below _STILL_NODE [m/s] it fades, so that it is smooth where the tool comes to rest
             squared = ca.sumsqr(rate) / T**2
             size = squared + _STILL_NODE**2
             along, share = ca.dot(rate, acc) / T**3 / ca.sqrt(size), squared / size

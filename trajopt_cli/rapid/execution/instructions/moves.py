@@ -289,11 +289,11 @@ def _check_circle(
             raise run.error(node, f"{message}; move one of them, or use MoveL")
     if at is None:
         return
-    course = circle_through(at, via[0], place[0])
-    if course is None:
+    circle = circle_through(at, via[0], place[0])
+    if circle is None:
         run.warn(WarningKind.UNUSUAL, f"start, {through} and {to} lie on one line, not on a circle", run.source(node))
-    elif degrees(course.angle) > _WIDEST_ARC:
-        what = f"the arc through {through} is {degrees(course.angle):.4g} deg long; "
+    elif degrees(circle.angle) > _WIDEST_ARC:
+        what = f"the arc through {through} is {degrees(circle.angle):.4g} deg long; "
         what += f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
         run.warn(WarningKind.UNUSUAL, what, run.source(node))
 
