@@ -152,7 +152,7 @@ def _capsule_around(name: str, points: Array) -> Capsule:
         centre = (flat.min(axis=0) + flat.max(axis=0)) / 2
         aside = np.linalg.norm(flat - centre, axis=1)
         radius = max(float(aside.max()), _THIN)
-        cap = np.sqrt(radius**2 - aside**2)
+        cap = np.sqrt(np.maximum(radius**2 - aside**2, 0.0))  # rounding may leave less than none
         low, high = float((t + cap).min()), float((t - cap).max())
         low, high = min(low, (low + high) / 2), max(high, (low + high) / 2)
         found.append((radius**2 * (high - low + 4 / 3 * radius), radius, centre @ sides + np.outer([low, high], n)))

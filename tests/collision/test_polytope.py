@@ -115,3 +115,13 @@ def test_nothing_nearer_than_the_limit_is_left_out() -> None:
         found[near.closer(X, np.full(len(pairs), limit))] = True
         assert found[distance < limit - 1e-5].all()
         assert found.sum() < 0.8 * found.size
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("seed", [712, 1020, 1222])  # boxes of which rounding puts a corner outside the least circle
+def test_a_box_has_an_outer_capsule_whatever_rounding_does(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    h = rng.uniform(0.02, 0.3, 3)
+    corners = h * (2.0 * np.indices((2, 2, 2)).reshape(3, -1).T - 1) + rng.uniform(-1, 1, 3)
+    capsule = around(corners).outer
+    assert distance_from_segment(corners, capsule).max() <= capsule.radius * (1 + 1e-9)
