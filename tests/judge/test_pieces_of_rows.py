@@ -175,6 +175,32 @@ def test_a_marked_file_is_a_grid_with_rows_in_it(doubt: float) -> None:
     assert judged_rows(PLANT, file(np.arange(2) * 0.01), None).marked is False
 
 
+@pytest.mark.parametrize("doubt", [0.0, 1e-6])
+def test_a_grid_is_known_under_many_more_rows(rng: np.random.Generator, doubt: float) -> None:
+    """Our densest files have three rows in four beside the grid; that of another rate, or a log, is none of them."""
+    grid = np.arange(2000) * 1e-3
+    faster = np.round(0.5 + np.arange(4000) * 2.5e-4, 9)
+    files = {
+        "boundaries": (np.r_[grid, rng.uniform(0, 2, 6000)], True),
+        "a rest": (np.r_[grid[:800], grid[1500:], rng.uniform(0, 0.8, 2400), rng.uniform(1.5, 2, 1500)], True),
+        "two rates": (np.r_[grid, faster], False),
+        "two rates that sway": (np.r_[grid, faster] + rng.uniform(-1e-6, 1e-6, 6000), False),
+        "a log": (np.cumsum(rng.uniform(2e-4, 1e-3, 6000)), False),
+        "holes": (np.r_[np.delete(grid, rng.integers(1, 1999, 300)), rng.uniform(0, 2, 6000)], False),
+    }  # fmt: skip
+    for name, (times, marked) in files.items():
+        t = np.unique(np.round(times, 9))
+        t = t[np.r_[True, np.diff(t) > 1e-5]]
+        q = np.tile(PLANT.start, (len(t), 1)) + 0.01 * np.sin(t)[:, None]
+        qd = np.tile(0.01 * np.cos(t)[:, None], q.shape[1])
+        if name == "a rest":
+            still = (t >= 0.799) & (t <= 1.5)
+            q[still], qd[still] = q[np.argmax(still)], 0.0
+        steps = Resolution(doubt, np.zeros(q.shape[1]), np.zeros(q.shape[1]))
+        rows = judged_rows(PLANT, Trajectory(PLANT.limits.names, t, q, qd), steps, marks=20)
+        assert rows.marked == marked, name
+
+
 def test_turning_is_the_acceleration_of_speeds_alone() -> None:
     rng = np.random.default_rng(94)
     q, qd = PLANT.start + rng.uniform(-1, 1, (30, 7)), rng.normal(size=(30, 7))

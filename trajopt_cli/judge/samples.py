@@ -57,6 +57,9 @@ PIECE = 4096
 
 _KEPT = 5  # pieces of one thing that stay at hand
 _ROOM = 30_000_000  # bytes of what is dear to work out that stay at hand besides. With 100 MB judging takes as long.
+_MOST_WHOLE = 0.4  # share of gaps of a grid that are whole where few rows are beside it
+_FEW_WHOLE = 20  # gaps that are whole, of which fewer tell no grid under other rows
+_ALL_THERE = 0.98  # of a grid's rows that are there, where many are: a few may be missing
 OVERLAP = 2 * LAGS[-1]
 """Rows that windows share, so that every lag is seen from each of their rows."""
 
@@ -444,14 +447,14 @@ def judged_rows(plant: Machine, trajectory: Trajectory, resolution: Resolution |
     gaps = np.diff(t)
     still = _standstill(trajectory)
     gaps[still] = np.minimum(gaps, np.median(gaps[~still]) if not still.all() else 0.0)[still]
-    marked = _marked(gaps, float(np.broadcast_to(r.t, t.shape)[1:-1].max(initial=0.0)), marks)
+    doubt = float(np.broadcast_to(r.t, t.shape)[1:-1].max(initial=0.0))
     return Rows(
         plant=plant,
         trajectory=trajectory,
         step_t=step_t,
         doubt_q=np.broadcast_to(np.maximum(r.q, COMPUTED), (len(t), k)),
         doubt_v=np.broadcast_to(np.maximum(r.qd, COMPUTED), (len(t), k)),
-        marked=marked,
+        marked=_marked(t, gaps, ~still, doubt, marks),
         gaps=gaps,
         doubt_tables=r.tables,
     )
@@ -509,16 +512,29 @@ def second_differences(
             yield m, value, (2 * doubt + size(value) * off_both) / shortest(both, off_both)
 
 
-def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
-    """A grid with extra rows in it: many gaps of one length, others shorter, none longer.
+def _marked(t: Array, gaps: Array, moving: NDArray[np.bool_], doubt_t: float, marks: int) -> bool:
+    """A grid with extra rows in it: most gaps are of one length, others shorter, none longer. With so many extra rows
+    that few gaps are whole, as our plans have, its own rows are all there.
 
-    The first and the last gap do not count: a grid may begin and end anywhere. Rows may be shifted by 1e-5 s, the
-    shortest interval of our files.
+    gaps (n-1,): where nothing moves no longer than elsewhere; moving (n-1,): where something does. The first and the
+    last one do not count: a grid may begin and end anywhere. Rows may be shifted by 1e-5 s, the shortest interval
+    of our files.
     """
     inner = gaps[1:-1]
     if not len(inner):
         return False
-    grid = float(inner.max())  # and not the median: between near boundaries most gaps are short
-    whole = inner > grid - 2e-5 - 2 * doubt_t
-    short = inner < grid - 2e-5 - 2 * doubt_t - 1e-9 * grid
-    return bool(np.mean(whole) >= 0.4 and np.sum(short) >= max(marks, 1))
+    grid, off = float(inner.max()), 2e-5 + 2 * doubt_t  # not the median: between near boundaries most gaps are short
+    whole, short = inner > grid - off, inner < grid - off - 1e-9 * grid
+    if np.sum(short) < max(marks, 1):
+        return False
+    if np.mean(whole) >= _MOST_WHOLE or np.sum(whole) < _FEW_WHOLE:
+        return bool(np.mean(whole) >= _MOST_WHOLE)
+    step, begins = float(np.median(inner[whole])), t[1:-2]
+    ticks = (begins - begins[whole][0]) / step
+    own = np.abs(ticks - np.round(ticks)) * step <= off
+    wanted = float(np.sum(np.diff(t)[1:-1][moving[1:-1]])) / step
+    if len(np.unique(np.round(ticks[own & moving[1:-1]]))) < _ALL_THERE * np.floor(wanted):
+        return False
+    k = max(2, round(step / float(np.median(inner[short]))))  # other rows of one grid are no boundaries
+    finer = np.abs(ticks * k - np.round(ticks * k)) * step / k <= off
+    return bool(np.mean(finer[~own]) < 0.5)
