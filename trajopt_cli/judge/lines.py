@@ -20,7 +20,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.judge.findings import axis_unit, finding
 from trajopt_cli.judge.free_turns import beyond_sector, off_taught, swing_of, turn_of, turned_by
-from trajopt_cli.judge.geometry import Arc, Line, Path, angle_between, lengths, off_triangles, rotation_vectors
+from trajopt_cli.judge.geometry import Line, Path, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.judge.path_segments import Indices, StopInterval, off_path, runs_of
 from trajopt_cli.judge.positioners import TurnedFrame
 from trajopt_cli.judge.samples import Rows
@@ -121,7 +121,7 @@ def _left_out(run: StopInterval, leg: int) -> Iterator[Finding]:
     """A curve from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
     them, so long is the tool's path from the one to the other."""
     path, places, point = run.paths[leg], run.places, run.visits[leg + 1].point
-    if not isinstance(path, Arc):
+    if path is None or isinstance(path, Line):
         return
     a, b = run.between(leg)
     rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))

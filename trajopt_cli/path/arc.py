@@ -188,9 +188,9 @@ class Arc(Segment):
         return np.hstack([-(self.sweep**2) * self._on_circle(s), self._turn_rates(s)[1]])
 
     @property
-    def even_turns(self) -> tuple[Array, Array]:
-        """What turns evenly on it (3,): its spin in the poses' frame, and its turn in the tool's own."""
-        return self.spin * self.normal, self._turns[0]
+    def even_turns(self) -> tuple[Array, Array] | None:
+        """Its spin in the poses' frame, and its turn in the tool's own."""
+        return (self.spin * self.normal, self._turns[0]) if self.evenly_turned else None
 
     def between(self, s_0: float, s_1: float) -> Arc:
         """The part of it from s_0 to s_1, an arc; where the tool turns at a constant rate."""

@@ -22,7 +22,6 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotations_by
-from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.hermite import hermite
 from trajopt_cli.path.line import Line, lines_along
 from trajopt_cli.path.segment import POINT, Batch, Segment, check_fractions
@@ -190,7 +189,7 @@ class Corner(Segment):
         return (
             self.breaks.size == 0
             and not self.smooth
-            and all(isinstance(one, Line | Arc) and one.evenly_turned for one in (self.before, self.after))
+            and all(one.even_turns is not None for one in (self.before, self.after))
         )
 
     @cached_property
@@ -199,7 +198,7 @@ class Corner(Segment):
         of an arc, and by itself; then the same behind it."""
         out = []
         for one, fraction in ((self.before, self.fraction_before), (self.after, self.fraction_after)):
-            spin, own = one.even_turns if isinstance(one, Line | Arc) else (np.zeros(3), np.zeros(3))
+            spin, own = one.even_turns or (np.zeros(3), np.zeros(3))
             out += [fraction * (self._R_point.T @ spin), fraction * own]
         return out
 

@@ -77,6 +77,12 @@ class Segment(ABC):
         return True
 
     @property
+    def even_turns(self) -> tuple[Array, Array] | None:
+        """What turns evenly on it, about axes (3,) of the poses' frame and of the tool's own [rad]; None where a corner
+        beside it has no expression."""
+        return None
+
+    @property
     def unclear(self) -> tuple[str, str] | None:
         """What its program leaves open, and what to do about it, in words."""
         return None
