@@ -24,10 +24,11 @@ from trajopt_cli.bound.lower_bound import lower_bound
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.pipeline.planning import may_change
 from trajopt_cli.plan import NoCleanPlan, optimize
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import Patience
 from trajopt_cli.trajectories.axes import Axes
 

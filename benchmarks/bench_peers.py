@@ -48,10 +48,11 @@ from trajopt_cli.path.hermite import hermite as cubic
 from trajopt_cli.path_timing.sampled_path import SampledPath, finer, sample_path
 from trajopt_cli.pipeline.planning import judge, may_change
 from trajopt_cli.plan import optimize
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Loops
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.study.rows import Piece, hold, rows_of
 from trajopt_cli.study.rows import apart as apart_enough
 from trajopt_cli.timing.point_to_point import point_to_point

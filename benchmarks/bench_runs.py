@@ -14,15 +14,16 @@ from time import process_time
 
 import numpy as np
 
-from trajopt_cli.graph_search.ik_tables import check_reach
+from trajopt_cli.graph_search.reach import check_reach
 from trajopt_cli.graph_search.search import search
 from trajopt_cli.job import read_job
 from trajopt_cli.path_timing.path_parameterized_plan import duration, timed
 from trajopt_cli.plan.rail_refinement import refine_rail
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
 
 STEP = 0.6  # mm between points

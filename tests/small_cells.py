@@ -9,11 +9,12 @@ import numpy as np
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import Program, TextFile
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.scenario import Scenario

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from trajopt_cli.exporters.files import export
     from trajopt_cli.judge.verify import verify
     from trajopt_cli.plan import optimize
+    from trajopt_cli.problem.build import build_problem
     from trajopt_cli.problem.plan import Infeasible, Target
     from trajopt_cli.problem.plant import build_plant
-    from trajopt_cli.problem.problem import build_problem
     from trajopt_cli.rapid.reader import read_program
 
 __version__ = "0.2.0"
@@ -37,7 +37,7 @@ _DOORS = {
     "read_program": "trajopt_cli.rapid.reader:read_program",
     "load_cell": "trajopt_cli.cell.loader:load_cell",
     "build_plant": "trajopt_cli.problem.plant:build_plant",
-    "build_problem": "trajopt_cli.problem.problem:build_problem",
+    "build_problem": "trajopt_cli.problem.build:build_problem",
     "optimize": "trajopt_cli.plan:optimize",
     "verify": "trajopt_cli.judge.verify:verify",
     "export": "trajopt_cli.exporters.files:export",

@@ -16,10 +16,11 @@ from trajopt_cli.job import read_job
 from trajopt_cli.pipeline.folder import verify_file
 from trajopt_cli.pipeline.optimize import OptimizedJob, optimize_job
 from trajopt_cli.plan import optimize
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import Freedom
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 
 ENDS_WITH_A_WAIT = Small(
     """MODULE Small

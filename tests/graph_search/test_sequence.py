@@ -19,10 +19,11 @@ from trajopt_cli.graph_search.sequence import (
     steps_of,
 )
 from trajopt_cli.job import Job, read_job
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.trajectories.axes import Axes
 
 CELL = """robot: irb140_rail

@@ -7,16 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from legal_motion import (
-    A,
-    B,
-    Case,
-    bench_case,
-    home,
-    plant_without_rail,
-    program,
-    rapid_case,
-)
+from legal_motion import A, B, Case, bench_case, home, plant_without_rail, program, rapid_case
 
 from trajopt_cli.findings import Report, collisions
 from trajopt_cli.geometry import Array, pose

@@ -9,18 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from legal_motion import (
-    Case,
-    down,
-    home,
-    move_ext,
-    move_j,
-    move_l,
-    plant_with_rail,
-    program,
-    trapezoid,
-    wait,
-)
+from legal_motion import Case, down, home, move_ext, move_j, move_l, plant_with_rail, program, trapezoid, wait
 from legal_motion import judged as verify
 from legal_runs import (
     P0,

@@ -13,18 +13,7 @@ import spoiled_runs
 import spoiled_shapes
 import spoiled_stops
 import spoiled_turns
-from legal_motion import (
-    A_IN,
-    A,
-    Case,
-    faster,
-    hold,
-    line_move,
-    nudged,
-    rail_share,
-    rapid_case,
-    stream_case,
-)
+from legal_motion import A_IN, A, Case, faster, hold, line_move, nudged, rail_share, rapid_case, stream_case
 from legal_motion import judged as verify
 from spoil_book import OVER, SPOILED
 from spoiled_holds import in_the_joint_move, in_the_wait, on_the_line

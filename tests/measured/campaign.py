@@ -18,9 +18,7 @@ from measured.simulated_log import (
     record,
     working_moves,
 )
-from measured.simulated_log import (
-    PERIODS as PERIODS,
-)
+from measured.simulated_log import PERIODS as PERIODS
 from trajopt_cli.job import read_job
 from trajopt_cli.measured.identify import Kind, Limit, identify
 from trajopt_cli.measured.limits_file import limits_in_force, limits_section

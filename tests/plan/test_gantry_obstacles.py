@@ -10,9 +10,10 @@ from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.plan import optimize
 from trajopt_cli.plan.collision_diagnosis import blocked_place
 from trajopt_cli.plan.fallback_plan import fallback_motion
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.trajectories.axes import Axes

@@ -12,16 +12,16 @@ import pytest
 from small_cells import plant_without_rail, rapid
 
 from trajopt_cli.geometry import Array, wxyz_from_rotation
-from trajopt_cli.graph_search.ik_tables import check_reach
+from trajopt_cli.graph_search.reach import check_reach
 from trajopt_cli.judge.verify import verify
 from trajopt_cli.motion import Program
 from trajopt_cli.plan import optimize
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.configurations import arms_as_written, check_configurations
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, Freedom
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import build_problem
 from trajopt_cli.trajectories.axes import Axes
 
 BEGIN, NEAR = np.radians([20.0, 10, -10, 10, 40, 0]), np.radians([40.0, 20, -20, 5, -40, 10])

@@ -24,11 +24,12 @@ from trajopt_cli.path_timing.edge_times import Pairs, Times, leg_times
 from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.plan import optimize
 from trajopt_cli.plan.rail_refinement import refine_rail
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.problem.plant import Plant, build_plant
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Follower, Scenario

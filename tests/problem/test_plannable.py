@@ -6,17 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from some_motions import (
-    RAIL,
-    move_abs_j,
-    move_c,
-    move_ext_j,
-    move_j,
-    move_l,
-    plant,
-    program,
-    wait,
-)
+from some_motions import RAIL, move_abs_j, move_c, move_ext_j, move_j, move_l, plant, program, wait
 
 from trajopt_cli.errors import InputErrorGroup
 from trajopt_cli.geometry import Array, pose, rotation_about

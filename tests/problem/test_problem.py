@@ -12,10 +12,11 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.judge.program_points import points_of, stands_for
 from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent, motion_name
 from trajopt_cli.plan.subproblems import pieces
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.editable import Changes, droppable, everything
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import Coupling, LegKind, build_problem
+from trajopt_cli.problem.problem import Coupling, LegKind
 from trajopt_cli.scenario import Scenario
 
 J, L, D = LegKind.JOINT, LegKind.LINE, LegKind.DWELL

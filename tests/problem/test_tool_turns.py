@@ -13,14 +13,7 @@ from trajopt_cli.motion import FreeTurn, PoseMove, Program
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.problem import TurnRoom
-from trajopt_cli.problem.tool_turns import (
-    TurnGroups,
-    keeps_axis,
-    turn_groups,
-    turned,
-    turned_motion,
-    with_room_to_turn,
-)
+from trajopt_cli.problem.tool_turns import TurnGroups, keeps_axis, turn_groups, turned, turned_motion, with_room_to_turn
 from trajopt_cli.scenario import FreeTool, Scenario
 from trajopt_cli.warnings import Source
 

@@ -10,14 +10,7 @@ from places import crooked_pose
 
 from trajopt_cli.geometry import inverse_pose, pose, rotation_from_wxyz
 from trajopt_cli.motion import ConfData
-from trajopt_cli.robot.inverse import (
-    confdata,
-    confdata_admits,
-    inverse,
-    representatives,
-    solutions,
-    why_unreachable,
-)
+from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, representatives, solutions, why_unreachable
 from trajopt_cli.robot.model import load_robot
 
 # rapid-facts, table of the IRB 140: joints [deg], tool0 [mm], quaternion wxyz, confdata. The last four are one pose,

@@ -2,13 +2,7 @@
 
 import numpy as np
 import pytest
-from tcp_motion import (
-    forward_acceleration,
-    forward_velocity,
-    inverse_acceleration,
-    inverse_velocity,
-    singularity,
-)
+from tcp_motion import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity, singularity
 
 from trajopt_cli.robot.model import load_robot
 

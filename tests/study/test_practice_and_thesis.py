@@ -17,13 +17,7 @@ from trajopt_cli.problem.workspace import reachable
 from trajopt_cli.study.case import Case, NotApplicable, RailRule
 from trajopt_cli.study.causes import CAUSES, TOOL_TURN, asked, causes
 from trajopt_cli.study.practice import practice, with_detours
-from trajopt_cli.study.thesis import (
-    WorkPoint,
-    functional_areas,
-    rail_positions,
-    thesis,
-    work_points,
-)
+from trajopt_cli.study.thesis import WorkPoint, functional_areas, rail_positions, thesis, work_points
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 

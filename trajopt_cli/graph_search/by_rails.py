@@ -15,7 +15,7 @@ from itertools import pairwise, product
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.graph_search import ik_tables
+from trajopt_cli.graph_search import reach
 from trajopt_cli.graph_search.search import search as search_one
 from trajopt_cli.problem.decision_scope import RailFreedom
 from trajopt_cli.problem.plan import Infeasible
@@ -68,20 +68,20 @@ def search(axes: Axes, problem: Problem, avoid: EdgeChecks | None = None) -> Rou
 
 
 def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
-    """As of ik_tables, of any number of rails, which are held in places all over their strokes."""
+    """As of reach, of any number of rails, which are held in places all over their strokes."""
     if axes.layout.r < 2:
-        return ik_tables.check_reach(axes, problem)
+        return reach.check_reach(axes, problem)
     for first, last in problem.stations:
         why: Infeasible | None = None
         for one, own in one_sought(axes, problem):
-            found = ik_tables.unserved(one, own, first, last)
+            found = reach.unserved(one, own, first, last)
             if found is None:
                 why = None
                 break
             why = why or found
         if why is not None:
             return why
-    return ik_tables.dead_end(problem)
+    return reach.dead_end(problem)
 
 
 def one_sought(axes: Axes, problem: Problem) -> Iterator[tuple[Axes, Problem]]:

@@ -16,7 +16,8 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.ik_tables import IkTable, grid_in_reach, station_table
-from trajopt_cli.graph_search.search import _backward, _edges, _forward, _joint_edge, _layers, _station_of
+from trajopt_cli.graph_search.search import _backward, _forward, _layers, _station_of
+from trajopt_cli.graph_search.transition_times import edges_of, joint_edge
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.trajectories.axes import Axes
 
@@ -86,7 +87,7 @@ def steps_of(
     if not all(table.labels for table in tables):
         return None
     layers = _layers(axes, problem, tables, np.zeros(1))
-    edges = _edges(axes, problem, tables, _station_of(problem), layers)
+    edges = edges_of(axes, problem, tables, _station_of(problem), layers)
     before = _forward(layers[:begin], edges[: begin - 1])[0][-1]
     after = None
     if end < len(problem.legs):
@@ -100,7 +101,7 @@ def steps_of(
     def to(layer: int, j: int) -> Array:
         """From the states of a layer through the joint move into station j and through it."""
         first = ways[j][0]
-        into = _joint_edge(axes, problem, first - 1, layers[layer], layers[first]).dense()
+        into = joint_edge(axes, problem, first - 1, layers[layer], layers[first]).dense()
         return _product(into, inside[j])
 
     n = len(ways)
@@ -112,7 +113,7 @@ def steps_of(
         if after is None:
             leave.append(np.zeros(len(layers[last].q)))
         else:
-            out = _joint_edge(axes, problem, end, layers[last], layers[end + 1]).dense()
+            out = joint_edge(axes, problem, end, layers[last], layers[end + 1]).dense()
             leave.append(np.min(out + after[None], axis=1))
     return Steps(tuple(enter), tuple(between), tuple(leave))
 

@@ -14,8 +14,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.path.segment import along_all, over_work
+from trajopt_cli.path_timing.path_derivatives import PathDerivatives
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
-from trajopt_cli.path_timing.sampled_path import PathDerivatives, spaced
+from trajopt_cli.path_timing.sampled_path import spaced
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.timing.double_integrator import mean_ramp, trapezoid_time

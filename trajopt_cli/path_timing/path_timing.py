@@ -10,7 +10,8 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.path.segment import JointSegment
-from trajopt_cli.path_timing.sampled_path import PathDerivatives, SampledPath, finer, together
+from trajopt_cli.path_timing.path_derivatives import PathDerivatives
+from trajopt_cli.path_timing.sampled_path import SampledPath, finer, together
 from trajopt_cli.problem.problem import Leg, Problem
 from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.settings import Settings

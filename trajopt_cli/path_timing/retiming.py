@@ -14,8 +14,8 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.path_timing.path_derivatives import PathDerivatives
 from trajopt_cli.path_timing.path_timing import path_rows, samples_of, stacked
-from trajopt_cli.path_timing.sampled_path import PathDerivatives
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.timing.topp import fastest_laws
 from trajopt_cli.trajectories.axes import Axes

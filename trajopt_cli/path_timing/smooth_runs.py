@@ -24,8 +24,9 @@ from scipy.optimize import linprog
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.segment import JointSegment
+from trajopt_cli.path_timing.path_derivatives import PathPart
 from trajopt_cli.path_timing.path_timing import PathMargins, in_force, rows_on, stacked, time_optimal_law
-from trajopt_cli.path_timing.sampled_path import PathPart, SampledPath, finer, sample_path
+from trajopt_cli.path_timing.sampled_path import SampledPath, finer, sample_path
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.stop_condition import checkpoint
 from trajopt_cli.trajectories.axes import Axes

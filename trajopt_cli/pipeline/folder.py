@@ -15,12 +15,7 @@ from trajopt_cli.motion import TextFile
 from trajopt_cli.pipeline.planning import judge
 from trajopt_cli.problem.detours import held_against, quoted
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
-from trajopt_cli.runs.results import (
-    CHOSEN,
-    CSV,
-    RapidModule,
-    read_results,
-)
+from trajopt_cli.runs.results import CHOSEN, CSV, RapidModule, read_results
 from trajopt_cli.runs.summary import DetourRow, MotionRow
 
 if TYPE_CHECKING:

@@ -28,13 +28,7 @@ from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.runs import REPORT, SUMMARY
 from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, as_json, sha256
-from trajopt_cli.runs.results import (
-    CHOSEN,
-    CSV,
-    PlanOptions,
-    PlanRecord,
-    distinct_names,
-)
+from trajopt_cli.runs.results import CHOSEN, CSV, PlanOptions, PlanRecord, distinct_names
 from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.runs.summary import Judged, Summary, settled, summary
 from trajopt_cli.runs.uncertainty import WRITTEN

@@ -17,7 +17,7 @@ import numpy as np
 from trajopt_cli.collision.collision_scene import collision_scene_of, turned_into
 from trajopt_cli.collision.motion_collision import clear
 from trajopt_cli.graph_search.by_rails import check_reach, search
-from trajopt_cli.graph_search.ik_tables import broken_between
+from trajopt_cli.graph_search.reach import broken_between
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.path_timing.edge_times import Times
 from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, Runs, duration, stopped, timed
@@ -26,13 +26,14 @@ from trajopt_cli.plan.detour_planner import NoClearPath, clear_motions, coordina
 from trajopt_cli.plan.other_routes import with_better_parts
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import timed_in_time
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Problem, build_problem
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.trajectories.axes import Axes

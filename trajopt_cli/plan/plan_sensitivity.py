@@ -27,12 +27,13 @@ from trajopt_cli.path_timing.path_parameterized_plan import NotDriven, duration,
 from trajopt_cli.plan.local_refinement import may_gain, with_fixed_runs
 from trajopt_cli.plan.rail_refinement import refine_rail
 from trajopt_cli.plan.subproblems import Span, Window, red_black
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.corners import passed_in
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.editable import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.problem.stop_condition import in_force
 from trajopt_cli.trajectories.axes import Axes
 from trajopt_cli.trajectories.dense_check import Ratios, check_leg, check_legs

@@ -37,6 +37,7 @@ from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
 from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
 from trajopt_cli.plan.tool_turns import best_sampled_turns, reachable, refined_turns, route_time, stays_at_wrist
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.corners import corners_of, with_stops
 from trajopt_cli.problem.decision_scope import EVERYTHING, Freedom
 from trajopt_cli.problem.detours import Detour, Numbering, folded, quoted
@@ -44,7 +45,7 @@ from trajopt_cli.problem.editable import Changes, everything
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Strain, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, TurnRoom, build_problem
+from trajopt_cli.problem.problem import LegKind, Problem, TurnRoom
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.problem.stop_condition import Patience, Stopped
 from trajopt_cli.problem.tool_turns import turn_groups, turned, with_room_to_turn

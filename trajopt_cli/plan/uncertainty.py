@@ -15,11 +15,12 @@ import numpy as np
 
 from trajopt_cli.motion import Program, Wait
 from trajopt_cli.path_timing.retiming import MotionPath
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import EVERYTHING
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Leg, build_problem
+from trajopt_cli.problem.problem import Leg
 from trajopt_cli.problem.tool_turns import turned
 from trajopt_cli.runs.uncertainty import WRITTEN, Guess, Uncertainty
 from trajopt_cli.scenario import Settling

@@ -12,18 +12,7 @@ import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import (
-    Happens,
-    Motion,
-    Move,
-    MoveAbsJ,
-    MoveExtJ,
-    Program,
-    SignalEvent,
-    Tool,
-    UnitMove,
-    Wait,
-)
+from trajopt_cli.motion import Happens, Motion, Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Tool, UnitMove, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import TOOL, Capsule, Cue, Grip, Solid, moved
 

@@ -11,17 +11,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import (
-    FlyBy,
-    Move,
-    PathMove,
-    Program,
-    SignalEvent,
-    Source,
-    Wait,
-    motion_name,
-    turned_under,
-)
+from trajopt_cli.motion import FlyBy, Move, PathMove, Program, SignalEvent, Source, Wait, motion_name, turned_under
 from trajopt_cli.problem.acceleration_settings import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant

@@ -17,17 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import (
-    Motion,
-    Move,
-    MoveAbsJ,
-    MoveExtJ,
-    MoveJ,
-    PoseMove,
-    Program,
-    Span,
-    Wait,
-)
+from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveExtJ, MoveJ, PoseMove, Program, Span, Wait
 from trajopt_cli.problem.editable import Changes, Loops, droppable, may_go, why_straight
 from trajopt_cli.problem.move_call import read_move
 from trajopt_cli.problem.plant import Plant

@@ -15,13 +15,14 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Motion, Move, Program, motion_name, turned_under
 from trajopt_cli.path_timing.sampled_path import SampledPath, sample_path
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.study.case import Case
 from trajopt_cli.trajectories.axes import Axes, AxisLimits
 from trajopt_cli.trajectories.dense_check import motion_samples

@@ -17,13 +17,13 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.graph_search.search import search
+from trajopt_cli.path_timing.path_derivatives import PathDerivatives
 from trajopt_cli.path_timing.path_timing import but_torques, path_rows, samples_of, stacked
-from trajopt_cli.path_timing.sampled_path import PathDerivatives
 from trajopt_cli.plan.tool_turns import best_sampled_turns
+from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.decision_scope import FIXED_RAIL
 from trajopt_cli.problem.editable import everything
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import build_problem
 from trajopt_cli.problem.tool_turns import turn_groups, turned
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
 from trajopt_cli.study.fixed_rail import FixedRail, StopToStop, caps_of, fixed_rail, use_of

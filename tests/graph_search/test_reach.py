@@ -9,8 +9,9 @@ import pytest
 from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
-from trajopt_cli.graph_search import ik_tables
-from trajopt_cli.graph_search.ik_tables import check_reach, line_nodes, rail_grid, station_table
+from trajopt_cli.graph_search import reach
+from trajopt_cli.graph_search.ik_tables import IkTable, line_nodes, rail_grid, station_table
+from trajopt_cli.graph_search.reach import check_reach
 from trajopt_cli.motion import Program
 from trajopt_cli.path.line import Line
 from trajopt_cli.plan import check_feasible
@@ -360,11 +361,11 @@ def test_a_way_longer_than_the_reach_is_served_from_few_places(monkeypatch: pyte
     """Each of its lines from some place, none of them from all; a fine grid is for what that leaves open."""
     looked = []
 
-    def counted(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> ik_tables.IkTable:
+    def counted(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> IkTable:
         looked.append(len(d))
         return station_table(axes, problem, first, last, d)
 
-    monkeypatch.setattr(ik_tables, "station_table", counted)
+    monkeypatch.setattr(reach, "station_table", counted)
     ways = "\n".join(
         f"MoveL [[450,{y},350],[0,0,1,0],[0,0,0,0],[{y},9E9,9E9,9E9,9E9,9E9]],v200,z5,tool0;"
         for y in range(0, 1900, 100)
