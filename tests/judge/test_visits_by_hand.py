@@ -202,6 +202,22 @@ def test_a_point_is_passed_where_chords_come_near_its_zone(
     assert (len(found) > 1) == (aside <= 0.0099)
 
 
+@pytest.mark.parametrize(("short", "passed"), [(0.5e-6, True), (1.5e-6, False)])
+def test_a_zone_is_passed_within_a_micrometre(short: float, passed: bool) -> None:
+    """Where a zone ends so much short of the nearest chord and what the tool may be off it."""
+    rows, frame = wander(44)
+    X = at(0.52)
+    X[:3, 3] += [0.0, 0.0, 0.02]
+    P = (X @ point(X_WF=X).X_FT)[:3, 3]
+    p = (PLANT.robot.forward(rows.q) @ TOOL)[:, :3, 3]
+    t = np.linspace(0, 1, 20001)[:, None]
+    distance = [float(np.linalg.norm(a + t * (b - a) - P, axis=1).min()) for a, b in pairwise(p)]
+    reach = A_TCP * (np.diff(rows.t) + rows.unsure(slice(None, -1), slice(1, None))) ** 2 / 8
+    least = float(np.min(distance - reach - np.maximum(frame.doubt_p[1:], frame.doubt_p[:-1])))
+    radius = least - short
+    assert bool(passages(rows, frame, point(X_WF=X, fly_by=FlyBy(radius, radius, radius)))) == passed
+
+
 def test_an_arcs_end_is_passed_on_its_second_half() -> None:
     """Half a circle whose zone reaches round to its first half: only what is on the second half comes near its end."""
     X_0, X_2 = P1, P2

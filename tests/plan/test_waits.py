@@ -16,7 +16,7 @@ from trajopt_cli.plan.output_rows import output_rows
 from trajopt_cli.problem.decision_scope import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.rapid.execution.rail import without_unasked
+from trajopt_cli.rapid.execution.rail import freed_by_default
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario, Settling
 from trajopt_cli.trajectories.axes import Axes
@@ -32,7 +32,7 @@ DAY = 86400.0
 
 def freed(wait: str) -> Program:
     """The rail may move in the wait."""
-    return without_unasked(rapid(BODY % wait))
+    return freed_by_default(rapid(BODY % wait))
 
 
 def solved(wait: float, target: Target, plant: Plant) -> Plan:

@@ -7,7 +7,7 @@ import pytest
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import Hold, Move, Program, SignalEvent, TextFile, Wait
-from trajopt_cli.rapid.execution.rail import held_unasked, without_unasked
+from trajopt_cli.rapid.execution.rail import freed_by_default, held_by_default
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import HoldRail, Scenario
 
@@ -251,8 +251,8 @@ def test_an_entry_that_frees_no_wait_is_said() -> None:
 
 def test_it_is_said_once_for_all_of_them() -> None:
     program = in_cell("", "Set a; WaitTime 1;\nWaitTime 1;\nWaitDI b,1;\nWaitTime 1;\nReset a; WaitTime 1;", "")
-    assert held_unasked(program) == (
+    assert held_by_default(program) == (
         "the rail holds still in 4 waits (m.mod:4, m.mod:5, m.mod:7 and 1 more); "
         "'waits: {rail: free}' in the cell file lets it move"
     )
-    assert held_unasked(without_unasked(program)) is None
+    assert held_by_default(freed_by_default(program)) is None

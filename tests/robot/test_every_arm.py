@@ -11,6 +11,7 @@ from tcp_motion import singularity
 
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.motion import ConfData
+from trajopt_cli.robot.arm import wrist_section
 from trajopt_cli.robot.inverse import branch_margins, confdata, confdata_admits, inverse, representatives, solutions
 from trajopt_cli.robot.parallel_arm import ParallelArm
 
@@ -32,6 +33,18 @@ def configurations(robot, n, seed=3):
 def test_forward_is_pins(arm):
     q = configurations(arm, 200)
     np.testing.assert_allclose(arm.forward(q), pin_flange(arm, q), rtol=0, atol=1e-13)
+
+
+def test_the_wrist_centre_in_the_arms_plane_is_where_pin_has_it(arm):
+    """How far before axis 1 and how high: of the upper arm's end by the frames of pin, in the canonical base."""
+    if isinstance(arm.arm, ParallelArm) or np.any(arm.arm.wrist):
+        pytest.skip("its wrist has no centre")
+    q = configurations(arm, 50)
+    X_CK = inverse_pose(arm.X_WC0) @ pin_flange(arm, q) @ inverse_pose(arm.arm.X_KF)
+    centre = X_CK[:, :3, 3] - arm.arm.c4 * X_CK[:, :3, 2]
+    before, height = wrist_section(arm.arm, q)
+    np.testing.assert_allclose(height, centre[:, 2], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(before**2 + arm.arm.b**2, (centre[:, :2] ** 2).sum(axis=1), rtol=0, atol=1e-12)
 
 
 def test_jacobian_and_its_rate_are_pins(arm, X_FT):

@@ -120,7 +120,7 @@ def baseline(
     from trajopt_cli.cli.console import print_answer, told
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.job import read_program_or_results
-    from trajopt_cli.pipeline.optimize import held_unasked
+    from trajopt_cli.pipeline.optimize import held_by_default
     from trajopt_cli.problem.editable import Loops
     from trajopt_cli.runs.files import check_file, check_writable, write_file
     from trajopt_cli.runs.folder import check_replaceable
@@ -158,7 +158,7 @@ def baseline(
         causes = by_name(f"saving by cause: not available, there is no plan to start from ({answer.steps})", files)
     else:
         causes = records.causes_table(answer.steps)
-    notes = [by_name(line, files) for line in (*job.plant.unchecked, *answer.notices, *held_unasked(job))]
+    notes = [by_name(line, files) for line in (*job.plant.unchecked, *answer.notices, *held_by_default(job))]
     parts = [table, *records.row_lines(rows, files), "", causes, *notes]
     print_answer(as_json, quiet, lambda: record, records.comparison_line(rows), parts)
     if plots is not None:

@@ -188,9 +188,9 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
         return
     from trajopt_cli.problem.configurations import unsure_nearest
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
-    from trajopt_cli.rapid.execution.rail import held_unasked
+    from trajopt_cli.rapid.execution.rail import held_by_default
 
-    if plant.rail_eaxes and (held := held_unasked(flat)):
+    if plant.rail_eaxes and (held := held_by_default(flat)):
         yield held
     yield from planned_otherwise(flat)
     yield from unsure_nearest(flat, plant)

@@ -143,7 +143,7 @@ def optimize_job(
     listen("results", Progress("loops"))
     with clock.phase("loops"), patience.cutting():
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
-        held = tuple(held_unasked(job, partial(_freed, job, loops, estimate)))
+        held = tuple(held_by_default(job, partial(_freed, job, loops, estimate)))
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
@@ -308,11 +308,11 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
 def _freed(job: Job, loops: Loops, now: float | None) -> str:
     """What it would save to let the rail move in the waits that hold it unasked, likewise; empty where nobody knows."""
     from trajopt_cli.plan import search_estimate
-    from trajopt_cli.rapid.execution.rail import without_unasked
+    from trajopt_cli.rapid.execution.rail import freed_by_default
 
     if now is None:
         return ""
-    free = replace(job, program=without_unasked(job.program))
+    free = replace(job, program=freed_by_default(job.program))
     try:
         then = search_estimate(free.program, job.plant, Target.RAPID, changes_of(free, Target.RAPID, loops))
     except Stopped:
@@ -444,11 +444,11 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
         yield f"{stopped} {points}: {whys}"
 
 
-def held_unasked(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
+def held_by_default(job: Job, worth: Callable[[], str] = str) -> Iterator[str]:
     """A word on the waits that hold the rail though nobody asked for it, and what it is worth; none without a rail."""
     from trajopt_cli.rapid.execution import rail
 
-    if job.plant.rail_eaxes and (held := rail.held_unasked(job.program)):
+    if job.plant.rail_eaxes and (held := rail.held_by_default(job.program)):
         yield f"{held}{worth()}"
 
 

@@ -84,7 +84,7 @@ def timed_in_time(
 
 
 @dataclass(frozen=True, eq=False)
-class Mended:
+class Repaired:
     """A motion with its rows and the boundaries of its legs (L + 1,) [s], and what a reader should know of it."""
 
     iterate: Iterate
@@ -92,7 +92,7 @@ class Mended:
     notes: tuple[str, ...]
 
 
-def with_legal_rows(axes: Axes, problem: Problem, iterate: Iterate, patience: Patience) -> Mended | None:
+def with_legal_rows(axes: Axes, problem: Problem, iterate: Iterate, patience: Patience) -> Repaired | None:
     """A clean motion whose rows keep every limit between them, too: as it is, or mended where they do not; None where
     that cannot be."""
     took = duration(iterate)
@@ -101,7 +101,7 @@ def with_legal_rows(axes: Axes, problem: Problem, iterate: Iterate, patience: Pa
         trajectory, bounds, over = rows_of(axes, problem, iterate)
         if not len(over):
             notes = _told(problem, rounds, duration(iterate) / took - 1, _ROWS) if rounds else ()
-            return Mended(iterate, (trajectory, bounds), notes)
+            return Repaired(iterate, (trajectory, bounds), notes)
         found = _gentler_at(axes, problem, iterate, over, 1 - axes.settings.start, rounds, patience)
         if found is None:
             return None
@@ -111,7 +111,7 @@ def with_legal_rows(axes: Axes, problem: Problem, iterate: Iterate, patience: Pa
 
 def repaired(
     axes: Axes, problem: Problem, iterate: Iterate, notes: tuple[str, ...], first: tuple[Problem, Iterate] | None,
-    patience: Patience, planned: Callable[[Problem, Mended], Plan], judged: Judged, judge: Callable[[Plan], Judged],
+    patience: Patience, planned: Callable[[Problem, Repaired], Plan], judged: Judged, judge: Callable[[Plan], Judged],
 ) -> Judged:  # fmt: skip
     """A plan that a judge refuses, repaired: slower where it is too fast, else the first legal motion.
 

@@ -35,7 +35,7 @@ from trajopt_cli.plan.min_effort import least_effort_plan
 from trajopt_cli.plan.opened_corners import OpenedProblem
 from trajopt_cli.plan.output_rows import motions_of, rows_of
 from trajopt_cli.plan.rail_refinement import refine_corner_rail, refine_rail
-from trajopt_cli.plan.repair import Mended, repaired, with_legal_rows
+from trajopt_cli.plan.repair import Repaired, repaired, with_legal_rows
 from trajopt_cli.plan.tool_turns import best_sampled_turns, reachable, refined_turns, route_time, stays_at_wrist
 from trajopt_cli.problem.build import build_problem
 from trajopt_cli.problem.corners import corners_of, with_stops
@@ -312,7 +312,7 @@ def _planned_as_given(
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
 
-    def planned(problem: Problem, mended: Mended) -> Plan:
+    def planned(problem: Problem, mended: Repaired) -> Plan:
         driven = detours_left(problem, legal.detours)
         ways = _detour_notes(program, legal.detours, driven)
         plan = _plan(axes, problem, mended.iterate, target, mended.rows, (*ways, *mended.notes))

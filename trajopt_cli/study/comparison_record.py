@@ -14,7 +14,7 @@ from trajopt_cli.findings import Report, failures
 from trajopt_cli.page.compared import compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.optimized import Provenance
-from trajopt_cli.pipeline.optimize import held_unasked, inputs_of, made_by
+from trajopt_cli.pipeline.optimize import held_by_default, inputs_of, made_by
 from trajopt_cli.problem.plan import Infeasible, NoPlan, Plan
 from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import COMPARISON
@@ -230,7 +230,7 @@ def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
     motions = [_shown(row, one.get("lower_bound_s")) for row, one in zip(answer.rows, record["rows"], strict=True)]
     hashes = {path: sha256(given.content) for path, given in inputs_of(job).items()}
     made = Provenance(made_by("compare baseline", ComparisonRecord, options), hashes)
-    notices = (*map(str, job.program.warnings), *answer.notices, *held_unasked(job))
+    notices = (*map(str, job.program.warnings), *answer.notices, *held_by_default(job))
     return compared_page(job.title, job.program, job.plant, record, motions, notices, made)
 
 

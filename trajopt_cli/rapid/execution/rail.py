@@ -85,7 +85,7 @@ def _freed(run: Context, modules: Modules) -> Set[int]:
     return out
 
 
-def held_unasked(program: Program) -> str | None:
+def held_by_default(program: Program) -> str | None:
     """One sentence on the waits of some time that hold the rail unasked; None for none."""
     waits = [one for one in program.motions if isinstance(one, Wait) and one.hold in _UNASKED and one.duration > 0]
     if not waits:
@@ -98,8 +98,8 @@ def held_unasked(program: Program) -> str | None:
     )
 
 
-def without_unasked(program: Program) -> Program:
-    """The program whose rail may move in the waits of held_unasked."""
+def freed_by_default(program: Program) -> Program:
+    """The program whose rail may move in the waits of held_by_default."""
     motions = [
         replace(one, hold=None) if isinstance(one, Wait) and one.hold in _UNASKED else one for one in program.motions
     ]
