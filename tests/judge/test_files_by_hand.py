@@ -99,13 +99,25 @@ def test_digits_of_times_may_hide_three_percent_of_a_speed(over: float) -> None:
     assert v > 0
 
 
-def test_a_bare_grid_says_what_it_leaves_open() -> None:
-    """tau, half a row spacing, before and behind each end of a wait: 4 tau; a stop is a tau^2 / 2 away at most."""
-    rows = RIDE.rows()
+@pytest.mark.parametrize("speeds", [True, False])
+def test_a_bare_grid_says_what_it_leaves_open(speeds: bool) -> None:
+    """tau, half a row spacing, before and behind each end of a wait: 4 tau; a stop is a tau^2 / 2 away at most, and its
+    speed a tau off, without speeds that of the middle between two rows h apart: a h / 2 more."""
+    rows = RIDE.rows(speeds)
     grid = judged(rows).grid
     assert grid is not None
     assert grid.rate == pytest.approx(100.0)
     assert grid.dwell == pytest.approx(0.02, abs=1e-6)
     a = PLANT.tcp.acceleration
     assert grid.stop == pytest.approx(tol.STOP_POSITION + a * 0.005**2 / 2, abs=1e-7)
-    assert grid.rest == pytest.approx(tol.REST_LINEAR + a * 0.005, rel=1e-3)
+    assert grid.rest == pytest.approx(tol.REST_LINEAR + a * (0.005 if speeds else 0.01), rel=1e-3)
+
+
+def test_digits_of_positions_open_speeds_that_are_not_printed() -> None:
+    """Two rows h apart, each off by p at the tool, tell a speed to 2 p / h, and a change of it to twice that."""
+    p = {step: judged(RIDE.rows(False), Resolution(0.0, np.full(7, step), np.full(7, 0.0))) for step in (1e-7, 3e-5)}
+    J = np.linalg.norm(PLANT.robot.jacobian(PLANT.start[None])[0][:3], axis=0).sum()
+    fine, coarse = (one.grid for one in p.values())
+    assert fine is not None
+    assert coarse is not None
+    assert coarse.rest - fine.rest == pytest.approx(4 * J * (3e-5 - 1e-7) / 2 / 0.01, rel=0.05)
