@@ -527,8 +527,10 @@ def _marked(t: Array, gaps: Array, moving: NDArray[np.bool_], doubt_t: float, ma
     whole, short = inner > grid - off, inner < grid - off - 1e-9 * grid
     if np.sum(short) < max(marks, 1):
         return False
-    if np.mean(whole) >= _MOST_WHOLE or np.sum(whole) < _FEW_WHOLE:
-        return bool(np.mean(whole) >= _MOST_WHOLE)
+    if np.mean(whole) >= _MOST_WHOLE:
+        return True
+    if np.sum(whole) < _FEW_WHOLE:
+        return False
     step, begins = float(np.median(inner[whole])), t[1:-2]
     ticks = (begins - begins[whole][0]) / step
     own = np.abs(ticks - np.round(ticks)) * step <= off
@@ -536,5 +538,5 @@ def _marked(t: Array, gaps: Array, moving: NDArray[np.bool_], doubt_t: float, ma
     if len(np.unique(np.round(ticks[own & moving[1:-1]]))) < _ALL_THERE * np.floor(wanted):
         return False
     k = max(2, round(step / float(np.median(inner[short]))))  # other rows of one grid are no boundaries
-    finer = np.abs(ticks * k - np.round(ticks * k)) * step / k <= off
-    return bool(np.mean(finer[~own]) < 0.5)
+    on_finer = np.abs(ticks * k - np.round(ticks * k)) * step / k <= off
+    return bool(np.mean(on_finer[~own]) < 0.5)
